@@ -1,0 +1,220 @@
+//! The steps of all algorithms.
+
+use super::End;
+use crate::geometry::Axes;
+use crate::tree::{Child, Code, NodeId};
+
+/// One step of an algorithm, with the numbers that it was made with.
+///
+/// Algorithms share events where they do the same, so that panels, sentences
+/// and counters need to know events only. Parameters t are in units of the
+/// ray's direction; `near` and `far` planes are those of the ray, so that
+/// `near[e] ≤ far[e]` whatever the sign of its direction.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Event<const D: usize> {
+    // Rays and boxes.
+    /// The ray is cut with the root: it is inside for `enter` ≤ t < `exit`.
+    Clip {
+        /// Parameters of the near planes.
+        near: [f64; D],
+        /// Parameters of the far planes.
+        far: [f64; D],
+        /// The latest near plane.
+        enter: f64,
+        /// The earliest far plane.
+        exit: f64,
+        /// Whether the ray meets the root at some t ≥ 0.
+        hit: bool,
+        /// Axes along which the direction is negative: the mirror mask a.
+        mirror: Axes<D>,
+    },
+    /// One leaf is tested by itself, whatever the tree.
+    Test {
+        /// The leaf.
+        node: NodeId,
+        /// Parameters of entry and exit, if the ray meets it.
+        interval: Option<[f64; 2]>,
+    },
+    /// All tested leaves are put in the order of their entry.
+    Sort {
+        /// Number of leaves on the ray.
+        n_leaves: u32,
+    },
+
+    // Top-down, with a stack.
+    /// A node is entered from its parent and becomes the current one.
+    Visit {
+        /// The node.
+        node: NodeId,
+        /// Its state: the child index in the mirrored numbering; `None` for the root.
+        state: Option<Child<D>>,
+        /// Parameters of its near planes.
+        near: [f64; D],
+        /// Parameters of its far planes.
+        far: [f64; D],
+    },
+    /// The current node is compared with the origin of the ray.
+    Skip {
+        /// The earliest far plane.
+        exit: f64,
+        /// Whether the node lies behind the origin, and is left at once.
+        behind: bool,
+    },
+    /// The parameters of the mid planes of the current node are computed.
+    Halve {
+        /// Parameters of the mid planes.
+        mid: [f64; D],
+    },
+    /// The first child on the ray is found.
+    First {
+        /// The parameter with which the mid planes are compared.
+        entry: f64,
+        /// The axis of the near plane that is reached last; `None` if the ray
+        /// begins inside.
+        entry_axis: Option<usize>,
+        /// Axes whose mid planes are compared with `entry`.
+        compared: Axes<D>,
+        /// The child, in the mirrored numbering.
+        state: Child<D>,
+    },
+    /// The automaton goes from one child of the current node to the next.
+    Step {
+        /// The child that is left, in the mirrored numbering.
+        state: Child<D>,
+        /// Parameters of the child's far planes.
+        exits: [f64; D],
+        /// The planes through which it is left.
+        axes: Axes<D>,
+        /// The next child; `None` if the parent is left as well.
+        next: Option<Child<D>>,
+    },
+    /// The current node is done; its parent becomes the current one.
+    Up {
+        /// The parent, or `None` above the root.
+        node: Option<NodeId>,
+    },
+
+    // Location codes.
+    /// A search begins at a node, which becomes the current one.
+    Begin {
+        /// The node.
+        node: NodeId,
+    },
+    /// A point is turned into location codes.
+    Encode {
+        /// The point, in world units.
+        point: [f64; D],
+        /// Its codes.
+        code: Code<D>,
+    },
+    /// The mid planes of a node are compared with a point.
+    Compare {
+        /// The planes, in world units.
+        mid: [f64; D],
+        /// The point, in world units.
+        point: [f64; D],
+        /// The child that owns the point.
+        child: Child<D>,
+        /// That child, which becomes the current node.
+        node: NodeId,
+    },
+    /// One bit of every code selects a child.
+    Follow {
+        /// Level of the parent; bit `level − 1` is read.
+        level: u8,
+        /// The codes that are followed.
+        code: Code<D>,
+        /// The child that the bits select.
+        child: Child<D>,
+        /// That child, which becomes the current node.
+        node: NodeId,
+    },
+    /// The far planes of the current leaf are met.
+    Exits {
+        /// Coordinates of the planes, in world units.
+        planes: [f64; D],
+        /// Their parameters; +∞ on axes that the ray does not move along.
+        exits: [f64; D],
+        /// The planes that are met first.
+        axes: Axes<D>,
+    },
+    /// The codes of the place just beyond the current cell.
+    Target {
+        /// Level of the cell.
+        level: u8,
+        /// Codes of the cell.
+        from: Code<D>,
+        /// Codes of the target; −1 or 2^R outside the domain.
+        to: [i64; D],
+        /// Axes along which the cell is left.
+        axes: Axes<D>,
+    },
+    /// The target is compared with the border of the domain.
+    Border {
+        /// Axes along which the target is outside.
+        outside: Axes<D>,
+    },
+    /// The codes of two places are compared by XOR.
+    Difference {
+        /// One place.
+        from: Code<D>,
+        /// The other.
+        to: Code<D>,
+        /// Bitwise XOR, axis by axis.
+        xor: Code<D>,
+        /// Level of the smallest cell that holds both.
+        level: u8,
+    },
+    /// The parent becomes the current node, as the bit at its level differs.
+    Climb {
+        /// The parent.
+        node: NodeId,
+        /// Its level.
+        level: u8,
+    },
+    /// The two corners of a region are turned into codes.
+    Corners {
+        /// Smallest corner, in world units.
+        min: [f64; D],
+        /// Largest corner, in world units.
+        max: [f64; D],
+        /// Codes of the smallest corner.
+        from: Code<D>,
+        /// Codes of the largest corner.
+        to: Code<D>,
+    },
+
+    // Results.
+    /// A leaf is on the ray for `enter` ≤ t < `exit`.
+    Leaf {
+        /// The leaf.
+        node: NodeId,
+        /// Where the ray enters it, at least 0.
+        enter: f64,
+        /// Where the ray leaves it.
+        exit: f64,
+        /// Whether something is in the leaf.
+        full: bool,
+    },
+    /// The ray meets a leaf in one point.
+    Touch {
+        /// The leaf.
+        node: NodeId,
+        /// The parameter of the point.
+        at: f64,
+    },
+    /// A query has found its node.
+    Found {
+        /// The node, which becomes the current one.
+        node: NodeId,
+    },
+    /// The algorithm ends.
+    End(End),
+}
+
+impl<const D: usize> Event<D> {
+    /// Whether the event reports a leaf, a touch or a node.
+    pub fn is_result(&self) -> bool {
+        matches!(self, Event::Leaf { .. } | Event::Touch { .. } | Event::Found { .. })
+    }
+}

@@ -1,0 +1,11 @@
+//! Points, boxes, rays and exact comparisons. Knows no tree.
+
+mod aabb;
+mod axes;
+mod parameter;
+mod ray;
+
+pub use aabb::Aabb;
+pub use axes::{AXIS_NAMES, Axes};
+pub use parameter::{Exact, Parameter};
+pub use ray::{Ray, RayError};

@@ -1,0 +1,95 @@
+//! Neighbours over faces, edges and corners by codes [Frisken, Perry 2002, §5].
+
+use super::climb;
+use super::point::{descend, found};
+use crate::event::{End, Event, Observer, Outcome};
+use crate::geometry::Axes;
+use crate::tree::{NodeId, Tree};
+use serde::{Deserialize, Serialize};
+use thiserror::Error;
+
+/// Direction to a neighbour: −1, 0 or 1 per axis, not all 0. One component is
+/// over a face (an edge in 2-D), more of them are over an edge or a corner.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Direction<const D: usize>([i8; D]);
+
+/// These numbers are no direction to a neighbour.
+#[derive(Clone, Copy, Debug, Error, PartialEq, Eq)]
+#[error("a direction to a neighbour has components −1, 0 or 1, not all of them 0")]
+pub struct DirectionError;
+
+/// How large a neighbour may be.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Reach {
+    /// The node of equal size, inner or not, or the larger leaf that covers it.
+    #[default]
+    EqualOrLarger,
+    /// The leaf that touches the cell at its minimum corner, on the crossed side.
+    Leaf,
+}
+
+impl<const D: usize> Direction<D> {
+    /// Direction with these components.
+    ///
+    /// # Errors
+    /// Refuses components other than −1, 0, 1, and all zeros.
+    pub fn new(components: [i8; D]) -> Result<Self, DirectionError> {
+        let valid = components.iter().all(|s| (-1..=1).contains(s)) && components != [0; D];
+        if valid { Ok(Self(components)) } else { Err(DirectionError) }
+    }
+
+    /// The components.
+    pub fn components(self) -> [i8; D] {
+        self.0
+    }
+
+    /// All 3^D − 1 directions, by their components in ascending order.
+    pub fn all() -> impl Iterator<Item = Self> {
+        (0..3u32.pow(D as u32)).filter_map(|n| {
+            let digit = |e: usize| (n / 3u32.pow((D - 1 - e) as u32) % 3) as i8 - 1;
+            Self::new(std::array::from_fn(digit)).ok()
+        })
+    }
+}
+
+/// Neighbour of a node. Climbs to the common ancestor and descends again:
+/// O(distance to it), no comparison of coordinates but with the border.
+pub fn neighbour<const D: usize>(
+    tree: &Tree<D>,
+    id: NodeId,
+    direction: Direction<D>,
+    reach: Reach,
+    observe: &mut impl Observer<D>,
+) -> Outcome {
+    let (level, from) = (tree.level(id), tree.code(id));
+    observe.observe(Event::Begin { node: id });
+
+    // Offset: upwards the size of the cell, downwards one smallest cell, since
+    // the sizes beyond are unknown but that cell lies in all of them.
+    let to: [i64; D] = std::array::from_fn(|e| match direction.0[e] {
+        0 => i64::from(from[e]),
+        s if s > 0 => i64::from(from[e]) + (1 << level),
+        _ => i64::from(from[e]) - 1,
+    });
+    let axes = Axes::where_true(direction.0.map(|s| s != 0));
+    observe.observe(Event::Target { level, from, to, axes });
+
+    // Border: beyond it there is no neighbour.
+    let outside = to.map(|c| c < 0 || c >= i64::from(tree.domain().grid_size()));
+    observe.observe(Event::Border { outside: Axes::where_true(outside) });
+    if outside.contains(&true) {
+        observe.observe(Event::End(End::Outside));
+        return Outcome::without_node(End::Outside);
+    }
+
+    // Climb to the common ancestor, then descend along the target codes.
+    let target = to.map(|c| c as u32);
+    let (ancestor, ancestor_level) = climb(tree, tree.node(id), level, from, target, observe);
+    let stop_level = match reach {
+        Reach::EqualOrLarger => level,
+        Reach::Leaf => 0,
+    };
+    let (node, _) = descend(tree, ancestor, ancestor_level, target, stop_level, observe);
+    found(node, observe)
+}

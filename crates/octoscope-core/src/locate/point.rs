@@ -1,0 +1,81 @@
+//! Point location: the leaf that owns a point.
+
+use crate::event::{End, Event, Observer, Outcome};
+use crate::geometry::Aabb;
+use crate::tree::{Child, Code, Node, Tree, branch};
+
+/// Leaf that owns `point`, by comparing it with the mid planes of every node on
+/// the way down: D comparisons and one leaf test a level, O(depth).
+pub fn locate_by_comparison<const D: usize>(
+    tree: &Tree<D>,
+    point: [f64; D],
+    observe: &mut impl Observer<D>,
+) -> Outcome {
+    let domain = tree.domain();
+    let root_box: Aabb<D> = domain.root_box();
+    if !root_box.owns(point) {
+        observe.observe(Event::End(End::Outside));
+        return Outcome::without_node(End::Outside);
+    }
+
+    let mut node = tree.root();
+    observe.observe(Event::Begin { node: node.id });
+    let mut code: Code<D> = [0; D];
+    let mut half = domain.grid_size() / 2;
+    while !node.is_leaf() {
+        // Compare: a point on a mid plane belongs to the upper half.
+        let mid = std::array::from_fn(|e| domain.plane(e, code[e] + half));
+        let child = Child::from_upper_halves(std::array::from_fn(|e| point[e] >= mid[e]));
+        node = tree.child(node, child);
+        observe.observe(Event::Compare { mid, point, child, node: node.id });
+        code = std::array::from_fn(|e| code[e] + u32::from(child.is_upper(e)) * half);
+        half /= 2;
+    }
+    found(node, observe)
+}
+
+/// Leaf that owns `point`, by its location codes [Frisken, Perry 2002, §3]: no
+/// comparison of coordinates on the way down, one leaf test a level, O(depth).
+pub fn locate_by_codes<const D: usize>(
+    tree: &Tree<D>,
+    point: [f64; D],
+    observe: &mut impl Observer<D>,
+) -> Outcome {
+    // Encode: refuse what is outside, lest the upper face wrap round to 0.
+    let Some(code) = tree.domain().encode_point(point) else {
+        observe.observe(Event::End(End::Outside));
+        return Outcome::without_node(End::Outside);
+    };
+    observe.observe(Event::Encode { point, code });
+
+    // Follow one bit of every code a level, until a leaf stops it.
+    observe.observe(Event::Begin { node: tree.root().id });
+    let (leaf, _) = descend(tree, tree.root(), tree.domain().root_level(), code, 0, observe);
+    found(leaf, observe)
+}
+
+/// Follows `code` from `node`, of this `level`, down to `stop_level` or a leaf;
+/// returns the node that is reached, with its level.
+pub(super) fn descend<const D: usize>(
+    tree: &Tree<D>,
+    mut node: Node,
+    mut level: u8,
+    code: Code<D>,
+    stop_level: u8,
+    observe: &mut impl Observer<D>,
+) -> (Node, u8) {
+    while level > stop_level && !node.is_leaf() {
+        let child = branch(code, level);
+        node = tree.child(node, child);
+        observe.observe(Event::Follow { level, code, child, node: node.id });
+        level -= 1;
+    }
+    (node, level)
+}
+
+/// Reports the node that a query has found.
+pub(super) fn found<const D: usize>(node: Node, observe: &mut impl Observer<D>) -> Outcome {
+    observe.observe(Event::Found { node: node.id });
+    observe.observe(Event::End(End::Found));
+    Outcome::at(End::Found, node.id)
+}

@@ -1,0 +1,98 @@
+//! What can be asked of a tree.
+
+use crate::event::{End, Event, Observer, Outcome};
+use crate::geometry::{Exact, Ray};
+use crate::locate::{
+    Direction, Reach, locate_by_codes, locate_by_comparison, locate_region, neighbour,
+};
+use crate::traverse::{Algorithm, Options};
+use crate::tree::{Code, Tree};
+use serde::{Deserialize, Serialize};
+
+/// One question to a tree.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Query<const D: usize> {
+    /// The leaves along the ray.
+    Ray {
+        /// How they are found.
+        algorithm: Algorithm,
+        /// Where the search ends.
+        options: Options,
+        /// How parameters are compared.
+        arithmetic: Arithmetic,
+    },
+    /// The leaf that owns a point.
+    Point {
+        /// The point, in world units.
+        at: [f64; D],
+        /// How it is found.
+        method: PointMethod,
+    },
+    /// The smallest node that holds a box.
+    Region {
+        /// Smallest corner, in world units; inside the box.
+        min: [f64; D],
+        /// Largest corner, in world units; inside the box.
+        max: [f64; D],
+    },
+    /// The neighbour of a node.
+    Neighbour {
+        /// Level of the node.
+        level: u8,
+        /// Code of the node. A place without a node of this level means the
+        /// leaf that covers it.
+        code: Code<D>,
+        /// Where the neighbour lies.
+        direction: Direction<D>,
+        /// How large it may be.
+        reach: Reach,
+    },
+}
+
+/// In which numbers parameters are compared.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Arithmetic {
+    /// Double precision.
+    #[default]
+    Doubles,
+    /// Exactly, for any finite input.
+    Exact,
+}
+
+/// How a point is located.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum PointMethod {
+    /// By its location codes.
+    #[default]
+    Codes,
+    /// By comparing it with mid planes.
+    Comparison,
+}
+
+impl<const D: usize> Query<D> {
+    /// Runs the query in `tree`; `ray` is used by [`Query::Ray`].
+    pub fn run(&self, tree: &Tree<D>, ray: &Ray<D>, observe: &mut impl Observer<D>) -> Outcome {
+        match *self {
+            Self::Ray { algorithm, options, arithmetic: Arithmetic::Doubles } => {
+                algorithm.run::<D, f64>(tree, ray, options, observe)
+            }
+            Self::Ray { algorithm, options, arithmetic: Arithmetic::Exact } => {
+                algorithm.run::<D, Exact>(tree, ray, options, observe)
+            }
+            Self::Point { at, method: PointMethod::Codes } => locate_by_codes(tree, at, observe),
+            Self::Point { at, method: PointMethod::Comparison } => {
+                locate_by_comparison(tree, at, observe)
+            }
+            Self::Region { min, max } => locate_region(tree, min, max, observe),
+            Self::Neighbour { level, code, direction, reach } => {
+                let Some(node) = tree.node_at(level, code) else {
+                    observe.observe(Event::End(End::Outside));
+                    return Outcome::without_node(End::Outside);
+                };
+                neighbour(tree, node.id, direction, reach, observe)
+            }
+        }
+    }
+}

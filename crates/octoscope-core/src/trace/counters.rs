@@ -1,0 +1,209 @@
+//! What a run has cost, counted from its events.
+
+use crate::event::Event;
+
+/// One kind of work.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Counter {
+    /// A link to a child or a parent is read.
+    NodeTouches,
+    /// A node is asked whether it is a leaf.
+    LeafTests,
+    /// Comparisons that find where a node or its first child is entered.
+    EntryComparisons,
+    /// Comparisons that find where a node or child is left.
+    ExitComparisons,
+    /// Comparisons with the border, the origin, or of both ends of an interval.
+    RangeComparisons,
+    /// Comparisons that sort.
+    SortComparisons,
+    /// Divisions.
+    Divisions,
+    /// Additions, subtractions and multiplications of doubles.
+    Additions,
+    /// Operations on the bits of codes: XOR, masks, reading a bit of all axes.
+    BitOperations,
+    /// Transitions of the automaton, by table or by rule.
+    Transitions,
+    /// Searches that start at the root.
+    PointLocations,
+    /// Steps from a node to its parent.
+    Ascends,
+    /// Steps from a node to a child.
+    Descends,
+    /// Recursive calls.
+    Calls,
+    /// Greatest number of nodes on the stack so far.
+    StackDepth,
+    /// Leaves visited.
+    Leaves,
+    /// Leaves met in one point only.
+    Touches,
+}
+
+impl Counter {
+    /// All counters, in the order in which they are shown.
+    pub const ALL: [Self; 17] = [
+        Self::NodeTouches,
+        Self::LeafTests,
+        Self::EntryComparisons,
+        Self::ExitComparisons,
+        Self::RangeComparisons,
+        Self::SortComparisons,
+        Self::Divisions,
+        Self::Additions,
+        Self::BitOperations,
+        Self::Transitions,
+        Self::PointLocations,
+        Self::Ascends,
+        Self::Descends,
+        Self::Calls,
+        Self::StackDepth,
+        Self::Leaves,
+        Self::Touches,
+    ];
+
+    /// Key of the counter's name in the language files.
+    pub fn id(self) -> &'static str {
+        match self {
+            Self::NodeTouches => "node-touches",
+            Self::LeafTests => "leaf-tests",
+            Self::EntryComparisons => "entry-comparisons",
+            Self::ExitComparisons => "exit-comparisons",
+            Self::RangeComparisons => "range-comparisons",
+            Self::SortComparisons => "sort-comparisons",
+            Self::Divisions => "divisions",
+            Self::Additions => "additions",
+            Self::BitOperations => "bit-operations",
+            Self::Transitions => "transitions",
+            Self::PointLocations => "point-locations",
+            Self::Ascends => "ascends",
+            Self::Descends => "descends",
+            Self::Calls => "calls",
+            Self::StackDepth => "stack-depth",
+            Self::Leaves => "leaves",
+            Self::Touches => "touches",
+        }
+    }
+}
+
+/// A number for each [`Counter`].
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Counters {
+    counts: [u64; Counter::ALL.len()],
+    on_stack: u64,
+}
+
+impl Counters {
+    /// The number of one counter.
+    pub fn get(&self, counter: Counter) -> u64 {
+        self.counts[counter as usize]
+    }
+
+    /// Comparisons of coordinates and parameters, of every kind.
+    pub fn comparisons(&self) -> u64 {
+        use Counter::{EntryComparisons, ExitComparisons, RangeComparisons, SortComparisons};
+        [EntryComparisons, ExitComparisons, RangeComparisons, SortComparisons]
+            .map(|counter| self.get(counter))
+            .iter()
+            .sum()
+    }
+
+    /// Adds the work of one event.
+    pub fn add<const D: usize>(&mut self, event: &Event<D>) {
+        use Counter::{
+            Additions, Ascends, BitOperations, Calls, Descends, Divisions, EntryComparisons,
+            ExitComparisons, LeafTests, Leaves, NodeTouches, PointLocations, RangeComparisons,
+            SortComparisons, StackDepth, Touches, Transitions,
+        };
+        let axes = D as u64;
+        let mut count = |counter: Counter, n: u64| self.counts[counter as usize] += n;
+        match *event {
+            Event::Clip { .. } => {
+                count(Additions, 2 * axes);
+                count(Divisions, 2 * axes);
+                count(EntryComparisons, axes);
+                count(ExitComparisons, axes - 1);
+                count(RangeComparisons, 2);
+            }
+            Event::Test { .. } => {
+                count(NodeTouches, 1);
+                count(Additions, 2 * axes);
+                count(Divisions, 2 * axes);
+                count(EntryComparisons, axes);
+                count(ExitComparisons, axes - 1);
+                count(RangeComparisons, 1);
+            }
+            Event::Sort { n_leaves } => {
+                let n = u64::from(n_leaves);
+                count(SortComparisons, n * u64::from(n.max(1).ilog2()));
+            }
+            Event::Visit { .. } => {
+                count(NodeTouches, 1);
+                count(LeafTests, 1);
+                count(Descends, 1);
+                count(Calls, 1);
+                self.on_stack += 1;
+                let deepest = &mut self.counts[StackDepth as usize];
+                *deepest = (*deepest).max(self.on_stack);
+            }
+            Event::Skip { .. } => {
+                count(ExitComparisons, axes - 1);
+                count(RangeComparisons, 1);
+            }
+            Event::Halve { .. } => {
+                count(Additions, axes);
+                count(Divisions, axes);
+            }
+            Event::First { compared, entry_axis, .. } => {
+                count(EntryComparisons, axes - 1 + compared.count() as u64);
+                if entry_axis.is_none() || compared.count() == D {
+                    // The origin takes part, in case it lies inside.
+                    count(EntryComparisons, 1);
+                }
+            }
+            Event::Step { .. } => {
+                count(ExitComparisons, axes - 1);
+                count(Transitions, 1);
+            }
+            Event::Up { .. } => {
+                count(Ascends, 1);
+                self.on_stack = self.on_stack.saturating_sub(1);
+            }
+            Event::Encode { .. } => {
+                count(PointLocations, 1);
+                count(Additions, 2 * axes);
+            }
+            Event::Compare { .. } => {
+                count(NodeTouches, 1);
+                count(LeafTests, 1);
+                count(Descends, 1);
+                count(RangeComparisons, axes);
+            }
+            Event::Follow { .. } => {
+                count(NodeTouches, 1);
+                count(LeafTests, 1);
+                count(Descends, 1);
+                count(BitOperations, axes);
+            }
+            Event::Exits { .. } => {
+                count(Additions, axes);
+                count(Divisions, axes);
+                count(ExitComparisons, axes - 1);
+            }
+            Event::Target { axes: crossed, .. } => {
+                count(Additions, 2 * (axes - crossed.count() as u64));
+            }
+            Event::Border { .. } => count(RangeComparisons, axes),
+            Event::Difference { .. } => count(BitOperations, axes),
+            Event::Climb { .. } => {
+                count(NodeTouches, 1);
+                count(Ascends, 1);
+            }
+            Event::Corners { .. } => count(Additions, 4 * axes),
+            Event::Leaf { .. } => count(Leaves, 1),
+            Event::Touch { .. } => count(Touches, 1),
+            Event::Begin { .. } | Event::Found { .. } | Event::End(_) => {}
+        }
+    }
+}

@@ -1,0 +1,92 @@
+//! Where a ray meets the root, and the planes of any cell.
+
+use crate::event::Event;
+use crate::geometry::{Axes, Parameter, Ray};
+use crate::tree::Domain;
+
+/// Interval of a ray inside the root.
+#[derive(Clone, Copy, Debug)]
+pub struct Clip<const D: usize, P> {
+    /// Parameters of the near planes; −∞ along axes without motion.
+    pub near: [P; D],
+    /// Parameters of the far planes; +∞ along axes without motion.
+    pub far: [P; D],
+    /// The latest near plane, or the origin if that comes later.
+    pub enter: P,
+    /// The earliest far plane.
+    pub exit: P,
+    /// Axes along which the direction is negative: the mirror mask a.
+    pub mirror: Axes<D>,
+}
+
+/// Cuts the ray with the root; `None` if it is in no point of positive length
+/// inside at t ≥ 0. The event says what happened in either case.
+pub fn clip<const D: usize, P: Parameter>(
+    domain: &Domain<D>,
+    ray: &Ray<D>,
+) -> (Option<Clip<D, P>>, Event<D>) {
+    let (origin, direction) = (ray.origin(), ray.direction());
+    let mut near = [P::BEFORE_ALL; D];
+    let mut far = [P::BEYOND_ALL; D];
+    for e in 0..D {
+        let (low, high) = (domain.plane(e, 0), domain.plane(e, domain.grid_size()));
+        let at = |plane| P::at_plane(plane, origin[e], direction[e]);
+        if direction[e] > 0.0 {
+            (near[e], far[e]) = (at(low), at(high));
+        } else if direction[e] < 0.0 {
+            (near[e], far[e]) = (at(high), at(low));
+        } else if origin[e] < low {
+            near[e] = P::BEYOND_ALL;
+        } else if origin[e] >= high {
+            far[e] = P::BEFORE_ALL;
+        }
+    }
+    let mirror = Axes::where_true(direction.map(|d| d < 0.0));
+    let first_in = latest(near);
+    let exit = earliest(far);
+    let hit = first_in.before(exit) && P::ORIGIN.before(exit);
+    let event = Event::Clip {
+        near: near.map(P::value),
+        far: far.map(P::value),
+        enter: first_in.value(),
+        exit: exit.value(),
+        hit,
+        mirror,
+    };
+    let enter = first_in.later(P::ORIGIN);
+    (hit.then_some(Clip { near, far, enter, exit, mirror }), event)
+}
+
+/// The latest of some parameters.
+#[inline]
+pub fn latest<const D: usize, P: Parameter>(parameters: [P; D]) -> P {
+    parameters.into_iter().fold(P::BEFORE_ALL, P::later)
+}
+
+/// The earliest of some parameters.
+#[inline]
+pub fn earliest<const D: usize, P: Parameter>(parameters: [P; D]) -> P {
+    parameters.into_iter().fold(P::BEYOND_ALL, P::earlier)
+}
+
+/// Parameters of three planes, one per axis, at grid indices `planes`: what
+/// halves a node. Without motion along an axis the side of the origin decides:
+/// −∞ if it lies in the upper half, +∞ if in the lower [Revelles 2000, eq. 15].
+#[inline]
+pub fn at_planes<const D: usize, P: Parameter>(
+    domain: &Domain<D>,
+    ray: &Ray<D>,
+    planes: [u32; D],
+) -> [P; D] {
+    let (origin, direction) = (ray.origin(), ray.direction());
+    std::array::from_fn(|e| {
+        let plane = domain.plane(e, planes[e]);
+        if direction[e] != 0.0 {
+            P::at_plane(plane, origin[e], direction[e])
+        } else if origin[e] < plane {
+            P::BEYOND_ALL
+        } else {
+            P::BEFORE_ALL
+        }
+    })
+}

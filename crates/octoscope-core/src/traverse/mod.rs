@@ -1,0 +1,16 @@
+//! Ray traversals: the leaves along a ray, in order.
+//!
+//! A leaf is *visited* if the ray is in it for a positive length of t ≥ 0;
+//! along an axis on which the ray does not move, a cell owns its lower plane
+//! and not its upper one. A leaf met in one point is a *touch*.
+
+mod algorithm;
+mod clip;
+mod codes;
+mod exhaustive;
+mod parametric;
+mod parametric_table;
+
+pub use algorithm::{Algorithm, Options, StopAt, UnknownAlgorithm};
+pub use clip::{Clip, clip};
+pub use parametric_table::{TABLE_1, TABLE_2, TABLE_3, entry_axes, transition};

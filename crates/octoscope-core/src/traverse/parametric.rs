@@ -1,0 +1,154 @@
+//! Parametric traversal by one rule [Revelles 2000, §3; rule after Laine, Karras
+//! 2010].
+//!
+//! A ray is in a node between the latest of its near planes and the earliest of
+//! its far planes. Given these parameters for a node, its mid planes tell those
+//! of all children, and comparisons alone find the children on the ray, in
+//! order: at most D + 1 of them. O(visited nodes), a constant number of
+//! comparisons and D divisions for each.
+//!
+//! Differences from the paper, with reasons:
+//! * *One rule instead of tables.* The first child lies in the upper half of
+//!   every axis whose mid plane is not after the entry; the next one follows by
+//!   flipping *all* axes whose far plane is reached first. So the origin may be
+//!   inside (the entry is at least t = 0), and a ray through an edge or a corner
+//!   never visits the cells that it merely touches.
+//! * *Mid planes from their coordinate*, not as the mean of two parameters: a
+//!   plane then has the same t in all cells that share it, and the mean of −∞
+//!   and +∞ does not arise.
+//! * *The index is mirrored, not the ray*: a root away from 0 needs no care.
+
+use super::algorithm::{Options, StopAt};
+use super::clip::{Clip, at_planes, clip, earliest, latest};
+use crate::event::{End, Event, Observer, Outcome};
+use crate::geometry::{Axes, Parameter, Ray};
+use crate::tree::{Child, Code, Node, NodeId, Tree};
+use std::ops::ControlFlow;
+
+/// Leaves of `tree` along `ray`, in order.
+pub fn traverse<const D: usize, P: Parameter>(
+    tree: &Tree<D>,
+    ray: &Ray<D>,
+    options: Options,
+    observe: &mut impl Observer<D>,
+) -> Outcome {
+    // Clip: the six (four) parameters of the root.
+    let (clip, event) = clip::<D, P>(tree.domain(), ray);
+    observe.observe(event);
+    let Some(Clip { near, far, mirror, .. }) = clip else {
+        observe.observe(Event::End(End::Missed));
+        return Outcome::without_node(End::Missed);
+    };
+
+    let mut walk = Walk { tree, ray, mirror, options, observe };
+    let root = tree.root();
+    walk.observe.observe(Event::Visit {
+        node: root.id,
+        state: None,
+        near: near.map(P::value),
+        far: far.map(P::value),
+    });
+    let outcome = match walk.visit(root, tree.domain().root_level(), [0; D], near, far) {
+        ControlFlow::Break(leaf) => Outcome::at(End::FirstFull, leaf),
+        ControlFlow::Continue(()) => Outcome::without_node(End::LeftRoot),
+    };
+    observe.observe(Event::End(outcome.end));
+    outcome
+}
+
+/// What stays the same during a traversal.
+struct Walk<'a, const D: usize, O> {
+    tree: &'a Tree<D>,
+    ray: &'a Ray<D>,
+    mirror: Axes<D>,
+    options: Options,
+    observe: &'a mut O,
+}
+
+impl<const D: usize, O: Observer<D>> Walk<'_, D, O> {
+    /// Reports the leaves below `node`, which has this level and code; `near`
+    /// and `far` are the parameters of its planes. Breaks with the leaf at
+    /// which the traversal stops.
+    fn visit<P: Parameter>(
+        &mut self,
+        node: Node,
+        level: u8,
+        code: Code<D>,
+        near: [P; D],
+        far: [P; D],
+    ) -> ControlFlow<NodeId> {
+        // The node is entered when the latest near plane is, but not before t = 0.
+        let entry = latest(near).later(P::ORIGIN);
+
+        // Leaf: report it and return.
+        if node.is_leaf() {
+            let (enter, exit) = (entry.value(), earliest(far).value());
+            self.observe.observe(Event::Leaf { node: node.id, enter, exit, full: node.is_full() });
+            return if node.is_full() && self.options.stop_at == StopAt::FirstFull {
+                ControlFlow::Break(node.id)
+            } else {
+                ControlFlow::Continue(())
+            };
+        }
+
+        // Halve: the parameters of the mid planes.
+        let half = 1 << (level - 1);
+        let mid = at_planes::<D, P>(self.tree.domain(), self.ray, code.map(|c| c + half));
+        self.observe.observe(Event::Halve { mid: mid.map(P::value) });
+
+        // Enter: the first child is past every mid plane that is not after the entry.
+        let mut state = Child::from_upper_halves(mid.map(|t| t.not_after(entry)));
+        self.observe.observe(Event::First {
+            entry: entry.value(),
+            entry_axis: entry_axis(near),
+            compared: Axes::where_true([true; D]),
+            state,
+        });
+
+        loop {
+            // Visit the child, in the tree's own numbering.
+            let near_of_child =
+                std::array::from_fn(|e| if state.is_upper(e) { mid[e] } else { near[e] });
+            let far_of_child =
+                std::array::from_fn(|e| if state.is_upper(e) { far[e] } else { mid[e] });
+            let child = state.mirrored(self.mirror);
+            let child_node = self.tree.child(node, child);
+            let child_code = std::array::from_fn(|e| code[e] + u32::from(child.is_upper(e)) * half);
+            self.observe.observe(Event::Visit {
+                node: child_node.id,
+                state: Some(state),
+                near: near_of_child.map(P::value),
+                far: far_of_child.map(P::value),
+            });
+            self.visit(child_node, level - 1, child_code, near_of_child, far_of_child)?;
+            self.observe.observe(Event::Up { node: Some(node.id) });
+
+            // Step: through all planes that are reached first at once.
+            let exit = earliest(far_of_child);
+            let axes = Axes::where_true(far_of_child.map(|t| t.not_after(exit)));
+            let next = (state.0 & axes.0 == 0).then_some(Child(state.0 | axes.0));
+            self.observe.observe(Event::Step {
+                state,
+                exits: far_of_child.map(P::value),
+                axes,
+                next,
+            });
+
+            // Leave: beyond an upper half there is no other child.
+            let Some(next) = next else {
+                return ControlFlow::Continue(());
+            };
+            state = next;
+        }
+    }
+}
+
+/// Axis of the near plane that is reached last, the first of equal ones; `None`
+/// if the origin is past them all.
+pub(super) fn entry_axis<const D: usize, P: Parameter>(near: [P; D]) -> Option<usize> {
+    let latest = latest(near);
+    if latest.not_after(P::ORIGIN) {
+        return None;
+    }
+    near.into_iter().position(|t| latest.not_after(t))
+}

@@ -1,0 +1,71 @@
+//! Child indices, in the numbering of Revelles: x is the most significant bit.
+
+use crate::geometry::Axes;
+
+/// Index of a child in its parent, 0 … 2^D−1: bit D−1−e is 1 in the upper half
+/// of axis e, so that i = 2x + y in a quadtree and i = 4x + 2y + z in an octree
+/// [Revelles 2000, §3].
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub struct Child<const D: usize>(
+    /// The index.
+    pub u8,
+);
+
+impl<const D: usize> Child<D> {
+    /// Number of children of an inner node.
+    pub const COUNT: usize = 1 << D;
+
+    /// All children in the order of their indices.
+    pub fn all() -> impl Iterator<Item = Self> {
+        (0..Self::COUNT as u8).map(Self)
+    }
+
+    /// The child that lies in the upper half of the axes that are true.
+    #[inline]
+    pub fn from_upper_halves(upper: [bool; D]) -> Self {
+        Self(Axes::where_true(upper).0)
+    }
+
+    /// Whether the child lies in the upper half of `axis`.
+    #[inline]
+    pub fn is_upper(self, axis: usize) -> bool {
+        Axes::<D>(self.0).contains(axis)
+    }
+
+    /// The same child in the mirrored tree, and back: f(i) = i xor a
+    /// [Revelles 2000, eq. 17].
+    #[inline]
+    pub fn mirrored(self, mask: Axes<D>) -> Self {
+        Self(self.0 ^ mask.0)
+    }
+
+    /// Index in the numbering of Frisken–Perry and of Morton codes, where x is
+    /// the least significant bit. The only place that converts.
+    pub fn morton_index(self) -> u8 {
+        (0..D).fold(0, |index, axis| index | u8::from(self.is_upper(axis)) << axis)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn x_is_the_most_significant_bit() {
+        assert_eq!(Child::from_upper_halves([true, false]), Child::<2>(2));
+        assert_eq!(Child::from_upper_halves([true, false, false]), Child::<3>(4));
+        assert_eq!(Child::from_upper_halves([false, false, true]), Child::<3>(1));
+    }
+
+    #[test]
+    fn morton_numbering_reverses_the_bits() {
+        let indices: Vec<u8> = Child::<3>::all().map(Child::morton_index).collect();
+        assert_eq!(indices, [0, 4, 2, 6, 1, 5, 3, 7]);
+    }
+
+    #[test]
+    fn mirroring_x_swaps_the_halves() {
+        let mirrored: Vec<u8> = Child::<3>::all().map(|c| c.mirrored(Axes::one(0)).0).collect();
+        assert_eq!(mirrored, [4, 5, 6, 7, 0, 1, 2, 3]);
+    }
+}

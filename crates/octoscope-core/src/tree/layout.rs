@@ -1,0 +1,234 @@
+//! The tree in memory.
+//!
+//! Only inner nodes take room: a [`Row`] each, with one bit per child that
+//! tells whether it is inner and one that tells whether it is full. The inner
+//! children of a node have consecutive rows, so that a child's row is the base
+//! plus the number of inner children before it. What only a debugger asks for
+//! (parents, levels, codes, contents) lies in side arrays.
+
+use super::{Child, Code, Domain};
+use crate::geometry::Aabb;
+
+/// Number of a node: 0 is the root, 1 + 2^D·row + i is child i of the inner
+/// node in `row`. The children of a node have consecutive numbers.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct NodeId(
+    /// The number.
+    pub u32,
+);
+
+impl NodeId {
+    /// The root of every tree.
+    pub const ROOT: Self = Self(0);
+
+    /// As an index into arrays with one entry a node.
+    pub fn index(self) -> usize {
+        self.0 as usize
+    }
+}
+
+/// A node as a walk meets it: its number and what its parent's row says of it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Node {
+    /// Number of the node.
+    pub id: NodeId,
+    /// Row of an inner node, or one of the two marks below.
+    row: u32,
+}
+
+const EMPTY_LEAF: u32 = u32::MAX;
+const FULL_LEAF: u32 = u32::MAX - 1;
+
+impl Node {
+    /// Whether the node has no children.
+    #[inline]
+    pub fn is_leaf(self) -> bool {
+        self.row >= FULL_LEAF
+    }
+
+    /// Whether the node is a leaf with something in it.
+    #[inline]
+    pub fn is_full(self) -> bool {
+        self.row == FULL_LEAF
+    }
+}
+
+/// What is walked of an inner node: 8 bytes.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(super) struct Row {
+    /// Row of the first inner child.
+    pub base: u32,
+    /// Bit i: child i is an inner node.
+    pub inner: u8,
+    /// Bit i: child i is a leaf with something in it.
+    pub full: u8,
+}
+
+/// What only the debugger asks of an inner node.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Place<const D: usize> {
+    pub id: NodeId,
+    pub level: u8,
+    pub code: Code<D>,
+}
+
+/// Quadtree (D = 2) or octree (D = 3) over a [`Domain`].
+#[derive(Clone, Debug, PartialEq)]
+pub struct Tree<const D: usize> {
+    pub(super) domain: Domain<D>,
+    /// Whether the root, if it is a leaf, is full.
+    pub(super) root_full: bool,
+    pub(super) rows: Vec<Row>,
+    pub(super) places: Vec<Place<D>>,
+    /// The contents of node n are `items[first_item[n] .. first_item[n + 1]]`.
+    pub(super) first_item: Vec<u32>,
+    pub(super) items: Vec<u32>,
+}
+
+impl<const D: usize> Tree<D> {
+    /// Box of the root and its grid.
+    #[inline]
+    pub fn domain(&self) -> &Domain<D> {
+        &self.domain
+    }
+
+    /// Number of nodes, inner ones and leaves.
+    pub fn n_nodes(&self) -> usize {
+        1 + self.rows.len() * Child::<D>::COUNT
+    }
+
+    /// Number of leaves.
+    pub fn n_leaves(&self) -> usize {
+        self.n_nodes() - self.rows.len()
+    }
+
+    /// The root.
+    #[inline]
+    pub fn root(&self) -> Node {
+        let row = match (self.rows.is_empty(), self.root_full) {
+            (false, _) => 0,
+            (true, true) => FULL_LEAF,
+            (true, false) => EMPTY_LEAF,
+        };
+        Node { id: NodeId::ROOT, row }
+    }
+
+    /// Child of an inner node.
+    ///
+    /// # Panics
+    /// May panic if `node` is a leaf.
+    #[inline]
+    pub fn child(&self, node: Node, child: Child<D>) -> Node {
+        let row = self.rows[node.row as usize];
+        let bit = 1u8 << child.0;
+        let id = NodeId(1 + (node.row << D | u32::from(child.0)));
+        let row = if row.inner & bit != 0 {
+            row.base + (row.inner & (bit - 1)).count_ones()
+        } else if row.full & bit != 0 {
+            FULL_LEAF
+        } else {
+            EMPTY_LEAF
+        };
+        Node { id, row }
+    }
+
+    /// The children of a node in the order of their indices; none of a leaf.
+    pub fn children(&self, node: Node) -> impl Iterator<Item = Node> + '_ {
+        let count = if node.is_leaf() { 0 } else { Child::<D>::COUNT };
+        Child::all().take(count).map(move |child| self.child(node, child))
+    }
+
+    /// The node with this number.
+    ///
+    /// # Panics
+    /// Panics if the tree has no such node.
+    pub fn node(&self, id: NodeId) -> Node {
+        match self.place_in_parent(id) {
+            None => self.root(),
+            Some((row, child)) => {
+                self.child(Node { id: self.places[row].id, row: row as u32 }, child)
+            }
+        }
+    }
+
+    /// Parent of a node; `None` for the root.
+    #[inline]
+    pub fn parent(&self, id: NodeId) -> Option<NodeId> {
+        self.place_in_parent(id).map(|(row, _)| self.places[row].id)
+    }
+
+    /// Index of a node among its parent's children; `None` for the root.
+    #[inline]
+    pub fn child_index(&self, id: NodeId) -> Option<Child<D>> {
+        self.place_in_parent(id).map(|(_, child)| child)
+    }
+
+    /// Level of a node; the root has level R, the smallest possible cell 0.
+    #[inline]
+    pub fn level(&self, id: NodeId) -> u8 {
+        match self.place_in_parent(id) {
+            None => self.domain.root_level(),
+            Some((row, _)) => self.places[row].level - 1,
+        }
+    }
+
+    /// Location code of a node: its minimum corner in units of smallest cells.
+    #[inline]
+    pub fn code(&self, id: NodeId) -> Code<D> {
+        let Some((row, child)) = self.place_in_parent(id) else {
+            return [0; D];
+        };
+        let Place { level, code, .. } = self.places[row];
+        std::array::from_fn(|e| code[e] | u32::from(child.is_upper(e)) << (level - 1))
+    }
+
+    /// Box of a node, in world units.
+    pub fn node_box(&self, id: NodeId) -> Aabb<D> {
+        self.domain.cell_box(self.level(id), self.code(id))
+    }
+
+    /// Numbers of the points, primitives or pixels in a node; only leaves have
+    /// any.
+    pub fn items(&self, id: NodeId) -> &[u32] {
+        let [from, to] = [id.index(), id.index() + 1].map(|n| self.first_item[n] as usize);
+        &self.items[from..to]
+    }
+
+    /// All nodes, the root first, every parent before its children.
+    pub fn nodes(&self) -> impl Iterator<Item = Node> + '_ {
+        (0..self.n_nodes() as u32).map(|n| self.node(NodeId(n)))
+    }
+
+    /// All leaves.
+    pub fn leaves(&self) -> impl Iterator<Item = Node> + '_ {
+        self.nodes().filter(|node| node.is_leaf())
+    }
+
+    /// The ancestors of a node, its parent first, the root last.
+    pub fn ancestors(&self, id: NodeId) -> impl Iterator<Item = NodeId> + '_ {
+        std::iter::successors(self.parent(id), |&id| self.parent(id))
+    }
+
+    /// Node of exactly this level and code, or the leaf above that covers it;
+    /// `None` if the code lies outside the domain.
+    pub fn node_at(&self, level: u8, code: Code<D>) -> Option<Node> {
+        if code.iter().any(|&c| c >= self.domain.grid_size()) {
+            return None;
+        }
+        let mut node = self.root();
+        for parent_level in (level + 1..=self.domain.root_level()).rev() {
+            if node.is_leaf() {
+                break;
+            }
+            node = self.child(node, super::branch(code, parent_level));
+        }
+        Some(node)
+    }
+
+    /// Row of the parent and index below it; `None` for the root.
+    #[inline]
+    fn place_in_parent(&self, id: NodeId) -> Option<(usize, Child<D>)> {
+        let place = id.0.checked_sub(1)?;
+        Some(((place >> D) as usize, Child((place & ((1 << D) - 1)) as u8)))
+    }
+}

@@ -1,0 +1,16 @@
+//! Quadtrees and octrees, generic over the dimension D (2 or 3).
+
+mod child;
+mod code;
+mod domain;
+mod grow;
+mod layout;
+
+pub use child::Child;
+pub use code::{Code, branch, common_level, morton};
+pub use domain::{Domain, DomainError, last_where};
+pub use grow::{Cell, Split, grow};
+pub use layout::{Node, NodeId, Tree};
+
+/// Highest root level: codes of 20 bits are exact in `f32` as well.
+pub const MAX_ROOT_LEVEL: u8 = 20;

@@ -1,0 +1,2 @@
+//! Octoscope.
+fn main() {}
