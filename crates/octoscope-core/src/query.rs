@@ -71,6 +71,16 @@ pub enum PointMethod {
     Comparison,
 }
 
+impl<const D: usize> Default for Query<D> {
+    fn default() -> Self {
+        Self::Ray {
+            algorithm: Algorithm::default(),
+            options: Options::default(),
+            arithmetic: Arithmetic::default(),
+        }
+    }
+}
+
 impl<const D: usize> Query<D> {
     /// Runs the query in `tree`; `ray` is used by [`Query::Ray`].
     pub fn run(&self, tree: &Tree<D>, ray: &Ray<D>, observe: &mut impl Observer<D>) -> Outcome {

@@ -5,12 +5,15 @@ mod code;
 mod domain;
 mod grow;
 mod layout;
+mod occupied;
+mod recipe;
 
 pub use child::Child;
 pub use code::{Code, branch, common_level, morton};
 pub use domain::{Domain, DomainError, last_where};
 pub use grow::{Cell, Split, grow};
 pub use layout::{Node, NodeId, Tree};
+pub use recipe::{BuildError, Fill, MAX_NODES, Merge, Recipe, build};
 
 /// Highest root level: codes of 20 bits are exact in `f32` as well.
 pub const MAX_ROOT_LEVEL: u8 = 20;
