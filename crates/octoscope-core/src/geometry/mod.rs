@@ -4,8 +4,10 @@ mod aabb;
 mod axes;
 mod parameter;
 mod ray;
+mod scaled;
 
 pub use aabb::Aabb;
 pub use axes::{AXIS_NAMES, Axes};
 pub use parameter::{Exact, Parameter};
 pub use ray::{Ray, RayError};
+pub(crate) use scaled::Scaled;

@@ -3,7 +3,7 @@
 //! All that a traversal decides, it decides by comparing such parameters.
 //! Written over [`Parameter`], one algorithm runs in doubles and exactly.
 
-use num_bigint::{BigInt, Sign};
+use super::Scaled;
 use std::cmp::Ordering;
 
 /// Parameter t at which a ray meets a plane, or ±∞, or 0. Never NaN.
@@ -140,50 +140,6 @@ impl Parameter for Exact {
             return a < b;
         }
         self.compare_exactly(other) == Ordering::Less
-    }
-}
-
-/// Integer times a power of two: a double, or an exact result of doubles.
-#[derive(Clone, Debug)]
-struct Scaled {
-    digits: BigInt,
-    exponent: i32,
-}
-
-impl Scaled {
-    /// `x` itself; `x` is finite.
-    fn of(x: f64) -> Self {
-        let bits = x.to_bits();
-        let field = (bits >> 52 & 0x7ff) as i32;
-        let fraction = bits & ((1 << 52) - 1);
-        let (mantissa, exponent) =
-            if field == 0 { (fraction, -1074) } else { (fraction | 1 << 52, field - 1075) };
-        let sign = if x < 0.0 { Sign::Minus } else { Sign::Plus };
-        Self { digits: BigInt::from_biguint(sign, mantissa.into()), exponent }
-    }
-
-    fn difference(x: f64, y: f64) -> Self {
-        let [x, y] = Self::aligned(&Self::of(x), &Self::of(y));
-        Self { digits: x.digits - y.digits, exponent: x.exponent }
-    }
-
-    fn negated(self) -> Self {
-        Self { digits: -self.digits, exponent: self.exponent }
-    }
-
-    fn times(&self, other: &Self) -> Self {
-        Self { digits: &self.digits * &other.digits, exponent: self.exponent + other.exponent }
-    }
-
-    fn compare(&self, other: &Self) -> Ordering {
-        let [x, y] = Self::aligned(self, other);
-        x.digits.cmp(&y.digits)
-    }
-
-    /// Both with the smaller of the two exponents.
-    fn aligned(x: &Self, y: &Self) -> [Self; 2] {
-        let exponent = x.exponent.min(y.exponent);
-        [x, y].map(|s| Self { digits: &s.digits << (s.exponent - exponent), exponent })
     }
 }
 

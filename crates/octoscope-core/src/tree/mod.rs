@@ -6,6 +6,7 @@ mod domain;
 mod grow;
 mod layout;
 mod occupied;
+mod overlap;
 mod recipe;
 
 pub use child::Child;

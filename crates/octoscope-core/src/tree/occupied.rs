@@ -1,7 +1,12 @@
 //! Cells that content occupies, as a sorted list.
 
+use super::overlap::{
+    lies_in_ball, lies_in_box, lies_in_triangle, meets_ball, meets_box, meets_surface,
+    meets_triangle,
+};
 use super::recipe::path_key;
-use super::{BuildError, Domain, Recipe};
+use super::{BuildError, Cell, Child, Code, Domain, Fill, MAX_NODES, Merge, Recipe};
+use crate::geometry::Aabb;
 use crate::progress::Progress;
 use crate::scene::Content;
 use std::ops::Range;
@@ -66,14 +71,105 @@ impl Occupied {
     }
 }
 
-/// Blocks that the primitives of `content` occupy.
+/// Blocks that the primitives of `content` occupy. Parts outside the domain
+/// occupy nothing.
 pub(super) fn occupied_cells<const D: usize>(
     content: &Content<D>,
     domain: &Domain<D>,
     recipe: &Recipe,
     progress: &Progress,
 ) -> Result<Occupied, BuildError> {
-    let _ = (content, domain, recipe, path_key::<D>([0; D]));
-    progress.advance(0)?;
-    Ok(Occupied::default())
+    let unit_level = domain.root_level().saturating_sub(3);
+    progress.start(cells_below::<D>(domain.root_level() - unit_level));
+    let occupied = Occupied::default();
+    let mut walk = Walk { content, domain, recipe, progress, unit_level, occupied };
+    let mut candidates: Vec<u32> = (0..content.len() as u32).collect();
+    walk.visit(domain.root_level(), [0; D], &mut candidates, 0)?;
+    progress.start(0);
+    Ok(walk.occupied)
+}
+
+/// Number of cells `levels` below one cell.
+fn cells_below<const D: usize>(levels: u8) -> u64 {
+    1 << (u32::from(levels) * D as u32)
+}
+
+/// Most entries in the lists of items.
+const MAX_ITEMS: usize = 1 << 28;
+
+/// Descent to the occupied cells.
+struct Walk<'a, const D: usize> {
+    content: &'a Content<D>,
+    domain: &'a Domain<D>,
+    recipe: &'a Recipe,
+    progress: &'a Progress,
+    /// Level whose cells are the units of the progress.
+    unit_level: u8,
+    occupied: Occupied,
+}
+
+impl<const D: usize> Walk<'_, D> {
+    /// Adds the occupied blocks of one cell. The primitives that may meet it
+    /// are `candidates[from..]`; the list is left as it was.
+    fn visit(
+        &mut self,
+        level: u8,
+        code: Code<D>,
+        candidates: &mut Vec<u32>,
+        from: usize,
+    ) -> Result<(), BuildError> {
+        let cell = self.domain.cell_box(level, code);
+        let to = candidates.len();
+        for i in from..to {
+            if self.meets(&cell, candidates[i] as usize) {
+                candidates.push(candidates[i]);
+            }
+        }
+        let inside = &candidates[to..];
+        let whole = || inside.iter().any(|&item| self.covers(item as usize, &cell));
+        if inside.is_empty() {
+            self.done(level)?;
+        } else if level == 0 || self.recipe.merge == Merge::Whole && whole() {
+            self.occupied.push(path_key(code), cells_below::<D>(level), inside);
+            if self.occupied.blocks.len() > MAX_NODES || self.occupied.items.len() > MAX_ITEMS {
+                return Err(BuildError::TooManyNodes);
+            }
+            self.done(level)?;
+        } else {
+            let cell = Cell { domain: self.domain, level, code };
+            for child in Child::all() {
+                self.visit(level - 1, cell.child_code(child), candidates, to)?;
+            }
+            if level == self.unit_level {
+                self.done(level)?;
+            }
+        }
+        candidates.truncate(to);
+        Ok(())
+    }
+
+    fn done(&self, level: u8) -> Result<(), BuildError> {
+        let units = level.checked_sub(self.unit_level).map_or(0, cells_below::<D>);
+        Ok(self.progress.advance(units)?)
+    }
+
+    fn meets(&self, cell: &Aabb<D>, item: usize) -> bool {
+        match (self.content, self.recipe.fill) {
+            (Content::Spheres(spheres), Fill::Surface) => meets_surface(cell, &spheres[item]),
+            (Content::Spheres(spheres), Fill::Solid) => meets_ball(cell, &spheres[item]),
+            (Content::Boxes(boxes), _) => meets_box(cell, &boxes[item]),
+            (Content::Triangles(triangles), _) => meets_triangle(cell, &triangles[item]),
+            (Content::Points(_) | Content::Cells(_) | Content::Image(_), _) => false,
+        }
+    }
+
+    fn covers(&self, item: usize, cell: &Aabb<D>) -> bool {
+        match (self.content, self.recipe.fill) {
+            (Content::Spheres(_), Fill::Surface) => false,
+            (Content::Spheres(spheres), Fill::Solid) => lies_in_ball(cell, &spheres[item]),
+            (Content::Boxes(boxes), _) => lies_in_box(cell, &boxes[item]),
+            (Content::Triangles(triangles), _) => lies_in_triangle(cell, &triangles[item]),
+            (Content::Points(_) | Content::Cells(_) | Content::Image(_), _) => false,
+        }
+    }
 }
