@@ -1,0 +1,144 @@
+//! Meshes in the Wavefront OBJ format: the statements `v` and `f`; all others
+//! are passed over.
+
+use crate::error::{ImportError, Place};
+use crate::shape::{Shape, push_fan};
+use crate::words::{Line, Word, lines};
+use octoscope_core::progress::Progress;
+
+/// Triangles of the faces of an OBJ file, or its vertices if it has no faces.
+///
+/// Faces of n corners become fans of n − 2 triangles.
+///
+/// # Errors
+/// Tells line and column of what is wrong.
+pub fn read(bytes: &[u8], progress: &Progress) -> Result<Shape, ImportError> {
+    let mut vertices = Vec::new();
+    let mut triangles = Vec::new();
+    let mut corners = Vec::new();
+    progress.start(bytes.len() as u64);
+    for line in lines(bytes) {
+        progress.advance(line.text.len() as u64 + 1)?;
+        let line = line.without_comment();
+        let mut words = line.words();
+        match words.next().map(|word| word.text) {
+            Some(b"v") => vertices.push(vertex(&line, words)?),
+            Some(b"f") => {
+                corners.clear();
+                for word in words {
+                    corners.push(vertices[index(&word, vertices.len())?]);
+                }
+                if corners.len() < 3 {
+                    let fact = format!("the face has {} corners", corners.len());
+                    return Err(ImportError::at(line.end(), fact, "give it at least 3"));
+                }
+                push_fan(&corners, &mut triangles)?;
+            }
+            Some(_) | None => {}
+        }
+    }
+    Shape::of(triangles, vertices)
+}
+
+fn vertex<'a>(
+    line: &Line<'_>,
+    mut words: impl Iterator<Item = Word<'a>>,
+) -> Result<[f64; 3], ImportError> {
+    let mut coordinate = || match words.next() {
+        Some(word) => word.number(),
+        None => Err(ImportError::at(
+            line.end(),
+            "the vertex has too few coordinates",
+            "write “v x y z”",
+        )),
+    };
+    Ok([coordinate()?, coordinate()?, coordinate()?])
+}
+
+/// Index from 0 of a reference such as `7`, `7/2/5` or `-1` (the last vertex so
+/// far).
+fn index(word: &Word<'_>, n_vertices: usize) -> Result<usize, ImportError> {
+    let number = word.text.split(|&b| b == b'/').next().unwrap_or_default();
+    let parsed = std::str::from_utf8(number).ok().and_then(|text| text.parse::<i64>().ok());
+    let Some(reference) = parsed else {
+        return Err(missing(word.place, format!("{} is not a vertex number", word.quoted())));
+    };
+    let from_zero = match reference {
+        1.. => reference.checked_sub(1),
+        _ => reference.checked_add(n_vertices as i64).filter(|_| reference != 0),
+    };
+    from_zero
+        .and_then(|i| usize::try_from(i).ok())
+        .filter(|&i| i < n_vertices)
+        .ok_or_else(|| missing(word.place, format!("vertex {reference} is not defined above")))
+}
+
+fn missing(place: Place, fact: String) -> ImportError {
+    ImportError::at(place, fact, "number the vertices from 1, or from -1 backwards")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const SQUARE: &str = "# square\nv 0 0 0\nv 1 0 0 1.0\nv 1 1 0\r\nv 0 1 0\nvn 0 0 1\n";
+
+    fn read_text(faces: &str) -> Result<Shape, ImportError> {
+        read(format!("{SQUARE}{faces}").as_bytes(), &Progress::default())
+    }
+
+    #[test]
+    fn quads_become_two_triangles() {
+        let [a, b, c, d] = [[0., 0., 0.], [1., 0., 0.], [1., 1., 0.], [0., 1., 0.]];
+        let expected = Ok(Shape::Triangles(vec![[a, b, c], [a, c, d]]));
+        assert_eq!(read_text("f 1 2 3 4"), expected);
+        assert_eq!(read_text("o name\nf 1/9/9 2//9 3/9 4 # all"), expected);
+        assert_eq!(read_text("f -4 -3 -2 -1\n\n"), expected);
+    }
+
+    #[test]
+    fn vertices_without_faces_are_points() {
+        assert!(matches!(read_text(""), Ok(Shape::Points(points)) if points.len() == 4));
+    }
+
+    #[test]
+    fn degenerate_triangles_are_kept() {
+        assert!(matches!(read_text("f 1 1 1"), Ok(Shape::Triangles(t)) if t.len() == 1));
+    }
+
+    #[track_caller]
+    fn check(faces: &str, message: &str) {
+        let error = read_text(faces).expect_err("the file is refused");
+        assert_eq!(error.to_string(), message);
+    }
+
+    #[test]
+    fn mistakes_are_told_with_line_and_column() {
+        const NUMBER: &str = "number the vertices from 1, or from -1 backwards";
+        check("f 1 2 5", &format!("line 7, column 7: vertex 5 is not defined above; {NUMBER}"));
+        check("f 0 2 1", &format!("line 7, column 3: vertex 0 is not defined above; {NUMBER}"));
+        check("f -5 2 1", &format!("line 7, column 3: vertex -5 is not defined above; {NUMBER}"));
+        check(
+            "f -9223372036854775808 2 1",
+            &format!(
+                "line 7, column 3: vertex -9223372036854775808 is not defined above; {NUMBER}"
+            ),
+        );
+        check("f 1 a 2", &format!("line 7, column 5: “a” is not a vertex number; {NUMBER}"));
+        check("f 1 2", "line 7, column 6: the face has 2 corners; give it at least 3");
+        check("v 1 2", "line 7, column 6: the vertex has too few coordinates; write “v x y z”");
+        check(
+            "v 1 nan 3",
+            "line 7, column 5: “nan” is not a finite number; write a number below 1e308",
+        );
+        check(
+            "v 1 2 3,5",
+            "line 7, column 7: “3,5” is not a number; write a number such as -1.25 or 3e-4",
+        );
+    }
+
+    #[test]
+    fn text_without_statements_holds_no_points() {
+        assert_eq!(read(b"# nothing\n", &Progress::default()), Err(ImportError::NoPoints));
+    }
+}
