@@ -40,24 +40,22 @@ pub fn built_in(id: &str) -> Option<AnyScenario> {
     })
 }
 
-/// The entry of a scene for dimension `D`.
-pub(super) fn find<const D: usize>(name: &str) -> Result<&'static BuiltIn, SourceError> {
-    let Some(entry) = BUILT_IN.iter().find(|entry| entry.id == name) else {
-        let known = BUILT_IN.map(|entry| entry.id).join(", ");
-        return Err(SourceError::Unknown { name: name.to_owned(), known });
-    };
-    if entry.dimension == D {
-        return Ok(entry);
-    }
-    Err(SourceError::Dimension { name: name.to_owned(), has: entry.dimension, asked: D })
+/// No scene has this name.
+pub(super) fn unknown(name: &str) -> SourceError {
+    let known = BUILT_IN.map(|entry| entry.id).join(", ");
+    SourceError::Unknown { name: name.to_owned(), known }
 }
 
-/// Content of the scene `name`.
-pub(super) fn content<const D: usize>(
+/// The entry of a scene for dimension `D`, and its `n`.
+fn find<const D: usize>(
     name: &str,
     parameters: Parameters,
-) -> Result<Content<D>, SourceError> {
-    let entry = find::<D>(name)?;
+) -> Result<(&'static BuiltIn, u32), SourceError> {
+    let entry = BUILT_IN.iter().find(|entry| entry.id == name).ok_or_else(|| unknown(name))?;
+    if entry.dimension != D {
+        let (name, has) = (name.to_owned(), entry.dimension);
+        return Err(SourceError::Dimension { name, has, asked: D });
+    }
     let refuse = |parameter| SourceError::NoParameter { name: name.to_owned(), parameter };
     if entry.seed.is_none() && parameters.seed.is_some() {
         return Err(refuse("seed"));
@@ -71,6 +69,23 @@ pub(super) fn content<const D: usize>(
             return Err(SourceError::Range { name: name.to_owned(), n, most });
         }
     };
+    Ok((entry, n))
+}
+
+/// The scenario of the scene `name` with these parameters.
+pub(super) fn checked<const D: usize>(
+    name: &str,
+    parameters: Parameters,
+) -> Result<Scenario<D>, SourceError> {
+    find::<D>(name, parameters).map(|(entry, _)| scenario(entry, parameters))
+}
+
+/// Content of the scene `name`.
+pub(super) fn content<const D: usize>(
+    name: &str,
+    parameters: Parameters,
+) -> Result<Content<D>, SourceError> {
+    let (entry, n) = find::<D>(name, parameters)?;
     let seed = parameters.seed.or(entry.seed).unwrap_or(0);
     Ok(match entry.id {
         "quadtree-82" | "points-3d" => made::clustered_points(seed, n),
@@ -105,7 +120,7 @@ fn first_of<T: Copy + Default, const N: usize, const D: usize>(numbers: [T; N]) 
 }
 
 /// The scenario of an entry whose dimension is `D`.
-pub(super) fn scenario<const D: usize>(entry: &BuiltIn, parameters: Parameters) -> Scenario<D> {
+fn scenario<const D: usize>(entry: &BuiltIn, parameters: Parameters) -> Scenario<D> {
     let n = parameters.n.or(entry.n.map(|[usual, _]| usual)).unwrap_or(0);
     let mut domain = Cube::UNIT;
     let mut recipe = Recipe::default();
