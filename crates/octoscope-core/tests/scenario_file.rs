@@ -14,7 +14,7 @@ fn reads_back(scenario: AnyScenario) {
 }
 
 fn refused(text: &str, parts: &[&str]) {
-    let message = AnyScenario::parse(text).unwrap_err().to_string();
+    let message = AnyScenario::parse(text).expect_err(text).to_string();
     for part in parts {
         assert!(message.contains(part), "‘{part}’ is not in: {message}");
     }
@@ -130,7 +130,7 @@ fn what_is_wrong_is_named_with_its_place() {
 
 /// Names of the fields of an object.
 fn names(value: &Value) -> Vec<&str> {
-    value.as_object().unwrap().keys().map(String::as_str).collect()
+    value.as_object().expect("an object").keys().map(String::as_str).collect()
 }
 
 #[test]
@@ -153,7 +153,7 @@ fn the_schema_has_exactly_the_fields_of_a_file() {
     }
     let scene = names(&properties["scene"]["properties"]).join("`, `");
     let text = r#"{"octoscope": 1, "dimension": 2, "scene": {"x": 1}}"#;
-    let message = AnyScenario::parse(text).unwrap_err().to_string();
+    let message = AnyScenario::parse(text).expect_err(text).to_string();
     for name in scene.split("`, `") {
         assert!(message.contains(name), "{name} in {message}");
     }

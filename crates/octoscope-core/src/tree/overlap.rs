@@ -224,8 +224,8 @@ mod tests {
             let radius = random.below(9) as f64 / 8.0;
             let eighths = |x: f64| (x * 8.0) as i64;
             let (mut nearest, mut farthest) = (0, 0);
-            for e in 0..3 {
-                let gaps = [cell.min[e], cell.max[e]].map(|x| eighths(x) - eighths(centre[e]));
+            for (e, middle) in centre.map(eighths).into_iter().enumerate() {
+                let gaps = [cell.min[e], cell.max[e]].map(|x| eighths(x) - middle);
                 let outside = gaps[0].max(-gaps[1]).max(0);
                 nearest += outside * outside;
                 farthest += gaps.map(|g| g * g).into_iter().max().unwrap();
