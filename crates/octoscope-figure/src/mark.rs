@@ -1,0 +1,61 @@
+//! Marks: shapes in world space, with a role.
+
+use crate::Role;
+use octoscope_core::geometry::Aabb;
+use octoscope_core::tree::NodeId;
+
+/// A shape to be seen, with its meaning.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Mark<const D: usize> {
+    /// Where it is.
+    pub shape: Shape<D>,
+    /// What it means.
+    pub role: Role,
+    /// The node that it stands for.
+    pub node: Option<NodeId>,
+    /// What is written on it, or is to be read of it.
+    pub text: Option<String>,
+}
+
+/// A shape in world space.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Shape<const D: usize> {
+    /// A box.
+    Box(Aabb<D>),
+    /// A straight line between two points.
+    Segment([[f64; D]; 2]),
+    /// A straight line that points from the first to the second point.
+    Arrow([[f64; D]; 2]),
+    /// A point.
+    Point([f64; D]),
+    /// A piece of a plane: a box that is flat across `axis`.
+    Plane {
+        /// The axis across which it lies.
+        axis: usize,
+        /// Its extent; `min` and `max` are equal on `axis`.
+        bounds: Aabb<D>,
+    },
+    /// Text at a point.
+    Label([f64; D]),
+    /// Text beside a line, as near to the middle of it as there is room.
+    LabelAlong([[f64; D]; 2]),
+}
+
+impl<const D: usize> Mark<D> {
+    /// Mark without node and text.
+    pub fn new(shape: Shape<D>, role: Role) -> Self {
+        Self { shape, role, node: None, text: None }
+    }
+
+    /// The same, standing for a node.
+    pub fn of_node(mut self, node: NodeId) -> Self {
+        self.node = Some(node);
+        self
+    }
+
+    /// The same, with a text.
+    pub fn with_text(mut self, text: impl Into<String>) -> Self {
+        self.text = Some(text.into());
+        self
+    }
+}

@@ -1,0 +1,363 @@
+//! The marks of a moment.
+
+use crate::{Mark, Role, Shape};
+use octoscope_core::event::Event;
+use octoscope_core::geometry::{AXIS_NAMES, Aabb, Axes, Ray};
+use octoscope_core::query::Query;
+use octoscope_core::trace::Moment;
+use octoscope_core::tree::{Child, NodeId, Tree};
+
+/// What is to be seen beside the algorithm's state.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Show {
+    /// Numbers of the visited leaves.
+    pub order_numbers: bool,
+    /// The sides that the current node owns.
+    pub half_open_sides: bool,
+    /// Codes, written into the current node and the visited leaves.
+    pub codes: bool,
+    /// The ray in the mirrored tree.
+    pub mirrored_ray: bool,
+    /// Points and primitives.
+    pub content: bool,
+    /// Leaves without contents.
+    pub empty_leaves: bool,
+    /// Nodes above the current one.
+    pub ancestors: bool,
+    /// Children of the current node, taken and not, with their indices.
+    pub children: bool,
+}
+
+impl Default for Show {
+    fn default() -> Self {
+        Self {
+            order_numbers: true,
+            half_open_sides: false,
+            codes: false,
+            mirrored_ray: false,
+            content: true,
+            empty_leaves: true,
+            ancestors: true,
+            children: true,
+        }
+    }
+}
+
+/// Marks of a query at a moment, the lowest first; O(length of the path), so
+/// that they can be made anew while the ray is dragged. `event` is the last
+/// that has happened.
+pub fn marks<const D: usize>(
+    tree: &Tree<D>,
+    ray: &Ray<D>,
+    query: &Query<D>,
+    moment: &Moment<D>,
+    event: Option<&Event<D>>,
+    show: &Show,
+) -> Vec<Mark<D>> {
+    let scene = Scene { tree, ray, query, moment, event, show };
+    let mut marks = vec![node_mark(tree, NodeId::ROOT, Role::Root)];
+    scene.visited(&mut marks);
+    scene.ancestors(&mut marks);
+    scene.children(&mut marks);
+    scene.current(&mut marks);
+    scene.planes(&mut marks);
+    scene.query(&mut marks);
+    scene.ray(&mut marks);
+    marks.sort_by_key(|mark| mark.role.layer());
+    marks
+}
+
+/// Marks of all leaves: the ground on which the others lie. O(leaves), and the
+/// same as long as the tree is the same.
+pub fn leaves<const D: usize>(tree: &Tree<D>, show: &Show) -> Vec<Mark<D>> {
+    let seen = tree.leaves().filter(|leaf| leaf.is_full() || show.empty_leaves);
+    seen.map(|leaf| {
+        let role = if leaf.is_full() { Role::FullLeaf } else { Role::EmptyLeaf };
+        node_mark(tree, leaf.id, role)
+    })
+    .collect()
+}
+
+fn node_mark<const D: usize>(tree: &Tree<D>, node: NodeId, role: Role) -> Mark<D> {
+    Mark::new(Shape::Box(tree.node_box(node)), role).of_node(node)
+}
+
+struct Scene<'a, const D: usize> {
+    tree: &'a Tree<D>,
+    ray: &'a Ray<D>,
+    query: &'a Query<D>,
+    moment: &'a Moment<D>,
+    event: Option<&'a Event<D>>,
+    show: &'a Show,
+}
+
+impl<const D: usize> Scene<'_, D> {
+    /// Visited leaves and touches.
+    fn visited(&self, marks: &mut Vec<Mark<D>>) {
+        let root = interval(self.ray, &self.tree.domain().root_box()).unwrap_or([0.0, 1.0]);
+        for (index, leaf) in self.moment.leaves.iter().enumerate() {
+            let share =
+                ((leaf.enter - root[0].max(0.0)) / (root[1] - root[0].max(0.0))).clamp(0.0, 1.0);
+            marks.push(node_mark(self.tree, leaf.node, Role::Visited { share }));
+            if self.show.order_numbers {
+                let chord = [leaf.enter, leaf.exit].map(|t| self.ray.at(t));
+                let label = Mark::new(Shape::LabelAlong(chord), Role::OrderNumber);
+                marks.push(label.of_node(leaf.node).with_text((index + 1).to_string()));
+            }
+            if self.show.codes {
+                marks.push(self.code_label(leaf.node));
+            }
+        }
+        for &(node, at) in &self.moment.touches {
+            let point = Mark::new(Shape::Point(self.ray.at(at)), Role::Touch);
+            marks.push(point.of_node(node));
+        }
+    }
+
+    fn code_label(&self, node: NodeId) -> Mark<D> {
+        let codes = self.tree.code(node).map(|code| code.to_string()).join(", ");
+        let label = Mark::new(Shape::Label(self.tree.node_box(node).centre()), Role::CellCode);
+        label.of_node(node).with_text(codes)
+    }
+
+    fn ancestors(&self, marks: &mut Vec<Mark<D>>) {
+        if self.show.ancestors {
+            for (index, node) in self.moment.ancestors(self.tree).enumerate() {
+                if node != NodeId::ROOT {
+                    let above = (index + 1).min(u8::MAX as usize) as u8;
+                    marks.push(node_mark(self.tree, node, Role::Ancestor { above }));
+                }
+            }
+        }
+    }
+
+    /// The node whose children are chosen among, the child that is taken, and
+    /// whether those before it are done rather than rejected.
+    fn choice(&self) -> Option<(NodeId, Child<D>)> {
+        match *self.event? {
+            Event::First { .. } | Event::Step { next: Some(_), .. } => {
+                let frame = self.moment.frame()?;
+                let mask = self.moment.clip.map_or(Axes::NONE, |clip| clip.mirror);
+                Some((frame.node, frame.child_state?.mirrored(mask)))
+            }
+            Event::Compare { child, node, .. } | Event::Follow { child, node, .. } => {
+                Some((self.tree.parent(node)?, child))
+            }
+            Event::Clip { .. }
+            | Event::Test { .. }
+            | Event::Sort { .. }
+            | Event::Visit { .. }
+            | Event::Skip { .. }
+            | Event::Halve { .. }
+            | Event::Step { next: None, .. }
+            | Event::Up { .. }
+            | Event::Begin { .. }
+            | Event::Encode { .. }
+            | Event::Exits { .. }
+            | Event::Target { .. }
+            | Event::Border { .. }
+            | Event::Difference { .. }
+            | Event::Climb { .. }
+            | Event::Corners { .. }
+            | Event::Leaf { .. }
+            | Event::Touch { .. }
+            | Event::Found { .. }
+            | Event::End(_) => None,
+        }
+    }
+
+    fn children(&self, marks: &mut Vec<Mark<D>>) {
+        let Some((parent, taken)) = self.choice().filter(|_| self.show.children) else {
+            return;
+        };
+        let parent = self.tree.node(parent);
+        for (child, node) in Child::all().zip(self.tree.children(parent)) {
+            let bounds = self.tree.node_box(node.id);
+            // The current node has its own, stronger mark.
+            if self.moment.current != Some(node.id) {
+                let role = if child == taken { Role::Taken } else { Role::Rejected };
+                marks.push(node_mark(self.tree, node.id, role));
+            }
+            let label = Mark::new(Shape::Label(index_place(&bounds, child)), Role::ChildIndex);
+            marks.push(label.of_node(node.id).with_text(child.0.to_string()));
+        }
+    }
+
+    fn current(&self, marks: &mut Vec<Mark<D>>) {
+        let Some(node) = self.moment.current else {
+            return;
+        };
+        let bounds = self.tree.node_box(node);
+        let missed = matches!(self.event, Some(Event::Test { interval: None, .. }));
+        let role = match (self.moment.found == Some(node), missed) {
+            (true, _) => Role::Found,
+            (false, true) => Role::Missed,
+            (false, false) => Role::Current,
+        };
+        marks.push(node_mark(self.tree, node, role));
+        if self.show.codes {
+            marks.push(self.code_label(node));
+        }
+        if self.show.half_open_sides {
+            let sides = (0..D).map(|axis| side(&bounds, axis, bounds.min[axis]));
+            marks.extend(sides.map(|shape| Mark::new(shape, Role::OwnedSide).of_node(node)));
+        }
+        if let (Query::Ray { .. }, Some([enter, exit])) =
+            (self.query, interval(self.ray, &bounds).filter(|[_, exit]| *exit >= 0.0))
+        {
+            for (t, role) in [(enter.max(0.0), Role::EntryPoint), (exit, Role::ExitPoint)] {
+                marks.push(Mark::new(Shape::Point(self.ray.at(t)), role).of_node(node));
+            }
+        }
+    }
+
+    /// Planes that are compared or met in this step.
+    fn planes(&self, marks: &mut Vec<Mark<D>>) {
+        let mut middle = |node: NodeId, axes: Axes<D>| {
+            let bounds = self.tree.node_box(node);
+            for axis in axes.iter() {
+                let shape = side(&bounds, axis, bounds.centre()[axis]);
+                let mark = Mark::new(shape, Role::MidPlane(axis));
+                marks.push(mark.of_node(node).with_text(AXIS_NAMES[axis]));
+            }
+        };
+        let all = Axes::where_true([true; D]);
+        let frame = self.moment.frame().map(|frame| frame.node);
+        match (self.event, frame) {
+            (Some(Event::Halve { .. }), Some(node)) => middle(node, all),
+            (Some(Event::First { compared, .. }), Some(node)) => middle(node, *compared),
+            (Some(&(Event::Compare { node, .. } | Event::Follow { node, .. })), _) => {
+                if let Some(parent) = self.tree.parent(node) {
+                    middle(parent, all);
+                }
+            }
+            (Some(&Event::Step { state, axes, .. }), Some(parent)) => {
+                let mask = self.moment.clip.map_or(Axes::NONE, |clip| clip.mirror);
+                let parent = self.tree.node(parent);
+                if !parent.is_leaf() {
+                    let left = self.tree.child(parent, state.mirrored(mask)).id;
+                    self.exit_planes(left, axes, marks);
+                }
+            }
+            (Some(&(Event::Exits { axes, .. } | Event::Target { axes, .. })), _) => {
+                if let Some(node) = self.moment.current {
+                    self.exit_planes(node, axes, marks);
+                }
+            }
+            (Some(_) | None, _) => {}
+        }
+    }
+
+    /// Sides of `node` through which the ray leaves it, or the query asks.
+    fn exit_planes(&self, node: NodeId, axes: Axes<D>, marks: &mut Vec<Mark<D>>) {
+        let bounds = self.tree.node_box(node);
+        for axis in axes.iter() {
+            let upper = match *self.query {
+                Query::Neighbour { direction, .. } => direction.components()[axis] > 0,
+                Query::Ray { .. } | Query::Point { .. } | Query::Region { .. } => {
+                    self.ray.direction()[axis] > 0.0
+                }
+            };
+            let at = if upper { bounds.max[axis] } else { bounds.min[axis] };
+            let mark = Mark::new(side(&bounds, axis, at), Role::ExitPlane(axis));
+            marks.push(mark.of_node(node).with_text(AXIS_NAMES[axis]));
+        }
+    }
+
+    /// What is asked for.
+    fn query(&self, marks: &mut Vec<Mark<D>>) {
+        match *self.query {
+            Query::Ray { .. } => {}
+            Query::Point { at, .. } => {
+                marks.push(Mark::new(Shape::Point(at), Role::QueryPoint));
+            }
+            Query::Region { min, max } => {
+                marks.push(Mark::new(Shape::Box(Aabb { min, max }), Role::Region));
+            }
+            Query::Neighbour { level, code, direction, .. } => {
+                if let Some(node) = self.tree.node_at(level, code) {
+                    let bounds = self.tree.node_box(node.id);
+                    let [from, size] = [bounds.centre(), bounds.size()];
+                    let step = direction.components();
+                    let to = std::array::from_fn(|e| from[e] + 0.85 * size[e] * f64::from(step[e]));
+                    marks.push(node_mark(self.tree, node.id, Role::Region));
+                    marks.push(Mark::new(Shape::Arrow([from, to]), Role::Direction));
+                }
+            }
+        }
+        // The place beyond the border, if it is in the domain.
+        if let Some(target) = self.moment.target {
+            let size = i64::from(self.tree.domain().grid_size());
+            if target.to.iter().all(|c| (0..size).contains(c)) {
+                let code = target.to.map(|c| c as u32);
+                let bounds = self.tree.domain().cell_box(0, code);
+                marks.push(Mark::new(Shape::Box(bounds), Role::Target));
+            }
+        }
+    }
+
+    fn ray(&self, marks: &mut Vec<Mark<D>>) {
+        let Query::Ray { .. } = self.query else {
+            return;
+        };
+        let (from, to) = (self.ray.origin(), self.ray.at(1.0));
+        marks.push(Mark::new(Shape::Arrow([from, far_end(self.tree, self.ray)]), Role::Ray));
+        marks.push(Mark::new(Shape::Point(from), Role::RayOrigin));
+        marks.push(Mark::new(Shape::Point(to), Role::RayTip));
+        let mask = self.moment.clip.map_or(Axes::NONE, |clip| clip.mirror);
+        if self.show.mirrored_ray && !mask.is_empty() {
+            let centre = self.tree.domain().root_box().centre();
+            let mirror = |p: [f64; D]| {
+                std::array::from_fn(
+                    |e| if mask.contains(e) { 2.0 * centre[e] - p[e] } else { p[e] },
+                )
+            };
+            let ends = [from, far_end(self.tree, self.ray)].map(mirror);
+            marks.push(Mark::new(Shape::Arrow(ends), Role::MirroredRay));
+        }
+    }
+}
+
+/// Where the arrow of the ray ends: at its tip, or a little beyond the root if
+/// the tip lies before that.
+fn far_end<const D: usize>(tree: &Tree<D>, ray: &Ray<D>) -> [f64; D] {
+    const BEYOND: f64 = 0.06;
+    let length = ray.direction().iter().map(|d| d * d).sum::<f64>().sqrt();
+    let beyond = BEYOND * tree.domain().side() / length;
+    let exit = interval(ray, &tree.domain().root_box()).map_or(1.0, |[_, exit]| exit + beyond);
+    ray.at(exit.max(1.0))
+}
+
+/// Parameters at which the ray's line enters and leaves a box, for showing;
+/// `None` if it misses the box.
+pub(crate) fn interval<const D: usize>(ray: &Ray<D>, bounds: &Aabb<D>) -> Option<[f64; 2]> {
+    let (origin, direction) = (ray.origin(), ray.direction());
+    let (mut enter, mut exit) = (f64::NEG_INFINITY, f64::INFINITY);
+    for e in 0..D {
+        if direction[e] == 0.0 {
+            if origin[e] < bounds.min[e] || origin[e] > bounds.max[e] {
+                return None;
+            }
+        } else {
+            let [a, b] = [bounds.min[e], bounds.max[e]].map(|x| (x - origin[e]) / direction[e]);
+            enter = enter.max(a.min(b));
+            exit = exit.min(a.max(b));
+        }
+    }
+    (enter <= exit).then_some([enter, exit])
+}
+
+/// The part of the plane across `axis` at `at` that lies in a box.
+fn side<const D: usize>(bounds: &Aabb<D>, axis: usize, at: f64) -> Shape<D> {
+    let mut bounds = *bounds;
+    (bounds.min[axis], bounds.max[axis]) = (at, at);
+    Shape::Plane { axis, bounds }
+}
+
+/// Where a child's index is written: towards the outer corner of the parent.
+fn index_place<const D: usize>(bounds: &Aabb<D>, child: Child<D>) -> [f64; D] {
+    std::array::from_fn(|e| {
+        let outer = if child.is_upper(e) { 0.82 } else { 0.18 };
+        bounds.min[e] + outer * (bounds.max[e] - bounds.min[e])
+    })
+}

@@ -1,0 +1,189 @@
+//! What a mark means. Looks follow from it, and only from it.
+
+/// Meaning of a mark.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Role {
+    /// Outline of the root.
+    Root,
+    /// A leaf without contents.
+    EmptyLeaf,
+    /// A leaf with contents.
+    FullLeaf,
+    /// Mean colour of a leaf of an image, red, green, blue.
+    Pixel([u8; 3]),
+    /// A point or primitive in the tree.
+    Content,
+    /// A node above the current one.
+    Ancestor {
+        /// Number of levels above the current node; 1 is its parent.
+        above: u8,
+    },
+    /// The node at which the algorithm is.
+    Current,
+    /// The child of the current node that is taken.
+    Taken,
+    /// A child of the current node that is not taken.
+    Rejected,
+    /// A leaf on the ray.
+    Visited {
+        /// Where along the ray it begins: 0 where the ray enters the root, 1
+        /// where it leaves.
+        share: f64,
+    },
+    /// Number of a visited leaf in the order of the ray.
+    OrderNumber,
+    /// A leaf that the ray meets in one point, and the point.
+    Touch,
+    /// A leaf that was tested and is not on the ray.
+    Missed,
+    /// The node that a query has found.
+    Found,
+    /// The point that is located.
+    QueryPoint,
+    /// The box that is located.
+    Region,
+    /// The smallest cell beyond the border that is crossed.
+    Target,
+    /// Direction to a neighbour.
+    Direction,
+    /// The ray.
+    Ray,
+    /// Handle on the ray's origin.
+    RayOrigin,
+    /// Handle on the ray's tip.
+    RayTip,
+    /// The ray as the algorithm mirrors it.
+    MirroredRay,
+    /// What was there before a change, or what is being drawn.
+    Ghost,
+    /// Where the ray enters the current node.
+    EntryPoint,
+    /// Where the ray leaves the current node.
+    ExitPoint,
+    /// Middle plane of the current node across an axis, 0 = x.
+    MidPlane(usize),
+    /// Plane through which a cell is left, across an axis, 0 = x.
+    ExitPlane(usize),
+    /// Index of a child, written into it.
+    ChildIndex,
+    /// Location code of a cell, written into it.
+    CellCode,
+    /// Side of a cell that the cell owns.
+    OwnedSide,
+    /// Name or number on an axis, 0 = x.
+    AxisLabel(usize),
+}
+
+impl Role {
+    /// One role of every kind, in the order in which they cover each other,
+    /// the lowest first.
+    pub const KINDS: [Self; 37] = [
+        Self::Pixel([128; 3]),
+        Self::EmptyLeaf,
+        Self::FullLeaf,
+        Self::Missed,
+        Self::Visited { share: 0.5 },
+        Self::Root,
+        Self::Ancestor { above: 3 },
+        Self::Ancestor { above: 2 },
+        Self::Ancestor { above: 1 },
+        Self::Ghost,
+        Self::Taken,
+        Self::Rejected,
+        Self::Content,
+        Self::Touch,
+        Self::Region,
+        Self::Target,
+        Self::Current,
+        Self::Found,
+        Self::OwnedSide,
+        Self::MidPlane(0),
+        Self::MidPlane(1),
+        Self::MidPlane(2),
+        Self::ExitPlane(0),
+        Self::ExitPlane(1),
+        Self::ExitPlane(2),
+        Self::MirroredRay,
+        Self::Ray,
+        Self::Direction,
+        Self::RayOrigin,
+        Self::RayTip,
+        Self::EntryPoint,
+        Self::ExitPoint,
+        Self::QueryPoint,
+        Self::CellCode,
+        Self::ChildIndex,
+        Self::OrderNumber,
+        Self::AxisLabel(0),
+    ];
+
+    /// Name for classes in SVG and styles in TikZ: lower case, with hyphens.
+    pub fn class(self) -> &'static str {
+        match self {
+            Self::Root => "root",
+            Self::EmptyLeaf => "empty-leaf",
+            Self::FullLeaf => "full-leaf",
+            Self::Pixel(_) => "pixel",
+            Self::Content => "content",
+            Self::Ancestor { above: 0 | 1 } => "ancestor-1",
+            Self::Ancestor { above: 2 } => "ancestor-2",
+            Self::Ancestor { above: 3.. } => "ancestor-3",
+            Self::Current => "current",
+            Self::Taken => "taken",
+            Self::Rejected => "rejected",
+            Self::Visited { .. } => "visited",
+            Self::OrderNumber => "order-number",
+            Self::Touch => "touch",
+            Self::Missed => "missed",
+            Self::Found => "found",
+            Self::QueryPoint => "query-point",
+            Self::Region => "region",
+            Self::Target => "target",
+            Self::Direction => "direction",
+            Self::Ray => "ray",
+            Self::RayOrigin => "ray-origin",
+            Self::RayTip => "ray-tip",
+            Self::MirroredRay => "mirrored-ray",
+            Self::Ghost => "ghost",
+            Self::EntryPoint => "entry-point",
+            Self::ExitPoint => "exit-point",
+            Self::MidPlane(axis) => ["mid-plane-x", "mid-plane-y", "mid-plane-z"][axis],
+            Self::ExitPlane(axis) => ["exit-plane-x", "exit-plane-y", "exit-plane-z"][axis],
+            Self::ChildIndex => "child-index",
+            Self::CellCode => "cell-code",
+            Self::OwnedSide => "owned-side",
+            Self::AxisLabel(axis) => ["axis-x", "axis-y", "axis-z"][axis],
+        }
+    }
+
+    /// Place among [`Role::KINDS`]: marks with a larger number lie above.
+    pub fn layer(self) -> usize {
+        let kind = |role: &Self| match (*role, self) {
+            (Self::AxisLabel(_), Self::AxisLabel(_)) => true,
+            (other, own) => other.class() == own.class(),
+        };
+        Self::KINDS.iter().position(kind).expect("every role is of one of the kinds")
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn classes_differ_and_are_plain() {
+        let mut classes: Vec<_> = Role::KINDS.iter().map(|role| role.class()).collect();
+        assert!(classes.iter().all(|c| c.chars().all(|c| c.is_ascii_alphanumeric() || c == '-')));
+        classes.sort_unstable();
+        classes.dedup();
+        assert_eq!(classes.len(), Role::KINDS.len());
+    }
+
+    #[test]
+    fn the_current_node_lies_above_its_ancestors_and_the_ray_above_it() {
+        let [ancestor, current, ray] =
+            [Role::Ancestor { above: 7 }, Role::Current, Role::Ray].map(Role::layer);
+        assert!(ancestor < current && current < ray);
+        assert_eq!(Role::AxisLabel(2).layer(), Role::AxisLabel(0).layer());
+    }
+}

@@ -1,0 +1,208 @@
+//! How roles look.
+
+use crate::Role;
+use crate::palette::{Colour, Palette, Theme, ramp};
+
+/// Look of a role in a theme. Lengths are page units (points, logical pixels).
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Style {
+    /// Colour of areas.
+    pub fill: Option<Colour>,
+    /// Colour of lines.
+    pub stroke: Option<Colour>,
+    /// Width of lines.
+    pub width: f64,
+    /// Pattern of lines.
+    pub dash: Dash,
+    /// Radius of points.
+    pub radius: f64,
+    /// Look of text.
+    pub text: Option<Lettering>,
+}
+
+/// Pattern of a line.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Dash {
+    /// Unbroken.
+    #[default]
+    Solid,
+    /// Dashes.
+    Dashed,
+    /// Dots.
+    Dotted,
+}
+
+impl Dash {
+    /// Lengths of dash and gap in units of the line's width; empty if unbroken.
+    pub fn pattern(self) -> &'static [f64] {
+        match self {
+            Self::Solid => &[],
+            Self::Dashed => &[4.0, 3.0],
+            Self::Dotted => &[1.0, 2.0],
+        }
+    }
+}
+
+/// Look of text.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Lettering {
+    /// Colour.
+    pub colour: Colour,
+    /// Height of the type, in page units.
+    pub size: f64,
+    /// Typeface and weight.
+    pub weight: Weight,
+}
+
+/// Typeface and weight.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Weight {
+    /// The sans, regular.
+    Regular,
+    /// The sans, semi-bold.
+    Strong,
+    /// The mono, regular.
+    Mono,
+}
+
+impl Style {
+    /// Look of `role` in `theme`.
+    pub fn of(theme: Theme, role: Role) -> Self {
+        let p = Palette::of(theme);
+        let style = match role {
+            Role::Root => line(p.ancestor, 1.4),
+            Role::EmptyLeaf => line(p.grid, 1.0),
+            Role::FullLeaf => Self { fill: Some(p.quiet_ink.faded(0.07)), ..line(p.grid, 1.0) },
+            Role::Pixel(rgb) => {
+                let colour = Colour { rgb, opacity: 1.0 };
+                Self { fill: Some(colour), ..line(p.grid.faded(0.5), 0.5) }
+            }
+            Role::Content => {
+                let colour = p.quiet_ink.faded(0.9);
+                Self { fill: Some(colour), radius: 2.4, ..line(colour, 1.0) }
+            }
+            Role::Ancestor { above: 0 | 1 } => line(p.ancestor, 1.8),
+            Role::Ancestor { above: 2 } => line(p.ancestor, 1.4),
+            Role::Ancestor { above: 3.. } => line(p.ancestor, 1.1),
+            Role::Current => {
+                Self { fill: Some(p.current.faded(p.current_fill)), ..line(p.current_outline, 3.5) }
+            }
+            Role::Taken => Self {
+                fill: Some(p.current.faded(2.2 * p.current_fill)),
+                ..line(p.current_outline, 1.5)
+            },
+            Role::Rejected => Self { dash: Dash::Dashed, ..line(p.rejected, 1.2) },
+            Role::Visited { share } => {
+                Self { fill: Some(ramp(theme, share).faded(0.45)), ..line(p.background, 1.0) }
+            }
+            Role::OrderNumber => Self {
+                fill: Some(p.background),
+                radius: 9.0,
+                ..line(p.ink, 1.0).lettered(p.ink, 11.0, Weight::Strong)
+            },
+            Role::Touch => Self { radius: 7.0, ..line(p.ray, 2.0) },
+            Role::Missed => Self { dash: Dash::Dotted, ..line(p.quiet_ink, 1.5) },
+            Role::Found => Self { fill: Some(p.axes[1].faded(0.25)), ..line(p.axes[1], 3.0) },
+            Role::QueryPoint => Self { fill: Some(p.ray), radius: 5.0, ..line(p.background, 1.5) },
+            Role::Region => Self { fill: Some(p.ray.faded(0.12)), ..line(p.ray, 2.0) },
+            Role::Target => Self { dash: Dash::Dashed, ..line(p.ray, 2.0) },
+            Role::Direction => Self { fill: Some(p.ray), ..line(p.ray, 2.5) },
+            Role::Ray => Self { fill: Some(p.ray), ..line(p.ray, 2.2) },
+            Role::RayOrigin => Self { fill: Some(p.background), radius: 7.0, ..line(p.ray, 2.2) },
+            Role::RayTip => Self { fill: Some(p.ray), radius: 4.0, ..line(p.background, 1.0) },
+            Role::MirroredRay => Self {
+                fill: Some(p.ray.faded(0.75)),
+                dash: Dash::Dashed,
+                ..line(p.ray.faded(0.75), 1.5)
+            },
+            Role::Ghost => Self {
+                fill: Some(p.quiet_ink.faded(0.12)),
+                dash: Dash::Dashed,
+                ..line(p.quiet_ink.faded(0.8), 1.2)
+            },
+            Role::EntryPoint => Self { fill: Some(p.ray), radius: 4.5, ..line(p.background, 1.2) },
+            Role::ExitPoint => Self { fill: Some(p.background), radius: 4.0, ..line(p.ray, 1.8) },
+            Role::MidPlane(axis) => Self {
+                fill: Some(p.axes[axis].faded(0.22)),
+                ..line(p.axes[axis], 3.5).lettered(p.axes[axis], 12.0, Weight::Strong)
+            },
+            Role::ExitPlane(axis) => Self {
+                fill: Some(p.axes[axis].faded(0.22)),
+                dash: Dash::Dashed,
+                ..line(p.axes[axis], 2.5).lettered(p.axes[axis], 12.0, Weight::Strong)
+            },
+            Role::ChildIndex => Self::default().lettered(p.ink, 12.0, Weight::Strong),
+            Role::CellCode => Self::default().lettered(p.quiet_ink, 10.0, Weight::Mono),
+            Role::OwnedSide => line(p.ink, 2.5),
+            Role::AxisLabel(axis) => {
+                line(p.axes[axis], 1.5).lettered(p.axes[axis], 11.0, Weight::Mono)
+            }
+        };
+        style.for_theme(theme)
+    }
+
+    fn lettered(self, colour: Colour, size: f64, weight: Weight) -> Self {
+        Self { text: Some(Lettering { colour, size, weight }), ..self }
+    }
+
+    /// Lines as wide and fills as strong as the theme wants them.
+    fn for_theme(self, theme: Theme) -> Self {
+        let strong = |c: Colour| c.faded(c.opacity.max(theme.weakest_fill()));
+        let width = self.width * theme.line_scale();
+        Self { width, fill: self.fill.map(strong), ..self }
+    }
+}
+
+fn line(colour: Colour, width: f64) -> Style {
+    Style { stroke: Some(colour), width, ..Style::default() }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::palette::contrast;
+
+    /// Roles that are hints, or are told by their area and the marks on it.
+    fn is_hint(role: Role) -> bool {
+        matches!(role, Role::EmptyLeaf | Role::FullLeaf | Role::Pixel(_) | Role::Visited { .. })
+    }
+
+    #[test]
+    fn every_role_can_be_seen_in_every_theme() {
+        for theme in Theme::ALL {
+            let background = Palette::of(theme).background;
+            for role in Role::KINDS {
+                let style = Style::of(theme, role);
+                let seen = [style.fill, style.stroke, style.text.map(|t| t.colour)];
+                let best =
+                    seen.into_iter().flatten().map(|c| contrast(c, background)).fold(0.0, f64::max);
+                assert!(
+                    best >= 3.0 || is_hint(role) && best > 1.05,
+                    "{theme:?} {role:?} {best:.2}"
+                );
+                if let Some(text) = style.text {
+                    let ratio = contrast(text.colour, background);
+                    assert!(ratio >= 4.5, "{theme:?} {role:?} text {ratio:.2}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn order_numbers_can_be_read_on_their_disc() {
+        for theme in Theme::ALL {
+            let style = Style::of(theme, Role::OrderNumber);
+            let (text, disc) = (style.text.unwrap(), style.fill.unwrap());
+            assert!(contrast(text.colour, disc) >= 4.5);
+        }
+    }
+
+    #[test]
+    fn the_projector_has_no_weak_fills_and_wide_lines() {
+        for role in Role::KINDS {
+            let style = Style::of(Theme::Projector, role);
+            assert!(style.fill.is_none_or(|fill| fill.opacity >= 0.35));
+            assert_eq!(style.width, 1.5 * Style::of(Theme::Light, role).width);
+        }
+    }
+}
