@@ -1,1 +1,7 @@
-//! To come.
+//! What happens, in words.
+
+mod number;
+mod rich;
+
+pub use number::{approx, distinct, number};
+pub use rich::{RichText, Span};

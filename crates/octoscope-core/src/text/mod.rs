@@ -1,1 +1,7 @@
-//! To come.
+//! User-visible texts, in English and German.
+
+mod language;
+mod texts;
+
+pub use language::{Language, UnknownLanguage};
+pub use texts::{Texts, Value};
