@@ -1,0 +1,3 @@
+//! The program's modules; `main.rs` only starts them.
+
+pub mod render;

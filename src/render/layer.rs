@@ -1,0 +1,131 @@
+//! What a picture is made of: immutable, uploaded once.
+
+use super::{BoxMark, Cell, Grid, instance, mesh};
+use eframe::egui::Color32;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicU64, Ordering};
+
+/// Part of a picture. Clones are cheap and count as the same layer; a layer
+/// made anew is a new one, even of the same parts.
+#[derive(Clone, Debug)]
+pub struct Layer {
+    id: u64,
+    data: Arc<Data>,
+}
+
+/// How the cells of one style look.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct BoxStyle {
+    /// Colour of the faces; transparent for none. Opaque faces hide what is
+    /// behind them.
+    pub fill: Color32,
+    /// Colour of the edges; transparent for none.
+    pub edge: Color32,
+    /// Width of the edges in points.
+    pub width: f32,
+}
+
+/// Layers as they are drawn.
+#[derive(Debug)]
+pub(super) enum Data {
+    /// Cells of an octree.
+    Boxes { grid: Grid, styles: Vec<BoxStyle>, edges: Instances, faces: Instances },
+    /// Cells of a quadtree, each with a colour.
+    Cells { grid: Grid, edge: Color32, width: f32, cells: Instances, colours: Vec<Color32> },
+    /// Boxes that stand out; in space only.
+    Marks(Vec<BoxMark>),
+    /// Round dots of one radius in points.
+    Points { points: Vec<[f32; 3]>, colour: Color32, radius: f32 },
+    /// Corners of triangles with their normals.
+    Triangles { corners: Vec<mesh::Corner>, colour: Color32 },
+    /// Centres and radii.
+    Spheres { spheres: Vec<[f32; 4]>, colour: Color32 },
+}
+
+/// Packed codes in groups.
+#[derive(Debug, Default)]
+pub(super) struct Instances {
+    pub packed: Vec<instance::Packed>,
+    pub groups: Vec<instance::Group>,
+}
+
+impl From<(Vec<instance::Packed>, Vec<instance::Group>)> for Instances {
+    fn from((packed, groups): (Vec<instance::Packed>, Vec<instance::Group>)) -> Self {
+        Self { packed, groups }
+    }
+}
+
+impl Layer {
+    /// Cells of an octree; `style` of a cell is an index into `styles`.
+    /// Edges fade with the distance and where they shrink to a few pixels.
+    ///
+    /// # Panics
+    /// Panics if a cell has no style.
+    pub fn boxes(grid: Grid, cells: &[Cell], styles: &[BoxStyle]) -> Self {
+        let with = |wanted: fn(&BoxStyle) -> bool| -> Vec<Cell> {
+            cells.iter().filter(|cell| wanted(&styles[usize::from(cell.style)])).copied().collect()
+        };
+        let outlined = with(|style| style.edge != Color32::TRANSPARENT && style.width > 0.0);
+        let filled = with(|style| style.fill != Color32::TRANSPARENT);
+        Self::new(Data::Boxes {
+            grid,
+            styles: styles.to_vec(),
+            edges: instance::edges(&outlined).into(),
+            faces: instance::cells(&filled).into(),
+        })
+    }
+
+    /// Cells of a quadtree, each with the colour of its area; `width` in points
+    /// and `edge` are the lines between them, none if the width is 0. The style
+    /// of a cell is not asked for.
+    pub fn cells(grid: Grid, cells: &[(Cell, Color32)], edge: Color32, width: f32) -> Self {
+        let mut sorted: Vec<_> =
+            cells.iter().map(|&(cell, colour)| (Cell { style: 0, ..cell }, colour)).collect();
+        // Coarse levels first, as the groups are.
+        sorted.sort_unstable_by_key(|&(cell, _)| (u8::MAX - cell.level, cell.code));
+        sorted.dedup_by_key(|(cell, _)| *cell);
+        let (cells, colours): (Vec<_>, Vec<_>) = sorted.into_iter().unzip();
+        let cells = instance::cells(&cells).into();
+        Self::new(Data::Cells { grid, edge, width, cells, colours })
+    }
+
+    /// Boxes that stand out, translucent and in the right order from any side.
+    pub fn marks(marks: Vec<BoxMark>) -> Self {
+        Self::new(Data::Marks(marks))
+    }
+
+    /// Round dots of `radius` points at these places in world units.
+    pub fn points(points: Vec<[f32; 3]>, colour: Color32, radius: f32) -> Self {
+        Self::new(Data::Points { points, colour, radius })
+    }
+
+    /// Triangles, lit from both sides; flat, without common normals.
+    pub fn triangles(triangles: &[[[f32; 3]; 3]], colour: Color32) -> Self {
+        Self::new(Data::Triangles { corners: mesh::corners(triangles), colour })
+    }
+
+    /// Spheres: x, y, z of the centre and the radius, in world units.
+    pub fn spheres(spheres: Vec<[f32; 4]>, colour: Color32) -> Self {
+        Self::new(Data::Spheres { spheres, colour })
+    }
+
+    /// Number that no other layer has.
+    pub(super) fn id(&self) -> u64 {
+        self.id
+    }
+
+    pub(super) fn data(&self) -> &Data {
+        &self.data
+    }
+
+    fn new(data: Data) -> Self {
+        static NEXT: AtomicU64 = AtomicU64::new(0);
+        Self { id: NEXT.fetch_add(1, Ordering::Relaxed), data: Arc::new(data) }
+    }
+}
+
+impl PartialEq for Layer {
+    fn eq(&self, other: &Self) -> bool {
+        self.id == other.id
+    }
+}

@@ -1,0 +1,129 @@
+//! Marked boxes: few, translucent, drawn in the right order.
+
+use eframe::egui::Color32;
+use glam::{Vec3, Vec4};
+
+/// A box that stands out: current node, ancestor, visited or rejected leaf.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct BoxMark {
+    /// Minimum corner in world units.
+    pub min: [f32; 3],
+    /// Maximum corner in world units.
+    pub max: [f32; 3],
+    /// Colour of the faces; transparent for none.
+    pub fill: Color32,
+    /// Colour of the edges; transparent for none.
+    pub edge: Color32,
+    /// Width of the edges in points.
+    pub width: f32,
+    /// How the edges are drawn.
+    pub line: Line,
+}
+
+/// How a line is drawn.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Line {
+    /// Without gaps.
+    Solid,
+    /// In dashes of four line widths.
+    Dashed,
+}
+
+/// Kind of an [`Item`] that is an edge; below: the axis across a face.
+const EDGE: u32 = 3;
+
+/// Face or edge of a mark as the GPU reads it.
+#[derive(Clone, Copy, Debug, PartialEq, bytemuck::Pod, bytemuck::Zeroable)]
+#[repr(C)]
+pub(super) struct Item {
+    pub a: [f32; 3],
+    pub b: [f32; 3],
+    pub colour: [u8; 4],
+    pub kind: u32,
+    pub pen: [f32; 2],
+}
+
+/// Faces and edges of all marks, the farthest from the eye first, so that each
+/// is blended over what lies behind it. `eye` is homogeneous. O(n log n).
+///
+/// Boxes are nested or apart, hence the order of the middles is the order of
+/// the faces, and an edge comes after the faces that meet in it. Where two
+/// are equally far, later marks cover earlier ones.
+pub(super) fn sorted(marks: &[BoxMark], eye: Vec4, pixels_per_point: f32) -> Vec<Item> {
+    let mut items = Vec::with_capacity(marks.len() * 18);
+    for mark in marks {
+        add(mark, pixels_per_point, eye, &mut items);
+    }
+    items.sort_by(|(a, _), (b, _)| b.total_cmp(a));
+    items.into_iter().map(|(_, item)| item).collect()
+}
+
+fn add(mark: &BoxMark, pixels_per_point: f32, eye: Vec4, items: &mut Vec<(f32, Item)>) {
+    let corners = [mark.min, mark.max];
+    let width = mark.width * pixels_per_point;
+    let dash = match mark.line {
+        Line::Solid => 0.0,
+        Line::Dashed => (4.0 * width).max(4.0 * pixels_per_point),
+    };
+    for axis in 0..3 {
+        let [u, v] = [(axis + 1) % 3, (axis + 2) % 3];
+        if mark.fill != Color32::TRANSPARENT {
+            for side in corners {
+                let [mut a, mut b] = corners;
+                (a[axis], b[axis]) = (side[axis], side[axis]);
+                let colour = mark.fill.to_array();
+                let face = Item { a, b, colour, kind: axis as u32, pen: [0.0; 2] };
+                items.push((distance(&face, eye), face));
+            }
+        }
+        if mark.edge != Color32::TRANSPARENT && mark.width > 0.0 {
+            for [low, high] in [[0, 0], [0, 1], [1, 0], [1, 1]] {
+                let [mut a, mut b] = corners;
+                (a[u], b[u]) = (corners[low][u], corners[low][u]);
+                (a[v], b[v]) = (corners[high][v], corners[high][v]);
+                let edge =
+                    Item { a, b, colour: mark.edge.to_array(), kind: EDGE, pen: [width, dash] };
+                // After the faces on either side, which are its equals.
+                items.push((distance(&edge, eye), edge));
+            }
+        }
+    }
+}
+
+/// Grows with the distance of an item's middle from the eye.
+fn distance(item: &Item, eye: Vec4) -> f32 {
+    let middle = 0.5 * (Vec3::from(item.a) + Vec3::from(item.b));
+    if eye.w == 0.0 { -eye.truncate().dot(middle) } else { eye.truncate().distance(middle) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn mark(min: f32, max: f32) -> BoxMark {
+        BoxMark {
+            min: [min; 3],
+            max: [max; 3],
+            fill: Color32::RED,
+            edge: Color32::BLUE,
+            width: 2.0,
+            line: Line::Solid,
+        }
+    }
+
+    #[test]
+    fn nested_boxes_are_sorted_face_by_face() {
+        let outer = mark(0.0, 4.0);
+        let inner = mark(1.0, 3.0);
+        let items = sorted(&[inner, outer], Vec4::new(2.0, 2.0, 50.0, 1.0), 1.0);
+        let across_z: Vec<_> =
+            items.iter().filter(|item| item.kind == 2).map(|item| item.a[2]).collect();
+        assert_eq!(across_z, [0.0, 1.0, 3.0, 4.0]);
+    }
+
+    #[test]
+    fn a_box_without_fill_has_only_edges() {
+        let empty = BoxMark { fill: Color32::TRANSPARENT, ..mark(0.0, 1.0) };
+        assert_eq!(sorted(&[empty], Vec4::W, 1.0).len(), 12);
+    }
+}

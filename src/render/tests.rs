@@ -1,0 +1,175 @@
+//! Pictures read back pixel by pixel. They need a graphics driver; software
+//! will do (`mesa-vulkan-drivers`). `TEST_GPU=require` fails without one.
+
+use super::*;
+use eframe::egui::{self, Color32, ColorImage, Id};
+use eframe::egui_wgpu::RendererOptions;
+use egui_kittest::wgpu::{WgpuTestRenderer, create_render_state, default_wgpu_setup};
+use glam::camera::rh::{proj::directx, view};
+use glam::{Mat4, Vec3};
+use std::sync::{Mutex, OnceLock};
+
+const ORANGE: Color32 = Color32::from_rgb(0xE6, 0x9F, 0x00);
+const GRID: Grid = Grid { min: [0.0; 3], cell: 1.0, root_level: 2 };
+
+/// Runs a test on the one device of all tests, or says why not.
+fn with_gpu(test: impl FnOnce(&mut Gpu)) {
+    static GPU: OnceLock<Option<Mutex<Gpu>>> = OnceLock::new();
+    let gpu = GPU.get_or_init(|| match Gpu::new() {
+        Ok(gpu) => Some(Mutex::new(gpu)),
+        Err(error) => {
+            let required = std::env::var("TEST_GPU").is_ok_and(|wish| wish == "require");
+            assert!(!required, "{error}");
+            println!("SKIPPED: no wgpu adapter ({error}); apt-get install mesa-vulkan-drivers");
+            None
+        }
+    });
+    if let Some(gpu) = gpu {
+        test(&mut gpu.lock().unwrap_or_else(|poisoned| poisoned.into_inner()));
+    }
+}
+
+/// Camera at `from` that looks at the middle of [`GRID`].
+fn looking_from(from: Vec3) -> View {
+    let seen = view::look_at_mat4(from, Vec3::splat(2.0), Vec3::Y);
+    View::Space(directx::perspective(0.7, 1.0, 0.1, 100.0) * seen)
+}
+
+fn front() -> View {
+    looking_from(Vec3::new(2.0, 2.0, 12.0))
+}
+
+fn picture(view: View, layers: Vec<Layer>) -> Picture {
+    Picture { view, layers, background: Color32::WHITE }
+}
+
+fn drawn(gpu: &mut Gpu, picture: &Picture) -> ColorImage {
+    render_to_image(gpu, picture, [64, 64], 1.0).unwrap()
+}
+
+fn mark(fill: Color32) -> BoxMark {
+    let edge = Color32::TRANSPARENT;
+    BoxMark { min: [1.0; 3], max: [3.0; 3], fill, edge, width: 1.0, line: Line::Solid }
+}
+
+#[test]
+fn opaque_faces_have_exactly_the_colour_asked_for() {
+    with_gpu(|gpu| {
+        let image = drawn(gpu, &picture(front(), vec![Layer::marks(vec![mark(ORANGE)])]));
+        assert_eq!(image[(32, 32)], ORANGE);
+        assert_eq!(image[(2, 2)], Color32::WHITE);
+
+        let style = BoxStyle { fill: ORANGE, edge: Color32::TRANSPARENT, width: 0.0 };
+        let cell = Cell { level: 2, style: 0, code: [0; 3] };
+        let image = drawn(gpu, &picture(front(), vec![Layer::boxes(GRID, &[cell], &[style])]));
+        assert_eq!(image[(32, 32)], ORANGE);
+    });
+}
+
+#[test]
+fn a_near_surface_hides_a_mark_and_a_far_one_does_not() {
+    with_gpu(|gpu| {
+        let wall = |z: f32| {
+            let triangle = [[-20.0, -20.0, z], [20.0, -20.0, z], [2.0, 40.0, z]];
+            Layer::triangles(&[triangle], Color32::from_gray(120))
+        };
+        for (z, hidden) in [(4.0, true), (-1.0, false)] {
+            let layers = vec![wall(z), Layer::marks(vec![mark(ORANGE)])];
+            let image = drawn(gpu, &picture(front(), layers));
+            assert_eq!(image[(32, 32)] != ORANGE, hidden, "wall at {z}");
+        }
+    });
+}
+
+#[test]
+fn points_and_spheres_cover_their_centres() {
+    with_gpu(|gpu| {
+        let grey = Color32::from_gray(90);
+        let image = drawn(gpu, &picture(front(), vec![Layer::points(vec![[2.0; 3]], grey, 3.0)]));
+        assert_eq!(image[(32, 32)], grey);
+        assert_eq!(image[(32, 40)], Color32::WHITE);
+        let sphere = Layer::spheres(vec![[2.0, 2.0, 2.0, 1.5]], grey);
+        let image = drawn(gpu, &picture(front(), vec![sphere]));
+        assert_ne!(image[(32, 32)], Color32::WHITE);
+    });
+}
+
+#[test]
+fn cells_of_the_plane_are_crisp_at_any_zoom() {
+    with_gpu(|gpu| {
+        let blue = Color32::from_rgb(0, 0, 200);
+        let cell = |x, y, colour| (Cell { level: 0, style: 0, code: [x, y, 0] }, colour);
+        let last = (1 << 20) - 1;
+        let grid = Grid { min: [0.0; 3], cell: 1e-3, root_level: 20 };
+        let cells = [cell(last, last, blue), cell(last - 1, last, ORANGE)];
+        let layer = Layer::cells(grid, &cells, Color32::BLACK, 1.0);
+        // The line between the two cells lies in the middle, 20 pixels a cell.
+        let middle = f64::from(last) * 1e-3;
+        let view = View::Plane(Plane { centre: [middle, middle + 5e-4], scale: 2e4 });
+        let image = drawn(gpu, &picture(view, vec![layer]));
+        let row: Vec<_> = [11, 12, 13, 31, 32, 33, 51, 52, 53].map(|x| image[(x, 32)]).into();
+        let [w, k] = [Color32::WHITE, Color32::BLACK];
+        assert_eq!(row, [w, k, ORANGE, ORANGE, k, blue, blue, k, w]);
+    });
+}
+
+#[test]
+fn a_picture_too_large_or_empty_is_refused() {
+    with_gpu(|gpu| {
+        for size in [[0, 5], [5, 1 << 20]] {
+            let result = render_to_image(gpu, &picture(front(), vec![]), size, 1.0);
+            assert!(matches!(result, Err(ImageError::Size(..))));
+        }
+    });
+}
+
+#[test]
+fn a_singular_view_draws_without_a_crash() {
+    with_gpu(|gpu| {
+        let picture = picture(View::Space(Mat4::ZERO), vec![Layer::marks(vec![mark(ORANGE)])]);
+        drawn(gpu, &picture);
+    });
+}
+
+#[test]
+fn the_window_shows_the_colour_and_draws_only_what_changed() {
+    with_gpu(|_| {
+        let state = create_render_state(default_wgpu_setup(), RendererOptions::PREDICTABLE);
+        install(&state);
+        let renderer = WgpuTestRenderer::from_render_state(state.clone());
+        let first = picture(front(), vec![Layer::marks(vec![mark(ORANGE)])]);
+        let mut harness = egui_kittest::Harness::builder()
+            .with_size(egui::vec2(100.0, 80.0))
+            .renderer(renderer)
+            .build_ui_state(
+                |ui, picture: &mut Picture| {
+                    let rect = ui.max_rect();
+                    paint(ui, rect, Id::unique("space"), picture);
+                },
+                first,
+            );
+        let image = harness.render().unwrap();
+        assert_eq!(image.get_pixel(50, 40).0, ORANGE.to_array());
+        let once = stats(&state).unwrap();
+        assert_eq!(once.frames, 1);
+        assert!(once.uploaded_bytes > 0);
+
+        harness.run();
+        harness.render().unwrap();
+        assert_eq!(stats(&state), Some(once));
+
+        harness.state_mut().view = looking_from(Vec3::new(3.0, 2.0, 12.0));
+        harness.run();
+        harness.render().unwrap();
+        assert_eq!(stats(&state).unwrap().frames, 2);
+    });
+}
+
+#[test]
+fn without_a_driver_painting_does_nothing() {
+    let picture = picture(front(), vec![Layer::marks(vec![mark(ORANGE)])]);
+    let mut harness = egui_kittest::Harness::new_ui(|ui| {
+        paint(ui, ui.max_rect(), Id::unique("space"), &picture);
+    });
+    harness.run();
+}
