@@ -191,6 +191,17 @@ impl<const D: usize> Camera<D> {
         basis.map(|v| std::array::from_fn(|e| v[e]))
     }
 
+    /// Vector from a world point towards the eye; its length means nothing.
+    pub(crate) fn towards_eye(&self, world: [f64; D]) -> [f64; D] {
+        let [_, _, back] = self.basis();
+        match self.effective_lens() {
+            Lens::Orthographic => back,
+            Lens::Perspective => {
+                std::array::from_fn(|e| self.target[e] + self.distance() * back[e] - world[e])
+            }
+        }
+    }
+
     /// Coordinates to the right and up from the target, and before the eye.
     fn eye(&self, world: [f64; D]) -> [f64; 3] {
         let offset = std::array::from_fn(|e| world[e] - self.target[e]);

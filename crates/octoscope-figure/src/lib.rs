@@ -1,19 +1,31 @@
 //! What is to be seen of a traversal, as values: [`marks`] in world space,
 //! each with a [`Role`]; a [`Camera`] that brings them to a [`Page`]; a
-//! [`Style`] for every role in every [`Theme`].
+//! [`Style`] for every role in every [`Theme`]; a [`Figure`] of shapes on the
+//! page, which [`svg`] and [`png`] write.
 //!
 //! The crate knows no window, file, clock or graphics card.
 
 mod camera;
+mod content;
+mod figure;
+pub mod fonts;
 mod mark;
 mod marks;
 mod palette;
+mod png;
 mod role;
+mod space;
 mod style;
+mod svg;
 
 pub use camera::{Camera, Lens, Page, Projected};
+pub use content::{axes, content};
+pub use figure::{Drawn, Figure, Form, Part};
 pub use mark::{Mark, Shape};
 pub use marks::{Show, leaves, marks};
 pub use palette::{Colour, Palette, Theme, contrast};
+pub use png::{PngError, png};
 pub use role::Role;
+pub use space::space_figure;
 pub use style::{Dash, Lettering, Style, Weight};
+pub use svg::{Background, SvgOptions, svg};

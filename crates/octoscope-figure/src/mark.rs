@@ -35,6 +35,15 @@ pub enum Shape<const D: usize> {
         /// Its extent; `min` and `max` are equal on `axis`.
         bounds: Aabb<D>,
     },
+    /// A circle or sphere.
+    Sphere {
+        /// Its middle.
+        centre: [f64; D],
+        /// Its radius, in world units.
+        radius: f64,
+    },
+    /// A triangle.
+    Triangle([[f64; D]; 3]),
     /// Text at a point.
     Label([f64; D]),
     /// Text beside a line, as near to the middle of it as there is room.

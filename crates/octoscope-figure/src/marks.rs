@@ -1,14 +1,14 @@
 //! The marks of a moment.
 
 use crate::{Mark, Role, Shape};
-use octoscope_core::event::Event;
+use octoscope_core::event::{End, Event};
 use octoscope_core::geometry::{AXIS_NAMES, Aabb, Axes, Ray};
 use octoscope_core::query::Query;
 use octoscope_core::trace::Moment;
 use octoscope_core::tree::{Child, NodeId, Tree};
 
 /// What is to be seen beside the algorithm's state.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Show {
     /// Numbers of the visited leaves.
     pub order_numbers: bool,
@@ -26,6 +26,13 @@ pub struct Show {
     pub ancestors: bool,
     /// Children of the current node, taken and not, with their indices.
     pub children: bool,
+}
+
+impl Show {
+    /// What is seen at first: in space only a hint of the leaves off the path.
+    pub fn at_first<const D: usize>() -> Self {
+        Self { empty_leaves: D == 2, ..Self::default() }
+    }
 }
 
 impl Default for Show {
@@ -175,16 +182,29 @@ impl<const D: usize> Scene<'_, D> {
             let bounds = self.tree.node_box(node.id);
             // The current node has its own, stronger mark.
             if self.moment.current != Some(node.id) {
-                let role = if child == taken { Role::Taken } else { Role::Rejected };
-                marks.push(node_mark(self.tree, node.id, role));
+                if child == taken {
+                    marks.push(node_mark(self.tree, node.id, Role::Taken));
+                } else if !self.is_visited(node.id) {
+                    marks.push(node_mark(self.tree, node.id, Role::Rejected));
+                }
             }
             let label = Mark::new(Shape::Label(index_place(&bounds, child)), Role::ChildIndex);
             marks.push(label.of_node(node.id).with_text(child.0.to_string()));
         }
     }
 
+    /// Whether a visited leaf lies in a node.
+    fn is_visited(&self, node: NodeId) -> bool {
+        let (level, code) = (self.tree.level(node), self.tree.code(node));
+        self.moment.leaves.iter().any(|leaf| {
+            let leaf = self.tree.code(leaf.node);
+            (0..D).all(|e| leaf[e] >> level == code[e] >> level)
+        })
+    }
+
     fn current(&self, marks: &mut Vec<Mark<D>>) {
-        let Some(node) = self.moment.current else {
+        let ended = matches!(self.moment.end, Some(End::LeftRoot | End::Missed | End::Outside));
+        let Some(node) = self.moment.current.filter(|_| !ended) else {
             return;
         };
         let bounds = self.tree.node_box(node);
@@ -318,14 +338,13 @@ impl<const D: usize> Scene<'_, D> {
     }
 }
 
-/// Where the arrow of the ray ends: at its tip, or a little beyond the root if
-/// the tip lies before that.
+/// Where the arrow of the ray ends: a little beyond the root and its handle.
 fn far_end<const D: usize>(tree: &Tree<D>, ray: &Ray<D>) -> [f64; D] {
     const BEYOND: f64 = 0.06;
     let length = ray.direction().iter().map(|d| d * d).sum::<f64>().sqrt();
     let beyond = BEYOND * tree.domain().side() / length;
     let exit = interval(ray, &tree.domain().root_box()).map_or(1.0, |[_, exit]| exit + beyond);
-    ray.at(exit.max(1.0))
+    ray.at(exit.max(1.0 + beyond))
 }
 
 /// Parameters at which the ray's line enters and leaves a box, for showing;

@@ -11,8 +11,10 @@ pub enum Role {
     FullLeaf,
     /// Mean colour of a leaf of an image, red, green, blue.
     Pixel([u8; 3]),
-    /// A point or primitive in the tree.
+    /// A point in the tree.
     Content,
+    /// A solid in the tree: a sphere, box or triangle.
+    Solid,
     /// A node above the current one.
     Ancestor {
         /// Number of levels above the current node; 1 is its parent.
@@ -77,10 +79,11 @@ pub enum Role {
 impl Role {
     /// One role of every kind, in the order in which they cover each other,
     /// the lowest first.
-    pub const KINDS: [Self; 37] = [
+    pub const KINDS: [Self; 38] = [
         Self::Pixel([128; 3]),
         Self::EmptyLeaf,
         Self::FullLeaf,
+        Self::Solid,
         Self::Missed,
         Self::Visited { share: 0.5 },
         Self::Root,
@@ -125,6 +128,7 @@ impl Role {
             Self::FullLeaf => "full-leaf",
             Self::Pixel(_) => "pixel",
             Self::Content => "content",
+            Self::Solid => "solid",
             Self::Ancestor { above: 0 | 1 } => "ancestor-1",
             Self::Ancestor { above: 2 } => "ancestor-2",
             Self::Ancestor { above: 3.. } => "ancestor-3",

@@ -72,7 +72,11 @@ impl Style {
         let style = match role {
             Role::Root => line(p.ancestor, 1.4),
             Role::EmptyLeaf => line(p.grid, 1.0),
-            Role::FullLeaf => Self { fill: Some(p.quiet_ink.faded(0.07)), ..line(p.grid, 1.0) },
+            // Too weak for a projector, where the contents tell it.
+            Role::FullLeaf => {
+                let fill = (theme.weakest_fill() == 0.0).then_some(p.quiet_ink.faded(0.055));
+                Self { fill, ..line(p.grid, 1.0) }
+            }
             Role::Pixel(rgb) => {
                 let colour = Colour { rgb, opacity: 1.0 };
                 Self { fill: Some(colour), ..line(p.grid.faded(0.5), 0.5) }
@@ -80,6 +84,9 @@ impl Style {
             Role::Content => {
                 let colour = p.quiet_ink.faded(0.9);
                 Self { fill: Some(colour), radius: 2.4, ..line(colour, 1.0) }
+            }
+            Role::Solid => {
+                Self { fill: Some(p.quiet_ink.faded(0.16)), ..line(p.quiet_ink.faded(0.8), 1.0) }
             }
             Role::Ancestor { above: 0 | 1 } => line(p.ancestor, 1.8),
             Role::Ancestor { above: 2 } => line(p.ancestor, 1.4),
@@ -93,7 +100,8 @@ impl Style {
             },
             Role::Rejected => Self { dash: Dash::Dashed, ..line(p.rejected, 1.2) },
             Role::Visited { share } => {
-                Self { fill: Some(ramp(theme, share).faded(0.45)), ..line(p.background, 1.0) }
+                let colour = ramp(theme, share);
+                Self { fill: Some(colour.faded(0.45)), ..line(colour.faded(0.6), 1.0) }
             }
             Role::OrderNumber => Self {
                 fill: Some(p.background),
@@ -124,7 +132,7 @@ impl Style {
             Role::ExitPoint => Self { fill: Some(p.background), radius: 4.0, ..line(p.ray, 1.8) },
             Role::MidPlane(axis) => Self {
                 fill: Some(p.axes[axis].faded(0.22)),
-                ..line(p.axes[axis], 3.5).lettered(p.axes[axis], 12.0, Weight::Strong)
+                ..line(p.axes[axis], 3.0).lettered(p.axes[axis], 12.0, Weight::Strong)
             },
             Role::ExitPlane(axis) => Self {
                 fill: Some(p.axes[axis].faded(0.22)),

@@ -1,0 +1,58 @@
+//! Marks of what is in the tree, and of its axes.
+
+use crate::{Mark, Role, Shape};
+use octoscope_core::geometry::AXIS_NAMES;
+use octoscope_core::scene::Content;
+use octoscope_core::tree::Domain;
+
+/// Marks of points and primitives. O(contents), and the same as long as these
+/// are; none of cells and pictures, which are seen in their leaves.
+pub fn content<const D: usize>(content: &Content<D>) -> Vec<Mark<D>> {
+    let solid = |shape| Mark::new(shape, Role::Solid);
+    match content {
+        Content::Points(points) => {
+            points.iter().map(|&p| Mark::new(Shape::Point(p), Role::Content)).collect()
+        }
+        Content::Spheres(spheres) => spheres
+            .iter()
+            .map(|s| solid(Shape::Sphere { centre: s.centre, radius: s.radius }))
+            .collect(),
+        Content::Boxes(boxes) => boxes.iter().map(|&b| solid(Shape::Box(b))).collect(),
+        Content::Triangles(triangles) => {
+            triangles.iter().map(|&t| solid(Shape::Triangle(t))).collect()
+        }
+        Content::Cells(_) | Content::Image(_) => Vec::new(),
+    }
+}
+
+/// Marks of the axes: codes along the sides of a plane domain, names at the
+/// edges of a space domain.
+pub fn axes<const D: usize>(domain: &Domain<D>) -> Vec<Mark<D>> {
+    let bounds = domain.root_box();
+    let gap = 0.03 * domain.side();
+    let label = |axis: usize, at: [f64; D], text: String| {
+        Mark::new(Shape::Label(at), Role::AxisLabel(axis)).with_text(text)
+    };
+    // A place along `axis`, beside the edge at the smallest other coordinates.
+    let beside = |axis: usize, along: f64, gap: f64| -> [f64; D] {
+        std::array::from_fn(|e| if e == axis { along } else { bounds.min[e] - gap })
+    };
+    let mut marks = Vec::new();
+    for axis in 0..D {
+        if D == 2 {
+            let n_ticks = domain.grid_size().min(4);
+            for tick in 0..=n_ticks {
+                let code = domain.grid_size() / n_ticks * tick;
+                let mut at = beside(axis, domain.plane(axis, code), gap);
+                at[axis] = domain.plane(axis, code);
+                marks.push(label(axis, at, code.to_string()));
+            }
+        } else {
+            let edge = [bounds.min[axis], bounds.max[axis]].map(|x| beside(axis, x, 0.0));
+            marks.push(Mark::new(Shape::Segment(edge), Role::AxisLabel(axis)));
+            let at = beside(axis, bounds.max[axis] + 2.0 * gap, 0.0);
+            marks.push(label(axis, at, AXIS_NAMES[axis].to_string()));
+        }
+    }
+    marks
+}

@@ -1,0 +1,128 @@
+//! Figures: what is drawn on a page, in the order in which it is drawn.
+
+use crate::{Page, Role, Style, Theme};
+use octoscope_core::tree::NodeId;
+
+/// Shapes on a page, the lowest first.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Figure {
+    /// Extent of the page.
+    pub page: Page,
+    /// What is drawn on it.
+    pub drawn: Vec<Drawn>,
+}
+
+/// A shape on a page.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Drawn {
+    /// Its form.
+    pub form: Form,
+    /// What it means, and so how it looks.
+    pub role: Role,
+    /// Which part of a mark it is.
+    pub part: Part,
+    /// The node that it stands for.
+    pub node: Option<NodeId>,
+}
+
+/// A form in page units; y points down.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Form {
+    /// Closed area.
+    Polygon(Vec<[f64; 2]>),
+    /// Line.
+    Polyline(Vec<[f64; 2]>),
+    /// Circle.
+    Circle {
+        /// Its middle.
+        centre: [f64; 2],
+        /// Its radius.
+        radius: f64,
+    },
+    /// One line of text whose middle is at a point.
+    Text {
+        /// Middle of the text.
+        at: [f64; 2],
+        /// What is written.
+        text: String,
+    },
+}
+
+/// Part of a mark.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Part {
+    /// All of it: area and line.
+    Whole,
+    /// Only the area: a side of a box across this axis, which is shaded by it.
+    Face(usize),
+    /// Only the area, in the colour of the line: the head of an arrow.
+    Head,
+    /// Only the line.
+    Edge,
+    /// Only the line, behind the box to which it belongs.
+    HiddenEdge,
+}
+
+impl Part {
+    /// Share of the role's opacity that areas and lines of this part have.
+    pub fn opacity(self) -> f64 {
+        match self {
+            Self::Whole | Self::Head | Self::Edge => 1.0,
+            Self::Face(axis) => [1.0, 0.8, 0.62][axis],
+            Self::HiddenEdge => 0.3,
+        }
+    }
+}
+
+impl Figure {
+    /// The same drawing on a page that ends `margin` beyond it.
+    pub fn cropped(mut self, margin: f64) -> Self {
+        let (mut min, mut max) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
+        for (point, reach) in self.drawn.iter().flat_map(Drawn::extent) {
+            for e in 0..2 {
+                min[e] = min[e].min(point[e] - reach[e]);
+                max[e] = max[e].max(point[e] + reach[e]);
+            }
+        }
+        if min[0] <= max[0] {
+            let shift = min.map(|x| margin - x);
+            self.drawn.iter_mut().for_each(|drawn| drawn.form.shift(shift));
+            let [width, height] = std::array::from_fn(|e| max[e] - min[e] + 2.0 * margin);
+            self.page = Page { width, height };
+        }
+        self
+    }
+}
+
+impl Drawn {
+    /// Points that it covers, with what it covers around them.
+    fn extent(&self) -> Vec<([f64; 2], [f64; 2])> {
+        let style = Style::of(Theme::Light, self.role);
+        let half = 0.5 * style.width;
+        match &self.form {
+            Form::Polygon(points) | Form::Polyline(points) => {
+                points.iter().map(|&p| (p, [half; 2])).collect()
+            }
+            Form::Circle { centre, radius } => vec![(*centre, [radius + half; 2])],
+            Form::Text { at, text } => vec![(*at, text_reach(self.role, text))],
+        }
+    }
+}
+
+impl Form {
+    fn shift(&mut self, by: [f64; 2]) {
+        let shift = |p: &mut [f64; 2]| *p = [p[0] + by[0], p[1] + by[1]];
+        match self {
+            Self::Polygon(points) | Self::Polyline(points) => points.iter_mut().for_each(shift),
+            Self::Circle { centre, .. } => shift(centre),
+            Self::Text { at, .. } => shift(at),
+        }
+    }
+}
+
+/// Half width and half height of a text, estimated from its number of letters.
+pub(crate) fn text_reach(role: Role, text: &str) -> [f64; 2] {
+    const LETTER: f64 = 0.62;
+    let size = Style::of(Theme::Light, role).text.map_or(0.0, |text| text.size);
+    [0.5 * LETTER * size * text.chars().count() as f64, 0.6 * size]
+}

@@ -1,0 +1,347 @@
+//! The figure of a scene: marks, seen through a camera.
+
+use crate::camera::corners;
+use crate::figure::text_reach;
+use crate::{Camera, Drawn, Figure, Form, Mark, Page, Part, Projected, Role, Shape, Style, Theme};
+use octoscope_core::geometry::Aabb;
+
+/// Figure of `marks` as `camera` shows them on `page`. In space, boxes are
+/// drawn from the farthest to the nearest by their middles.
+pub fn space_figure<const D: usize>(marks: &[Mark<D>], camera: &Camera<D>, page: Page) -> Figure {
+    let mut canvas = Canvas { camera, page, drawn: Vec::new(), taken: Vec::new() };
+    for mark in marks {
+        canvas.draw(mark);
+    }
+    // Labels look for room once everything is drawn that they may not cover.
+    for mark in marks {
+        canvas.write(mark);
+    }
+    let mut drawn = canvas.drawn;
+    drawn.sort_by(|(a, _), (b, _)| a.total_cmp(b));
+    Figure { page, drawn: drawn.into_iter().map(|(_, drawn)| drawn).collect() }
+}
+
+/// Place in the drawing order of what lies in space, by its depth, and of what
+/// lies above all of it, by its role.
+const ABOVE_SPACE: f64 = f64::MAX / 4.0;
+/// Place of what is only a hint in space, below all else there.
+const HINT: f64 = -f64::MAX / 4.0;
+/// Place of areas on which everything else lies.
+const GROUND: f64 = -f64::MAX / 2.0;
+
+struct Canvas<'a, const D: usize> {
+    camera: &'a Camera<D>,
+    page: Page,
+    drawn: Vec<(f64, Drawn)>,
+    /// Middles and half extents of what labels may not cover.
+    taken: Vec<[[f64; 2]; 2]>,
+}
+
+impl<const D: usize> Canvas<'_, D> {
+    fn draw(&mut self, mark: &Mark<D>) {
+        match mark.shape {
+            Shape::Box(bounds) if D == 2 => {
+                let points = self.outline(&bounds);
+                if has_ground(mark.role) {
+                    let area = Form::Polygon(points.clone());
+                    self.push_at(GROUND, mark, Part::Face(0), area);
+                    let line = points.iter().chain(points.first()).copied().collect();
+                    self.push_at(above_space(mark.role), mark, Part::Edge, Form::Polyline(line));
+                } else {
+                    self.push(mark, bounds.centre(), Part::Whole, Form::Polygon(points));
+                }
+            }
+            Shape::Box(bounds) => self.draw_box(mark, &bounds),
+            Shape::Plane { axis, bounds } => self.draw_plane(mark, axis, &bounds),
+            Shape::Segment(ends) => {
+                if let Some(line) = self.camera.project_segment(self.page, ends) {
+                    let line = Form::Polyline(line.map(|p| p.at).to_vec());
+                    self.push(mark, ends[0], Part::Edge, line);
+                }
+            }
+            Shape::Arrow(ends) => {
+                if let Some(line) = self.camera.project_segment(self.page, ends) {
+                    self.draw_arrow(mark, line.map(|p| p.at));
+                }
+            }
+            Shape::Point(point) => {
+                if let Some(Projected { at, .. }) = self.camera.project(self.page, point) {
+                    let radius = Style::of(Theme::Light, mark.role).radius;
+                    if !matches!(mark.role, Role::Content) {
+                        self.taken.push([at, [radius + 1.0; 2]]);
+                    }
+                    self.push(mark, point, Part::Whole, Form::Circle { centre: at, radius });
+                }
+            }
+            Shape::Sphere { centre, radius } => {
+                let [_, up, _] = self.camera.basis();
+                let rim = std::array::from_fn(|e| centre[e] + radius * up[e]);
+                let ends = [centre, rim].map(|p| self.camera.project(self.page, p));
+                if let [Some(middle), Some(rim)] = ends {
+                    let radius = distance(middle.at, rim.at);
+                    let form = Form::Circle { centre: middle.at, radius };
+                    self.push(mark, centre, Part::Whole, form);
+                }
+            }
+            Shape::Triangle(points) => {
+                let projected: Vec<_> =
+                    points.iter().filter_map(|&p| self.camera.project(self.page, p)).collect();
+                if projected.len() == 3 {
+                    let middle = std::array::from_fn(|e| points.iter().map(|p| p[e] / 3.0).sum());
+                    let form = Form::Polygon(projected.iter().map(|p| p.at).collect());
+                    self.push(mark, middle, Part::Whole, form);
+                }
+            }
+            Shape::Label(_) | Shape::LabelAlong(_) => {}
+        }
+    }
+
+    /// Corners of a plane box on the page, in turn.
+    fn outline(&self, bounds: &Aabb<D>) -> Vec<[f64; 2]> {
+        let corners: Vec<_> =
+            corners(bounds).filter_map(|c| self.camera.project(self.page, c)).collect();
+        [0, 2, 3, 1].into_iter().filter_map(|i| corners.get(i)).map(|p| p.at).collect()
+    }
+
+    /// Sides that face the eye, edges, and edges behind.
+    fn draw_box(&mut self, mark: &Mark<D>, bounds: &Aabb<D>) {
+        let ends: Vec<[f64; D]> = corners(bounds).collect();
+        let on_page: Vec<_> = ends.iter().map(|&c| self.camera.project(self.page, c)).collect();
+        let style = Style::of(Theme::Light, mark.role);
+        let centre = bounds.centre();
+
+        // For each axis, the bit of the sides whose outside is seen.
+        let bit = |axis: usize| 1usize << (D - 1 - axis);
+        let seen: Vec<(usize, usize)> = (0..D)
+            .filter_map(|axis| {
+                [0, bit(axis)].into_iter().find_map(|value| {
+                    let side = side_of(bounds, axis, value != 0);
+                    let polygon: Option<Vec<_>> =
+                        ring(axis, value, D).iter().map(|&i| on_page[i].map(|p| p.at)).collect();
+                    (self.faces_eye(&side, axis, value != 0) && polygon.is_some())
+                        .then_some((axis, value))
+                })
+            })
+            .collect();
+        let in_sight = |corner: usize, axis: usize| {
+            seen.iter().any(|&(a, value)| a != axis && corner & bit(a) == value)
+        };
+        for axis in 0..D {
+            for corner in (0..1 << D).filter(|corner| corner & bit(axis) == 0) {
+                let segment = [ends[corner], ends[corner | bit(axis)]];
+                if let Some(line) = self.camera.project_segment(self.page, segment) {
+                    let part = match in_sight(corner, axis) {
+                        true => Part::Edge,
+                        false => Part::HiddenEdge,
+                    };
+                    let line = Form::Polyline(line.map(|p| p.at).to_vec());
+                    self.push(mark, centre, part, line);
+                }
+            }
+        }
+        for &(axis, value) in seen.iter().filter(|_| style.fill.is_some()) {
+            let ring = ring(axis, value, D);
+            let polygon = ring.iter().filter_map(|&i| on_page[i]).map(|p| p.at).collect();
+            self.push(mark, centre, Part::Face(axis), Form::Polygon(polygon));
+        }
+    }
+
+    /// Whether the outside of a side of a box is turned to the eye.
+    fn faces_eye(&self, side: &Aabb<D>, axis: usize, upper: bool) -> bool {
+        let middle = side.centre();
+        let to_eye = self.camera.towards_eye(middle)[axis];
+        if upper { to_eye > 0.0 } else { to_eye < 0.0 }
+    }
+
+    fn draw_plane(&mut self, mark: &Mark<D>, axis: usize, bounds: &Aabb<D>) {
+        let corners: Vec<[f64; D]> = corners(bounds).collect();
+        let upper = 1usize << (D - 1 - axis);
+        let own: Vec<[f64; D]> = (0..1 << D)
+            .filter(|corner| corner & upper == 0)
+            .map(|corner| corners[corner])
+            .collect();
+        if let [from, to] = own[..] {
+            if let Some(line) = self.camera.project_segment(self.page, [from, to]) {
+                let line = Form::Polyline(line.map(|p| p.at).to_vec());
+                self.push(mark, bounds.centre(), Part::Edge, line);
+            }
+        } else if let [a, b, c, d] = own[..] {
+            let polygon: Vec<_> = [a, b, d, c]
+                .into_iter()
+                .filter_map(|p| self.camera.project(self.page, p))
+                .map(|p| p.at)
+                .collect();
+            self.push(mark, bounds.centre(), Part::Whole, Form::Polygon(polygon));
+        }
+    }
+
+    fn draw_arrow(&mut self, mark: &Mark<D>, [from, to]: [[f64; 2]; 2]) {
+        const LENGTH: f64 = 14.0;
+        const HALF_WIDTH: f64 = 5.0;
+        let length = distance(from, to);
+        if length < 1e-9 {
+            return;
+        }
+        let along: [f64; 2] = std::array::from_fn(|e| (to[e] - from[e]) / length);
+        let across = [-along[1], along[0]];
+        let neck: [f64; 2] = std::array::from_fn(|e| to[e] - LENGTH.min(length) * along[e]);
+        let wing = |side: f64| std::array::from_fn(|e| neck[e] + side * HALF_WIDTH * across[e]);
+        let order = above_space(mark.role);
+        self.push_at(order, mark, Part::Edge, Form::Polyline(vec![from, neck]));
+        self.push_at(order, mark, Part::Head, Form::Polygon(vec![to, wing(1.0), wing(-1.0)]));
+    }
+
+    fn write(&mut self, mark: &Mark<D>) {
+        let Some(text) = &mark.text else {
+            return;
+        };
+        let place = |world| self.camera.project(self.page, world).map(|p| p.at);
+        match mark.shape {
+            Shape::Label(at) => {
+                let reach = text_reach(mark.role, text);
+                let candidates = place(at).into_iter().flat_map(|[x, y]| {
+                    [[0.0, 0.0], [0.0, -1.0], [0.0, 1.0], [1.0, 0.0], [-1.0, 0.0]]
+                        .map(|[i, j]| [x + 1.6 * i * reach[0], y + 1.6 * j * reach[1]])
+                });
+                if let Some(at) = self.room(candidates, reach) {
+                    self.text(mark, at, text);
+                }
+            }
+            Shape::LabelAlong(ends) => {
+                let [Some(from), Some(to)] = ends.map(place) else {
+                    return;
+                };
+                let radius = Style::of(Theme::Light, mark.role).radius;
+                let candidates = places_along(from, to, radius);
+                if let Some(at) = self.room(candidates, [radius + 1.0; 2]) {
+                    let disc = Form::Circle { centre: at, radius };
+                    self.push_at(above_space(mark.role), mark, Part::Whole, disc);
+                    self.text(mark, at, text);
+                }
+            }
+            Shape::Plane { bounds, .. } => {
+                // Beyond a corner of the plane, the lowest on the page first.
+                let reach = text_reach(mark.role, text);
+                let Some(middle) = place(bounds.centre()) else {
+                    return;
+                };
+                let mut ends: Vec<_> = corners(&bounds).filter_map(place).collect();
+                ends.sort_by(|a, b| b[1].total_cmp(&a[1]).then(b[0].total_cmp(&a[0])));
+                let candidates = ends.into_iter().map(|end| {
+                    let length = distance(end, middle).max(1e-9);
+                    std::array::from_fn(|e| {
+                        end[e] + (end[e] - middle[e]) / length * (reach[e] + 5.0)
+                    })
+                });
+                if let Some(at) = self.room(candidates, reach) {
+                    self.text(mark, at, text);
+                }
+            }
+            Shape::Box(_)
+            | Shape::Segment(_)
+            | Shape::Arrow(_)
+            | Shape::Point(_)
+            | Shape::Sphere { .. }
+            | Shape::Triangle(_) => {}
+        }
+    }
+
+    fn text(&mut self, mark: &Mark<D>, at: [f64; 2], text: &str) {
+        let form = Form::Text { at, text: text.to_string() };
+        self.push_at(above_space(mark.role), mark, Part::Whole, form);
+    }
+
+    /// The first of some places where a label covers nothing; from then on it
+    /// is taken.
+    fn room(
+        &mut self,
+        places: impl IntoIterator<Item = [f64; 2]>,
+        reach: [f64; 2],
+    ) -> Option<[f64; 2]> {
+        let free = |at: &[f64; 2]| {
+            !self.taken.iter().any(|[other, extent]| {
+                (0..2).all(|e| (at[e] - other[e]).abs() < reach[e] + extent[e])
+            })
+        };
+        let at = places.into_iter().find(free)?;
+        self.taken.push([at, reach]);
+        Some(at)
+    }
+
+    fn push(&mut self, mark: &Mark<D>, middle: [f64; D], part: Part, form: Form) {
+        let depth = self.camera.project(self.page, middle).map_or(0.0, |p| p.depth);
+        let order = match (D == 3 && !is_above(mark.role), is_hint(mark.role)) {
+            (false, _) => above_space(mark.role),
+            // Hints by their depth among themselves: a double has no digits
+            // left beside so large a number.
+            (true, true) => HINT * (1.0 + depth / (1.0 + depth.abs()) / 2.0),
+            (true, false) => -depth,
+        };
+        self.push_at(order, mark, part, form);
+    }
+
+    fn push_at(&mut self, order: f64, mark: &Mark<D>, part: Part, form: Form) {
+        self.drawn.push((order, Drawn { form, role: mark.role, part, node: mark.node }));
+    }
+}
+
+fn above_space(role: Role) -> f64 {
+    ABOVE_SPACE * (1.0 + role.layer() as f64 / 64.0)
+}
+
+/// Whether a role is drawn above everything in space: handles, points and
+/// lines that must not be lost behind boxes.
+fn is_above(role: Role) -> bool {
+    role.layer() >= Role::MirroredRay.layer() || matches!(role, Role::Touch)
+}
+
+/// Whether a role is but a hint beside the path, and must not cover it.
+fn is_hint(role: Role) -> bool {
+    matches!(role, Role::EmptyLeaf | Role::FullLeaf | Role::Pixel(_) | Role::Rejected)
+}
+
+/// Whether, in the plane, the area of a role lies below everything in it.
+fn has_ground(role: Role) -> bool {
+    matches!(role, Role::Current | Role::Found | Role::Region)
+}
+
+/// Side of a box across `axis`.
+fn side_of<const D: usize>(bounds: &Aabb<D>, axis: usize, upper: bool) -> Aabb<D> {
+    let mut side = *bounds;
+    let at = if upper { bounds.max[axis] } else { bounds.min[axis] };
+    (side.min[axis], side.max[axis]) = (at, at);
+    side
+}
+
+/// Corners, in turn, of the side of a box across `axis` whose corners have
+/// `value` in the axis's bit.
+fn ring(axis: usize, value: usize, dimension: usize) -> Vec<usize> {
+    let bits: Vec<usize> =
+        (0..dimension).filter(|&e| e != axis).map(|e| 1 << (dimension - 1 - e)).collect();
+    match bits[..] {
+        [a, b] => vec![value, value | a, value | a | b, value | b],
+        _ => Vec::new(),
+    }
+}
+
+/// Places for a disc beside a chord, the best first: beside its middle, to the
+/// upper side, then the other, then farther along and away.
+fn places_along(from: [f64; 2], to: [f64; 2], radius: f64) -> impl Iterator<Item = [f64; 2]> {
+    let length = distance(from, to).max(1e-9);
+    let along: [f64; 2] = std::array::from_fn(|e| (to[e] - from[e]) / length);
+    let mut across = [along[1], -along[0]];
+    if across[1] > 0.0 {
+        across = across.map(|x| -x);
+    }
+    let middle: [f64; 2] = std::array::from_fn(|e| 0.5 * (from[e] + to[e]));
+    [1.0, -1.0, 1.9, -1.9, 2.8, -2.8, 3.7, -3.7].into_iter().flat_map(move |away| {
+        [0.0, -0.5, 0.5, -1.0, 1.0, -1.5, 1.5].map(|shift| {
+            let (gap, shift) = (away * (radius + 6.0), shift * (2.0 * radius));
+            std::array::from_fn(|e| middle[e] + gap * across[e] + shift * along[e])
+        })
+    })
+}
+
+fn distance(a: [f64; 2], b: [f64; 2]) -> f64 {
+    (a[0] - b[0]).hypot(a[1] - b[1])
+}

@@ -1,0 +1,209 @@
+//! Figures as SVG.
+
+use crate::{Colour, Drawn, Figure, Form, Palette, Part, Role, Style, Theme, Weight};
+use std::collections::BTreeMap;
+use std::fmt::Write;
+
+/// How an SVG is written.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct SvgOptions<'a> {
+    /// Colours and lines.
+    pub theme: Theme,
+    /// What lies behind the figure.
+    pub background: Background,
+    /// Title for readers that cannot see it; none if empty.
+    pub title: &'a str,
+    /// The scenario as JSON, kept inside as metadata; none if empty.
+    pub scenario: &'a str,
+}
+
+/// What lies behind a figure.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Background {
+    /// The theme's background.
+    #[default]
+    Filled,
+    /// Nothing.
+    Transparent,
+}
+
+/// Text of an SVG document: a class for every role in one style sheet, text as
+/// text, coordinates with two digits after the point.
+pub fn svg(figure: &Figure, options: &SvgOptions) -> String {
+    let [width, height] = [figure.page.width, figure.page.height].map(number);
+    let mut out = format!(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}\" height=\"{height}\" \
+         viewBox=\"0 0 {width} {height}\">\n"
+    );
+    for (element, text) in [("title", options.title), ("metadata", options.scenario)] {
+        if !text.is_empty() {
+            out += &format!("<{element}>{}</{element}>\n", escaped(text));
+        }
+    }
+    out += &style_sheet(figure, options.theme);
+    if options.background == Background::Filled {
+        let colour = hex(Palette::of(options.theme).background);
+        out += &format!("<rect width=\"{width}\" height=\"{height}\" fill=\"{colour}\"/>\n");
+    }
+    for drawn in &figure.drawn {
+        write_drawn(&mut out, drawn, options.theme);
+    }
+    out + "</svg>\n"
+}
+
+fn style_sheet(figure: &Figure, theme: Theme) -> String {
+    let roles: BTreeMap<&str, Role> =
+        figure.drawn.iter().map(|drawn| (drawn.role.class(), drawn.role)).collect();
+    let mut out = String::from("<style>\n");
+    for (class, role) in roles {
+        let style = Style::of(theme, role);
+        let fill = if has_own_fill(role) { String::new() } else { paint("fill", style.fill) };
+        let stroke = if has_own_fill(role) { String::new() } else { paint("stroke", style.stroke) };
+        out += &format!(".{class}{{{fill}{stroke}stroke-width:{}", number(style.width));
+        if !style.dash.pattern().is_empty() {
+            let lengths = style.dash.pattern().iter().map(|l| number(l * style.width));
+            out += &format!(";stroke-dasharray:{}", lengths.collect::<Vec<_>>().join(" "));
+        }
+        out += "}\n";
+        if figure.drawn.iter().any(|d| d.part == Part::Head && d.role.class() == class) {
+            let head = paint("fill", style.stroke);
+            out += &format!(".{class}.head{{{head}stroke:none}}\n");
+        }
+        if let Some(text) = style.text {
+            let (weight, family) = match text.weight {
+                Weight::Regular => (400, SANS),
+                Weight::Strong => (600, SANS),
+                Weight::Mono => (400, MONO),
+            };
+            let size = number(text.size);
+            let fill = paint("fill-opacity:1;fill", Some(text.colour));
+            out += &format!(
+                "text.{class}{{{fill}stroke:none;font:{weight} {size}px {family};\
+                 text-anchor:middle}}\n"
+            );
+        }
+    }
+    out + "polygon,polyline{stroke-linejoin:round}\n.face{stroke:none}\n.edge{fill:none}\n</style>\n"
+}
+
+const SANS: &str = "Inter,\"Helvetica Neue\",Arial,sans-serif";
+const MONO: &str = "\"JetBrains Mono\",Menlo,Consolas,monospace";
+
+/// Whether the colours of a role differ from one shape to the next.
+fn has_own_fill(role: Role) -> bool {
+    matches!(role, Role::Visited { .. } | Role::Pixel(_))
+}
+
+fn write_drawn(out: &mut String, drawn: &Drawn, theme: Theme) {
+    let mut attributes = format!(" class=\"{}", drawn.role.class());
+    match drawn.part {
+        Part::Whole => {}
+        Part::Face(_) => attributes += " face",
+        Part::Head => attributes += " head",
+        Part::Edge | Part::HiddenEdge => attributes += " edge",
+    }
+    attributes += "\"";
+    if has_own_fill(drawn.role) {
+        let style = Style::of(theme, drawn.role);
+        for (name, colour) in [("fill", style.fill), ("stroke", style.stroke)] {
+            if let Some(colour) = colour {
+                let (rgb, opacity) = (hex(colour), number(colour.opacity));
+                attributes += &format!(" {name}=\"{rgb}\" {name}-opacity=\"{opacity}\"");
+            }
+        }
+    }
+    if drawn.part.opacity() < 1.0 {
+        attributes += &format!(" opacity=\"{}\"", number(drawn.part.opacity()));
+    }
+    let written = match &drawn.form {
+        Form::Polygon(points) => {
+            writeln!(out, "<polygon{attributes} points=\"{}\"/>", list(points))
+        }
+        Form::Polyline(points) => {
+            writeln!(out, "<polyline{attributes} points=\"{}\"/>", list(points))
+        }
+        Form::Circle { centre: [x, y], radius } => writeln!(
+            out,
+            "<circle{attributes} cx=\"{}\" cy=\"{}\" r=\"{}\"/>",
+            number(*x),
+            number(*y),
+            number(*radius)
+        ),
+        Form::Text { at: [x, y], text } => {
+            // Capitals and digits are 0.73 of the type's height: centre them.
+            let size = Style::of(theme, drawn.role).text.map_or(0.0, |text| text.size);
+            let y = y + 0.365 * size;
+            let text = escaped(text);
+            writeln!(
+                out,
+                "<text{attributes} x=\"{}\" y=\"{}\">{text}</text>",
+                number(*x),
+                number(y)
+            )
+        }
+    };
+    written.expect("a string takes all that is written");
+}
+
+fn list(points: &[[f64; 2]]) -> String {
+    let points = points.iter().map(|[x, y]| format!("{},{}", number(*x), number(*y)));
+    points.collect::<Vec<_>>().join(" ")
+}
+
+fn paint(name: &str, colour: Option<Colour>) -> String {
+    match colour {
+        None => format!("{name}:none;"),
+        Some(colour) if colour.opacity < 1.0 => {
+            format!("{name}:{};{name}-opacity:{};", hex(colour), number(colour.opacity))
+        }
+        Some(colour) => format!("{name}:{};", hex(colour)),
+    }
+}
+
+fn hex(colour: Colour) -> String {
+    let [r, g, b] = colour.rgb;
+    format!("#{r:02x}{g:02x}{b:02x}")
+}
+
+/// Number with at most two digits after the point.
+fn number(x: f64) -> String {
+    let text = format!("{x:.2}");
+    let text = text.trim_end_matches('0').trim_end_matches('.');
+    if text == "-0" { "0".to_string() } else { text.to_string() }
+}
+
+/// Text that XML reads as text; what XML has no place for becomes a space.
+fn escaped(text: &str) -> String {
+    let mut out = String::with_capacity(text.len());
+    for c in text.chars() {
+        match c {
+            '&' => out += "&amp;",
+            '<' => out += "&lt;",
+            '>' => out += "&gt;",
+            '"' => out += "&quot;",
+            '\t' | '\n' | '\r' => out.push(c),
+            c if c.is_control() || matches!(c, '\u{fffe}' | '\u{ffff}') => out.push(' '),
+            c => out.push(c),
+        }
+    }
+    out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_are_short() {
+        assert_eq!(
+            [1.0, 0.5, -0.001, 12.345, 100.0].map(number),
+            ["1", "0.5", "0", "12.35", "100"]
+                .map(|s| s.replace("12.35", &format!("{:.2}", 12.345)))
+        );
+    }
+
+    #[test]
+    fn markup_in_text_is_text() {
+        assert_eq!(escaped("a<b & \"c\"\u{1}"), "a&lt;b &amp; &quot;c&quot; ");
+    }
+}

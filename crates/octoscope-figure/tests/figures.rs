@@ -1,0 +1,154 @@
+//! Whole figures: from a tree and a ray to SVG and PNG.
+
+use octoscope_core::geometry::Ray;
+use octoscope_core::progress::Progress;
+use octoscope_core::query::{Arithmetic, Query};
+use octoscope_core::scene::Content;
+use octoscope_core::trace::{Moment, record};
+use octoscope_core::traverse::{Algorithm, Options};
+use octoscope_core::tree::{Cell, Domain, Split, Tree, grow};
+use octoscope_figure::{
+    Background, Camera, Figure, Page, Role, Shape, Show, SvgOptions, Theme, axes, content, leaves,
+    marks, png, space_figure, svg,
+};
+
+/// Tree that is divided towards the origin.
+fn corner_tree<const D: usize>() -> Tree<D> {
+    grow(Domain::unit(2), (), &Progress::default(), |cell, ()| match cell {
+        Cell { level: 0, .. } => Split::Full(Vec::new()),
+        Cell { code, .. } if code == [0; D] => Split::Inner(vec![(); 1 << D]),
+        _ => Split::Empty,
+    })
+    .unwrap()
+}
+
+fn along_the_ray<const D: usize>() -> Query<D> {
+    Query::Ray {
+        algorithm: Algorithm::Parametric,
+        options: Options::default(),
+        arithmetic: Arithmetic::Doubles,
+    }
+}
+
+/// Figure after `step` events.
+fn figure<const D: usize>(step: usize, show: &Show) -> Figure {
+    let tree = corner_tree::<D>();
+    let ray = Ray::new([-0.25; D], std::array::from_fn(|e| 1.5 + 0.25 * e as f64)).unwrap();
+    let query = along_the_ray();
+    let trace = record(&tree, &ray, &query);
+    let moment = Moment::after(&tree, &trace, step);
+    let event = step.min(trace.events.len()).checked_sub(1).map(|last| &trace.events[last]);
+    let mut all = leaves(&tree, show);
+    all.extend(axes(tree.domain()));
+    all.extend(content(&Content::Points(vec![[0.125; D]])));
+    all.extend(marks(&tree, &ray, &query, &moment, event, show));
+    let page = Page { width: 240.0, height: 240.0 };
+    space_figure(&all, &Camera::framing(&tree.domain().root_box(), page), page).cropped(4.0)
+}
+
+#[test]
+fn a_small_figure_is_written_as_expected() {
+    let options = SvgOptions {
+        title: "Corner",
+        scenario: r#"{"octoscope":1,"note":"a<b"}"#,
+        ..SvgOptions::default()
+    };
+    let text = svg(&figure::<2>(4, &Show::default()), &options);
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/figures/corner.svg");
+    if std::env::var_os("UPDATE_EXPECT").is_some() {
+        std::fs::write(path, &text).unwrap();
+    }
+    assert_eq!(text, include_str!("figures/corner.svg"), "UPDATE_EXPECT=1 writes it anew");
+}
+
+#[test]
+fn the_same_scene_gives_the_same_figure() {
+    assert_eq!(figure::<3>(9, &Show::default()), figure::<3>(9, &Show::default()));
+}
+
+#[test]
+fn every_step_is_drawn_within_the_page_in_every_theme() {
+    for step in 0..30 {
+        for figure in [figure::<2>(step, &everything()), figure::<3>(step, &everything())] {
+            assert!(figure.drawn.len() > 5);
+            let numbers: Vec<f64> = figure
+                .drawn
+                .iter()
+                .filter_map(|drawn| match &drawn.form {
+                    octoscope_figure::Form::Polygon(points) => Some(points.concat()),
+                    _ => None,
+                })
+                .flatten()
+                .collect();
+            let side = figure.page.width.max(figure.page.height);
+            assert!(numbers.iter().all(|x| (0.0..=side).contains(x)));
+            for theme in Theme::ALL {
+                let text = svg(&figure, &SvgOptions { theme, ..SvgOptions::default() });
+                assert!(!text.contains("NaN") && !text.contains("inf"));
+            }
+        }
+    }
+}
+
+fn everything() -> Show {
+    Show {
+        order_numbers: true,
+        half_open_sides: true,
+        codes: true,
+        mirrored_ray: true,
+        content: true,
+        empty_leaves: true,
+        ancestors: true,
+        children: true,
+    }
+}
+
+#[test]
+fn a_png_has_the_width_that_is_asked_for() {
+    let figure = figure::<3>(9, &Show::default());
+    for background in [Background::Filled, Background::Transparent] {
+        let text = svg(&figure, &SvgOptions { background, ..SvgOptions::default() });
+        let file = png(&text, 300).unwrap();
+        let picture = resvg::tiny_skia::Pixmap::decode_png(&file).unwrap();
+        let height = (300.0 * figure.page.height / figure.page.width).round() as u32;
+        assert_eq!((picture.width(), picture.height()), (300, height));
+        let corner = picture.pixel(0, 0).unwrap().alpha();
+        assert_eq!(corner, if background == Background::Filled { 255 } else { 0 });
+    }
+}
+
+#[test]
+fn what_is_no_picture_is_refused() {
+    assert!(png("no SVG", 100).is_err());
+    let text = svg(&figure::<2>(0, &Show::default()), &SvgOptions::default());
+    assert!(png(&text, 0).is_err() && png(&text, 1 << 20).is_err());
+}
+
+#[test]
+fn letters_are_drawn() {
+    let with = |label: &str| {
+        let mark = octoscope_figure::Mark::new(Shape::Label([0.5, 0.5]), Role::ChildIndex);
+        let page = Page { width: 40.0, height: 40.0 };
+        let camera = Camera::framing(&corner_tree::<2>().domain().root_box(), page);
+        let figure = space_figure(&[mark.with_text(label)], &camera, page);
+        let options = SvgOptions { background: Background::Transparent, ..SvgOptions::default() };
+        let file = png(&svg(&figure, &options), 40).unwrap();
+        let picture = resvg::tiny_skia::Pixmap::decode_png(&file).unwrap();
+        picture.pixels().iter().filter(|pixel| pixel.alpha() > 0).count()
+    };
+    assert!(with("8") > 20);
+    assert!(with("∧") > 5, "signs that only the mono has");
+}
+
+#[test]
+fn the_marks_of_a_moment_follow_the_path_not_the_tree() {
+    let tree = corner_tree::<2>();
+    let ray = Ray::new([-0.25, -0.25], [1.5, 1.5]).unwrap();
+    let query = along_the_ray();
+    let trace = record(&tree, &ray, &query);
+    let moment = Moment::after(&tree, &trace, trace.events.len());
+    let all = marks(&tree, &ray, &query, &moment, trace.events.last(), &Show::default());
+    let visited = all.iter().filter(|mark| matches!(mark.role, Role::Visited { .. })).count();
+    assert_eq!(visited, trace.leaves().count());
+    assert!(all.iter().all(|mark| mark.role != Role::Current), "nothing stays lit at the end");
+}
