@@ -19,7 +19,7 @@ fn corner_tree<const D: usize>() -> Tree<D> {
         Cell { code, .. } if code == [0; D] => Split::Inner(vec![(); 1 << D]),
         _ => Split::Empty,
     })
-    .unwrap()
+    .expect("nobody cancels")
 }
 
 fn along_the_ray<const D: usize>() -> Query<D> {
@@ -33,7 +33,8 @@ fn along_the_ray<const D: usize>() -> Query<D> {
 /// Figure after `step` events.
 fn figure<const D: usize>(step: usize, show: &Show) -> Figure {
     let tree = corner_tree::<D>();
-    let ray = Ray::new([-0.25; D], std::array::from_fn(|e| 1.5 + 0.25 * e as f64)).unwrap();
+    let ray = Ray::new([-0.25; D], std::array::from_fn(|e| 1.5 + 0.25 * e as f64));
+    let ray = ray.expect("the direction is not zero");
     let query = along_the_ray();
     let trace = record(&tree, &ray, &query);
     let moment = Moment::after(&tree, &trace, step);
