@@ -39,7 +39,8 @@ impl<const D: usize> Domain<D> {
     /// # Errors
     /// Refuses what is no box, too deep, or finer than doubles can tell apart.
     pub fn new(min: [f64; D], side: f64, root_level: u8) -> Result<Self, DomainError> {
-        if !min.iter().all(|x| x.is_finite() && (x + side).is_finite()) || !(side > 0.0) {
+        let is_box = side > 0.0 && min.iter().all(|x| x.is_finite() && (x + side).is_finite());
+        if !is_box {
             return Err(DomainError::NotABox);
         }
         if root_level > MAX_ROOT_LEVEL {

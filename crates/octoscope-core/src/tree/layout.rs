@@ -210,13 +210,13 @@ impl<const D: usize> Tree<D> {
     }
 
     /// Node of exactly this level and code, or the leaf above that covers it;
-    /// `None` if the code lies outside the domain.
+    /// the root for any level above. `None` if the code lies outside the domain.
     pub fn node_at(&self, level: u8, code: Code<D>) -> Option<Node> {
         if code.iter().any(|&c| c >= self.domain.grid_size()) {
             return None;
         }
         let mut node = self.root();
-        for parent_level in (level + 1..=self.domain.root_level()).rev() {
+        for parent_level in (level.saturating_add(1)..=self.domain.root_level()).rev() {
             if node.is_leaf() {
                 break;
             }
