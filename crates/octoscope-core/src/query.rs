@@ -5,7 +5,7 @@ use crate::geometry::{Exact, Ray};
 use crate::locate::{
     Direction, Reach, locate_by_codes, locate_by_comparison, locate_region, neighbour,
 };
-use crate::traverse::{Algorithm, Options};
+use crate::traverse::{Algorithm, Options, doubles_suffice};
 use crate::tree::{Code, Tree};
 use serde::{Deserialize, Serialize};
 
@@ -53,7 +53,9 @@ pub enum Query<const D: usize> {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Arithmetic {
-    /// Double precision.
+    /// Double precision: only slivers may differ from the exact result. Rays
+    /// from so far away, or of such a speed, that doubles lose more than
+    /// slivers are compared exactly, see [`doubles_suffice`].
     #[default]
     Doubles,
     /// Exactly, for any finite input.
@@ -85,11 +87,14 @@ impl<const D: usize> Query<D> {
     /// Runs the query in `tree`; `ray` is used by [`Query::Ray`].
     pub fn run(&self, tree: &Tree<D>, ray: &Ray<D>, observe: &mut impl Observer<D>) -> Outcome {
         match *self {
-            Self::Ray { algorithm, options, arithmetic: Arithmetic::Doubles } => {
-                algorithm.run::<D, f64>(tree, ray, options, observe)
-            }
-            Self::Ray { algorithm, options, arithmetic: Arithmetic::Exact } => {
-                algorithm.run::<D, Exact>(tree, ray, options, observe)
+            Self::Ray { algorithm, options, arithmetic } => {
+                let doubles =
+                    arithmetic == Arithmetic::Doubles && doubles_suffice(tree.domain(), ray);
+                if doubles {
+                    algorithm.run::<D, f64>(tree, ray, options, observe)
+                } else {
+                    algorithm.run::<D, Exact>(tree, ray, options, observe)
+                }
             }
             Self::Point { at, method: PointMethod::Codes } => locate_by_codes(tree, at, observe),
             Self::Point { at, method: PointMethod::Comparison } => {

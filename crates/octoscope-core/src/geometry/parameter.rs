@@ -97,6 +97,17 @@ impl Exact {
         }
     }
 
+    /// Sign of the quotient; of a constant, its own.
+    #[inline]
+    fn sign(self) -> i8 {
+        let sign_of = |x: f64| i8::from(x > 0.0) - i8::from(x < 0.0);
+        if self.direction == 0.0 {
+            return sign_of(self.value);
+        }
+        let ahead = i8::from(self.plane > self.origin) - i8::from(self.plane < self.origin);
+        ahead * sign_of(self.direction)
+    }
+
     fn compare_exactly(self, other: Self) -> Ordering {
         let [a, b] = self.fraction();
         let [c, d] = other.fraction();
@@ -138,6 +149,11 @@ impl Parameter for Exact {
         let gap = (a - b).abs();
         if a.is_normal() && b.is_normal() && gap > ERROR * a.abs().max(b.abs()) {
             return a < b;
+        }
+        // Signs are exact whatever the rounding; the origin is told apart by them.
+        let (i, j) = (self.sign(), other.sign());
+        if i != j || i == 0 {
+            return i < j;
         }
         self.compare_exactly(other) == Ordering::Less
     }

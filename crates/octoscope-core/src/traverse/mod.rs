@@ -4,6 +4,7 @@
 //! along an axis on which the ray does not move, a cell owns its lower plane
 //! and not its upper one. A leaf met in one point is a *touch*.
 
+mod agree;
 mod algorithm;
 mod clip;
 mod codes;
@@ -11,6 +12,7 @@ mod exhaustive;
 mod parametric;
 mod parametric_table;
 
+pub use agree::{Difference, SLIVER, Slivers, doubles_suffice, first_difference};
 pub use algorithm::{Algorithm, Options, StopAt, UnknownAlgorithm};
 pub use clip::{Clip, clip};
 pub use parametric_table::{TABLE_1, TABLE_2, TABLE_3, entry_axes, transition};
