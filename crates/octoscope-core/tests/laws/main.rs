@@ -1,0 +1,8 @@
+//! Laws on random trees: every algorithm against the oracle, every query
+//! against brute force, every trace against itself.
+
+mod queries;
+mod rays;
+mod traces;
+mod traversals;
+mod trees;

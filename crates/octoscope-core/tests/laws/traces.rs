@@ -1,0 +1,153 @@
+//! Traces and what is folded from them.
+
+use crate::rays::{Class, random_ray};
+use crate::trees::{domain, random_tree};
+use octoscope_core::event::Event;
+use octoscope_core::geometry::Ray;
+use octoscope_core::locate::{Direction, Reach};
+use octoscope_core::query::{Arithmetic, PointMethod, Query};
+use octoscope_core::random::Random;
+use octoscope_core::trace::{Counter, Moment, Trace, record};
+use octoscope_core::traverse::{Algorithm, Options, StopAt};
+use octoscope_core::tree::{NodeId, Tree};
+
+/// Every kind of query, with random arguments.
+fn queries<const D: usize>(tree: &Tree<D>, random: &mut Random) -> Vec<Query<D>> {
+    let mut queries = Vec::new();
+    for algorithm in Algorithm::ALL {
+        for arithmetic in [Arithmetic::Doubles, Arithmetic::Exact] {
+            for stop_at in [StopAt::End, StopAt::FirstFull] {
+                queries.push(Query::Ray { algorithm, options: Options { stop_at }, arithmetic });
+            }
+        }
+    }
+    let (min, side) = (tree.domain().min(), tree.domain().side());
+    let mut point = || std::array::from_fn(|e| min[e] + side * random.between(-0.1, 1.1));
+    let (a, b) = (point(), point());
+    queries.push(Query::Point { at: a, method: PointMethod::Codes });
+    queries.push(Query::Point { at: a, method: PointMethod::Comparison });
+    queries.push(Query::Region { min: a, max: b });
+    let id = NodeId(random.below(tree.n_nodes() as u64) as u32);
+    let (level, code) = (tree.level(id), tree.code(id));
+    for direction in Direction::all() {
+        for reach in [Reach::EqualOrLarger, Reach::Leaf] {
+            queries.push(Query::Neighbour { level, code, direction, reach });
+        }
+    }
+    queries
+}
+
+fn for_random_traces(check: impl Fn(&Tree<3>, &Ray<3>, &Query<3>, &Trace<3>)) {
+    let mut random = Random::new(4);
+    for n in 0..10 {
+        let tree = random_tree(domain(1 + n as u8, n), 15, &mut random);
+        for class in Class::ALL {
+            let ray = random_ray(&tree, class, &mut random);
+            for query in queries(&tree, &mut random) {
+                check(&tree, &ray, &query, &record(&tree, &ray, &query));
+            }
+        }
+    }
+}
+
+#[test]
+fn watching_does_not_change_what_happens() {
+    for_random_traces(|tree, ray, query, trace| {
+        assert_eq!(query.run(tree, ray, &mut ()), trace.outcome);
+        assert!(matches!(trace.events.last(), Some(Event::End(end)) if *end == trace.outcome.end));
+        let ends = trace.events.iter().filter(|event| matches!(event, Event::End(_))).count();
+        assert_eq!(ends, 1);
+    });
+}
+
+#[test]
+fn every_moment_is_consistent() {
+    for_random_traces(|tree, _, query, trace| {
+        let mut before = Moment::after(tree, trace, 0);
+        assert_eq!(before, Moment::default());
+        for step in 1..=trace.events.len() {
+            let moment = Moment::after(tree, trace, step);
+            assert_eq!(moment.step, step);
+            check_stack(tree, query, &moment);
+            for counter in Counter::ALL {
+                assert!(moment.counters.get(counter) >= before.counters.get(counter));
+            }
+            assert!(moment.leaves.starts_with(&before.leaves));
+            assert!(moment.touches.starts_with(&before.touches));
+            before = moment;
+        }
+        assert_eq!(before.end, Some(trace.outcome.end));
+        let leaves: Vec<_> = before.leaves.iter().map(|leaf| leaf.node).collect();
+        assert_eq!(leaves, trace.leaves().map(|(node, _)| node).collect::<Vec<_>>());
+        assert_eq!(before, Moment::after(tree, trace, usize::MAX));
+    });
+}
+
+/// Of a top-down traversal the stack is the way from the root to the current
+/// node; nothing else has one.
+fn check_stack(tree: &Tree<3>, query: &Query<3>, moment: &Moment<3>) {
+    let stack: Vec<_> = moment.stack.iter().map(|frame| frame.node).collect();
+    match query {
+        Query::Ray { algorithm: Algorithm::Parametric | Algorithm::ParametricTable, .. } => {
+            let mut chain: Vec<_> = moment.current.into_iter().collect();
+            chain.extend(moment.ancestors(tree));
+            chain.reverse();
+            assert_eq!(stack, chain);
+        }
+        _ => assert!(stack.is_empty()),
+    }
+    for frame in &moment.stack {
+        let real = frame.state.zip(moment.clip).map(|(state, clip)| state.mirrored(clip.mirror));
+        assert_eq!(real, tree.child_index(frame.node));
+    }
+}
+
+#[test]
+fn counters_count_what_the_trace_shows() {
+    for_random_traces(|tree, _, _, trace| {
+        let end = Moment::after(tree, trace, usize::MAX);
+        let count = |counter| end.counters.get(counter) as usize;
+        assert_eq!(count(Counter::Leaves), end.leaves.len());
+        assert_eq!(count(Counter::Touches), end.touches.len());
+        assert!(count(Counter::StackDepth) <= usize::from(tree.domain().root_level()) + 1);
+    });
+}
+
+#[test]
+fn stepping_from_leaf_to_leaf_stops_at_each() {
+    for_random_traces(|_, _, _, trace| {
+        let n = trace.events.len();
+        let results: Vec<usize> =
+            (1..=n).filter(|&step| trace.events[step - 1].is_result()).collect();
+        for step in 0..=n + 1 {
+            let next = results.iter().copied().find(|&result| result > step);
+            assert_eq!(trace.next_leaf(step), next.unwrap_or(n));
+            let previous = results.iter().copied().rfind(|&result| result < step);
+            assert_eq!(trace.previous_leaf(step), previous.unwrap_or(0));
+        }
+    });
+}
+
+#[test]
+fn folding_a_long_trace_takes_every_event_once() {
+    // One walk after the other, as if along one ray: 10^5 events and more.
+    let mut random = Random::new(5);
+    let tree = random_tree::<3>(domain(10, 0), 60, &mut random);
+    let ray = random_ray(&tree, Class::Diagonal, &mut random);
+    let algorithm = Algorithm::Parametric;
+    let query =
+        Query::Ray { algorithm, options: Options::default(), arithmetic: Arithmetic::Doubles };
+    let mut trace = record(&tree, &ray, &query);
+    let (once, n_leaves) = (trace.events.clone(), trace.leaves().count());
+    assert!(n_leaves > 0);
+    let mut repeats = 1;
+    while trace.events.len() < 100_000 {
+        trace.events.extend_from_slice(&once);
+        repeats += 1;
+    }
+    let moment = Moment::after(&tree, &trace, usize::MAX);
+    assert_eq!(moment.step, trace.events.len());
+    assert_eq!(moment.leaves.len(), n_leaves * repeats);
+    let visits = once.iter().filter(|event| matches!(event, Event::Visit { .. })).count();
+    assert_eq!(moment.counters.get(Counter::Calls) as usize, visits * repeats);
+}
