@@ -1,7 +1,18 @@
-//! What happens, in words.
+//! What happens, in words: a sentence a step, the listing, the variables.
 
+mod listing;
+mod names;
 mod number;
 mod rich;
+mod sentence;
+mod title;
+mod variables;
+mod words;
 
+pub use listing::{Line, Listing, label, listing};
+pub use names::{algorithm_name, counter_name, end_name, query_name, step_texts};
 pub use number::{approx, distinct, number};
 pub use rich::{RichText, Span};
+pub use sentence::sentence;
+pub use title::short_title;
+pub use variables::{Variable, variables};

@@ -1,0 +1,149 @@
+# Was in jedem Schritt geschieht. Argumente können Farben tragen: ganz lassen.
+
+and = { $first } und { $last }
+comma = { $first }, { $last }
+
+by-parametric = mit dem parametrischen Verfahren
+by-parametric-table = mit dem parametrischen Verfahren und seinen Tabellen
+by-codes = mit Ortscodes
+by-exhaustive = durch Prüfen jedes einzelnen Blattes
+
+start-ray = Ein Strahl von { $origin } in Richtung { $direction } wird { $algorithm } durch den { $tree } verfolgt; → beginnt.
+start-ray-plain = Ein Strahl von { $origin } in Richtung { $direction } wird auf den { $tree } geschickt; → beginnt.
+start-point-codes = Das Blatt, dem ein Punkt gehört, wird mit Ortscodes gesucht; → beginnt.
+start-point-comparison = Das Blatt, dem ein Punkt gehört, wird durch Vergleich mit den Mittelebenen gesucht; → beginnt.
+start-region = Der kleinste Knoten, der einen Bereich enthält, wird mit Ortscodes gesucht; → beginnt.
+start-neighbour = Der Nachbar eines Knotens wird mit Ortscodes gesucht; → beginnt.
+start-outside = Nach einem Ort im { $tree } wird gefragt; → beginnt.
+quadtree = Quadtree
+octree = Octree
+
+clip-hit = Der Strahl durchquert die Wurzel: Er trifft die letzte nahe Ebene vor der ersten fernen, { $enter } < { $exit }.
+clip-inside = Der Strahl beginnt innerhalb der Wurzel: Die letzte nahe Ebene kommt nicht nach t = 0, die erste ferne wohl, { $enter } ≤ 0 < { $exit }.
+clip-mirror = { " " }Entlang { $axes } ist seine Richtung negativ; Zustand i steht daher für Kind f(i) = i xor { $mask }.
+clip-behind = Der Strahl verfehlt die Wurzel, die hinter seinem Startpunkt liegt: Schon für die erste ferne Ebene gilt { $exit } ≤ 0.
+clip-miss = Der Strahl verfehlt die Wurzel: Er trifft eine ferne Ebene nicht später als die letzte nahe, { $exit } { $relation } { $enter }.
+clip-parallel = Der Strahl verfehlt die Wurzel: Entlang { $axes } bewegt er sich nicht, und sein Startpunkt liegt dort außerhalb.
+
+test-hit = { $node } wird zwischen t = { $enter } und t = { $exit } getroffen.
+test-touch = { $node } wird nur in einem Punkt getroffen, bei t = { $at }.
+test-miss = { $node } wird vom Strahl nicht getroffen.
+sort = { $n ->
+    [0] Kein Blatt wird getroffen, es gibt also nichts zu sortieren.
+    [one] Nur ein Blatt wird getroffen, es steht also schon in der richtigen Reihenfolge.
+   *[other] Die { $n } getroffenen Blätter werden nach dem t ihres Eintritts sortiert.
+}
+
+visit-root = Die Traversierung beginnt an der Wurzel, { $node }.
+visit-plain = Kind { $child } wird besucht: { $node }.
+visit-mirrored = Zustand { $state } ist Kind { $child } des Baumes, denn f({ $state }) = { $state } xor { $mask }; es wird besucht: { $node }.
+skip-behind = Der Knoten wird bei { $exit } < 0 verlassen; er liegt also hinter dem Startpunkt und wird übersprungen.
+skip-ahead = Der Knoten wird bei { $exit } ≥ 0 verlassen; er liegt also nicht hinter dem Startpunkt.
+halve = Der Strahl trifft die Mittelebenen des Knotens bei { $mid }.
+halve-still = { " " }Entlang { $axes } bewegt er sich nicht: Dort heißt ∞ stets untere Hälfte, −∞ stets obere.
+first-one = { $comparisons }, also ist das { $axes }-Bit 1: Der Strahl { $inside ->
+    [yes] beginnt
+   *[no] tritt
+} in der oberen { $axes }-Hälfte{ $inside ->
+    [yes] {""}
+   *[no] { " " }ein
+}, im Zustand { $state }.
+first-many = { $comparisons }, also sind die Bits von { $axes } 1: Der Strahl { $inside ->
+    [yes] beginnt
+   *[no] tritt
+} in den oberen Hälften von { $axes }{ $inside ->
+    [yes] {""}
+   *[no] { " " }ein
+}, im Zustand { $state }.
+first-none = { $comparisons }, also ist kein Bit 1: Der Strahl { $inside ->
+    [yes] beginnt
+   *[no] tritt
+} im Zustand 0{ $inside ->
+    [yes] {""}
+   *[no] { " " }ein
+}.
+
+step-one = { $child } wird durch die { $axes }-Ebene verlassen: { $exits }, also wird das { $axes }-Bit gesetzt, und der nächste Zustand ist { $next }.
+step-many = { $child } wird durch die Ebenen von { $axes } zugleich verlassen: { $exits }, also werden die Bits von { $axes } zusammen gesetzt, und der nächste Zustand ist { $next }.
+step-end-one = { $child } wird durch die { $axes }-Ebene verlassen: { $exits }. Das Bit von { $done } ist schon 1, also verlässt der Strahl auch den Elternknoten.
+step-end-many = { $child } wird durch die Ebenen von { $axes } zugleich verlassen: { $exits }. Das Bit von { $done } ist schon 1, also verlässt der Strahl auch den Elternknoten.
+child = Kind { $state }
+state = Zustand { $state }
+up = Der Knoten ist erledigt; zurück nach oben: { $node }.
+up-none = Die Wurzel ist erledigt.
+
+begin-root = Die Suche beginnt an der Wurzel, { $node }.
+begin-node = Die Suche beginnt hier: { $node }.
+encode = Der Punkt { $point } hat binär die Ortscodes { $codes }.
+compare = { $comparisons }, also liegt der Punkt in Kind { $child }: { $node }.
+follow = Bit { $bit } der Codes ist { $bits } und wählt Kind { $child }: { $node }.
+bit-of = { $value } in { $axis }
+exits-one = Das Blatt wird durch die Ebene { $planes } verlassen: { $exits }.
+exits-many = Das Blatt wird durch die Ebenen { $planes } zugleich verlassen: { $exits }.
+target = Dahinter, entlang { $axes }, sind die Codes { $to } statt { $from }.
+border-inside = Diese Codes liegen im Gebiet; dahinter ist also eine Zelle.
+border-outside = Entlang { $axes } liegt der Code außerhalb des Gebiets; dahinter ist also keine Zelle.
+difference = Die Codes unterscheiden sich zuerst in Bit { $bit }, also liegt der gemeinsame Vorfahr auf Ebene { $level }.
+difference-none = Die Codes sind gleich, also liegen beide Orte in einer kleinsten Zelle, auf Ebene 0.
+climb = Hinauf zum Elternknoten: { $node }; der gemeinsame Vorfahr liegt auf Ebene { $level }.
+climb-done = Hinauf zum Elternknoten: { $node }; dies ist der gemeinsame Vorfahr.
+corners = Die Ecken { $min } und { $max } des Bereichs haben binär die Codes { $from } und { $to }.
+
+leaf-full = { $node } liegt von t = { $enter } bis t = { $exit } auf dem Strahl und ist belegt.
+leaf-empty = { $node } liegt von t = { $enter } bis t = { $exit } auf dem Strahl und ist leer.
+touch = { $node } wird nur berührt, in einem Punkt bei t = { $at }.
+found-leaf = Gefunden: { $node }, ein Blatt.
+found-node = Gefunden: { $node }, ein Knoten mit Kindern.
+end-missed = Der Strahl trifft kein Blatt: Die Traversierung endet.
+end-left-root = Der Strahl hat die Wurzel verlassen: Die Traversierung endet nach { $n ->
+    [one] einem Blatt
+   *[other] { $n } Blättern
+}.
+end-first-full = Das erste belegte Blatt ist erreicht, mehr war nicht verlangt: Die Traversierung endet.
+end-found = Der Knoten ist gefunden: Die Suche endet.
+end-outside = Der Ort liegt außerhalb des Gebiets: Es gibt nichts zu finden.
+
+the-node = Knoten { $code } auf Ebene { $level }
+the-leaf = Blatt { $code } auf Ebene { $level }
+
+title = { $tree } · { $scene } · { $n ->
+    [one] ein Blatt
+   *[other] { $n } Blätter
+}
+title-quadtree = Quadtree
+title-octree = Octree
+scene-inline = eigene Daten
+
+algorithm-parametric = Parametrisch, mit einer Regel
+algorithm-parametric-table = Parametrisch, mit Tabellen
+algorithm-codes = Ortscodes
+algorithm-exhaustive = Jedes Blatt, exakt
+
+query-ray = Strahl
+query-point = Punkt
+query-region = Bereich
+query-neighbour = Nachbar
+
+ended-missed = Wurzel verfehlt
+ended-left-root = Wurzel verlassen
+ended-first-full = Erstes belegtes Blatt
+ended-found = Gefunden
+ended-outside = Außerhalb des Gebiets
+
+counter-node-touches = Knotenzugriffe
+counter-leaf-tests = Blatttests
+counter-entry-comparisons = Vergleiche, Eintritt
+counter-exit-comparisons = Vergleiche, Austritt
+counter-range-comparisons = Vergleiche, Bereich
+counter-sort-comparisons = Vergleiche, Sortieren
+counter-divisions = Divisionen
+counter-additions = Additionen, Multiplikationen
+counter-bit-operations = Bitoperationen
+counter-transitions = Übergänge
+counter-point-locations = Punktortungen
+counter-ascends = Schritte nach oben
+counter-descends = Schritte nach unten
+counter-calls = Rekursive Aufrufe
+counter-stack-depth = Stapeltiefe
+counter-leaves = Blätter
+counter-touches = Berührungen

@@ -1,0 +1,140 @@
+# What happens in each step. Arguments may carry colours: leave them whole.
+
+and = { $first } and { $last }
+comma = { $first }, { $last }
+
+by-parametric = the parametric algorithm
+by-parametric-table = the parametric algorithm with its tables
+by-codes = location codes
+by-exhaustive = testing every leaf by itself
+
+start-ray = A ray from { $origin } along { $direction } is followed through the { $tree } by { $algorithm }; press → to begin.
+start-ray-plain = A ray from { $origin } along { $direction } is sent towards the { $tree }; press → to begin.
+start-point-codes = The leaf that owns a point is searched by location codes; press → to begin.
+start-point-comparison = The leaf that owns a point is searched by comparing it with mid planes; press → to begin.
+start-region = The smallest node that holds a region is searched by location codes; press → to begin.
+start-neighbour = The neighbour of a node is searched by location codes; press → to begin.
+start-outside = A place in the { $tree } is asked for; press → to begin.
+quadtree = quadtree
+octree = octree
+
+clip-hit = The ray crosses the root: it meets the last near plane before the first far plane, { $enter } < { $exit }.
+clip-inside = The ray starts inside the root: the last near plane does not come after t = 0, the first far plane does, { $enter } ≤ 0 < { $exit }.
+clip-mirror = { " " }Its direction is negative along { $axes }, so state i stands for child f(i) = i xor { $mask }.
+clip-behind = The ray misses the root, which lies behind its origin: even the first far plane has { $exit } ≤ 0.
+clip-miss = The ray misses the root: it meets a far plane no later than the last near plane, { $exit } { $relation } { $enter }.
+clip-parallel = The ray misses the root: it does not move along { $axes }, and its origin lies outside there.
+
+test-hit = { $node } is met between t = { $enter } and t = { $exit }.
+test-touch = { $node } is met in one point only, at t = { $at }.
+test-miss = { $node } is not met by the ray.
+sort = { $n ->
+    [0] No leaf is met, so there is nothing to sort.
+    [one] Only one leaf is met, so it is in order already.
+   *[other] The { $n } leaves that are met are sorted by the t at which the ray enters them.
+}
+
+visit-root = The traversal begins at the root, { $node }.
+visit-plain = Child { $child } is visited: { $node }.
+visit-mirrored = State { $state } is child { $child } of the tree, as f({ $state }) = { $state } xor { $mask }; it is visited: { $node }.
+skip-behind = The node is left at { $exit } < 0, so it lies behind the origin and is skipped.
+skip-ahead = The node is left at { $exit } ≥ 0, so it does not lie behind the origin.
+halve = The ray meets the mid planes of the node at { $mid }.
+halve-still = { " " }It does not move along { $axes }: ∞ there means the lower half for good, −∞ the upper one.
+first-one = { $comparisons }, so the { $axes } bit is 1: the ray { $inside ->
+    [yes] starts
+   *[no] enters
+} in the upper { $axes } half, in state { $state }.
+first-many = { $comparisons }, so the { $axes } bits are 1: the ray { $inside ->
+    [yes] starts
+   *[no] enters
+} in the upper halves of { $axes }, in state { $state }.
+first-none = { $comparisons }, so no bit is 1: the ray { $inside ->
+    [yes] starts
+   *[no] enters
+} in state 0.
+
+step-one = { $child } is left through the { $axes } plane: { $exits }, so the { $axes } bit is set and the next state is { $next }.
+step-many = { $child } is left through the { $axes } planes at once: { $exits }, so the { $axes } bits are set together and the next state is { $next }.
+step-end-one = { $child } is left through the { $axes } plane: { $exits }. Its { $done } bit is 1 already, so the ray leaves the parent, too.
+step-end-many = { $child } is left through the { $axes } planes at once: { $exits }. Its { $done } bit is 1 already, so the ray leaves the parent, too.
+child = Child { $state }
+state = State { $state }
+up = The node is done: back up to { $node }.
+up-none = The root is done.
+
+begin-root = The search begins at the root, { $node }.
+begin-node = The search begins at { $node }.
+encode = The point { $point } has the location codes { $codes } in binary.
+compare = { $comparisons }, so the point lies in child { $child }: { $node }.
+follow = Bit { $bit } of the codes is { $bits }, which selects child { $child }: { $node }.
+bit-of = { $value } in { $axis }
+exits-one = The leaf is left through the plane { $planes }: { $exits }.
+exits-many = The leaf is left through the planes { $planes } at once: { $exits }.
+target = Beyond it along { $axes }, the codes are { $to } instead of { $from }.
+border-inside = These codes lie inside the domain, so there is a cell beyond.
+border-outside = Along { $axes } the code lies outside the domain, so there is no cell beyond.
+difference = The codes differ first in bit { $bit }, so the common ancestor has level { $level }.
+difference-none = The codes are equal, so both places lie in one smallest cell, of level 0.
+climb = Up to the parent, { $node }; the common ancestor has level { $level }.
+climb-done = Up to the parent, { $node }: this is the common ancestor.
+corners = The corners { $min } and { $max } of the region have the codes { $from } and { $to } in binary.
+
+leaf-full = { $node } is on the ray from t = { $enter } to t = { $exit }, and it is occupied.
+leaf-empty = { $node } is on the ray from t = { $enter } to t = { $exit }, and it is empty.
+touch = { $node } is only touched, in one point at t = { $at }.
+found-leaf = The search has found { $node }, a leaf.
+found-node = The search has found { $node }, which has children.
+end-missed = The ray meets no leaf: the traversal ends.
+end-left-root = The ray has left the root: the traversal ends after { $n ->
+    [one] one leaf
+   *[other] { $n } leaves
+}.
+end-first-full = The first occupied leaf is reached, and no more was asked for: the traversal ends.
+end-found = The node is found: the search ends.
+end-outside = The place lies outside the domain: there is nothing to find.
+
+the-node = the node { $code } of level { $level }
+the-leaf = Leaf { $code } of level { $level }
+
+title = { $tree } · { $scene } · { $n ->
+    [one] one leaf
+   *[other] { $n } leaves
+}
+title-quadtree = Quadtree
+title-octree = Octree
+scene-inline = own data
+
+algorithm-parametric = Parametric, by one rule
+algorithm-parametric-table = Parametric, by tables
+algorithm-codes = Location codes
+algorithm-exhaustive = Every leaf, exactly
+
+query-ray = Ray
+query-point = Point
+query-region = Region
+query-neighbour = Neighbour
+
+ended-missed = Missed the root
+ended-left-root = Left the root
+ended-first-full = First occupied leaf
+ended-found = Found
+ended-outside = Outside the domain
+
+counter-node-touches = Node touches
+counter-leaf-tests = Leaf tests
+counter-entry-comparisons = Comparisons, entry
+counter-exit-comparisons = Comparisons, exit
+counter-range-comparisons = Comparisons, range
+counter-sort-comparisons = Comparisons, sorting
+counter-divisions = Divisions
+counter-additions = Additions, multiplications
+counter-bit-operations = Bit operations
+counter-transitions = Transitions
+counter-point-locations = Point locations
+counter-ascends = Steps up
+counter-descends = Steps down
+counter-calls = Recursive calls
+counter-stack-depth = Stack depth
+counter-leaves = Leaves
+counter-touches = Touches

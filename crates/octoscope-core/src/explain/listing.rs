@@ -1,0 +1,105 @@
+//! Pseudocode of the algorithms.
+
+use crate::event::{End, Event};
+use crate::query::{PointMethod, Query};
+use crate::text::Language;
+use crate::traverse::Algorithm;
+
+/// Pseudocode of one algorithm.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Listing {
+    /// The lines, in order.
+    pub lines: Vec<Line>,
+}
+
+/// Line of a [`Listing`].
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Line {
+    /// Which events are at work in it, by [`label`]; empty if none is.
+    pub label: &'static str,
+    /// Depth of indentation.
+    pub indent: u8,
+    /// The code.
+    pub code: &'static str,
+    /// What it means; may be empty.
+    pub comment: String,
+}
+
+/// Listing of what `query` runs.
+pub fn listing<const D: usize>(query: &Query<D>, language: Language) -> Listing {
+    let source = match query {
+        Query::Ray { algorithm: Algorithm::Parametric, .. } => {
+            include_str!("../../../../assets/listings/parametric.txt")
+        }
+        Query::Ray { algorithm: Algorithm::ParametricTable, .. } => {
+            include_str!("../../../../assets/listings/parametric-table.txt")
+        }
+        Query::Ray { algorithm: Algorithm::Codes, .. } => {
+            include_str!("../../../../assets/listings/codes.txt")
+        }
+        Query::Ray { algorithm: Algorithm::Exhaustive, .. } => {
+            include_str!("../../../../assets/listings/exhaustive.txt")
+        }
+        Query::Point { method: PointMethod::Codes, .. } => {
+            include_str!("../../../../assets/listings/point-codes.txt")
+        }
+        Query::Point { method: PointMethod::Comparison, .. } => {
+            include_str!("../../../../assets/listings/point-comparison.txt")
+        }
+        Query::Region { .. } => include_str!("../../../../assets/listings/region.txt"),
+        Query::Neighbour { .. } => include_str!("../../../../assets/listings/neighbour.txt"),
+    };
+    Listing { lines: source.lines().map(|line| read(line, language)).collect() }
+}
+
+/// Label of the lines of a listing that an event belongs to.
+pub fn label<const D: usize>(event: &Event<D>) -> &'static str {
+    match event {
+        Event::Clip { .. } => "clip",
+        Event::Test { .. } => "test",
+        Event::Sort { .. } => "sort",
+        Event::Visit { .. } => "visit",
+        Event::Skip { .. } => "skip",
+        Event::Halve { .. } => "halve",
+        Event::First { .. } => "first",
+        Event::Step { .. } => "step",
+        Event::Up { .. } => "up",
+        Event::Begin { .. } => "begin",
+        Event::Encode { .. } => "encode",
+        Event::Compare { .. } => "compare",
+        Event::Follow { .. } => "follow",
+        Event::Exits { .. } => "exits",
+        Event::Target { .. } => "target",
+        Event::Border { .. } => "border",
+        Event::Difference { .. } => "difference",
+        Event::Climb { .. } => "climb",
+        Event::Corners { .. } => "corners",
+        Event::Leaf { .. } => "leaf",
+        Event::Touch { .. } => "touch",
+        Event::Found { .. } => "found",
+        Event::End(End::Missed) => "missed",
+        Event::End(End::LeftRoot) => "end",
+        Event::End(End::FirstFull) => "stop",
+        Event::End(End::Found) => "done",
+        Event::End(End::Outside) => "outside",
+    }
+}
+
+/// Reads `label | code | English comment | German comment`.
+fn read(line: &'static str, language: Language) -> Line {
+    let mut fields = line.split('|');
+    let mut field = || fields.next().unwrap_or("");
+    let (label, code, english, german) = (field(), field(), field(), field());
+    let code = code.strip_prefix(' ').unwrap_or(code);
+    let indent = (code.len() - code.trim_start().len()) / 2;
+    let comment = match language {
+        Language::English => english,
+        Language::German => german,
+    };
+    Line {
+        label: label.trim(),
+        indent: indent as u8,
+        code: code.trim(),
+        comment: comment.trim().to_owned(),
+    }
+}

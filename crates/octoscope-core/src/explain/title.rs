@@ -1,0 +1,22 @@
+//! A scenario in one line.
+
+use super::names::step_texts;
+use crate::scenario::{Scenario, Source};
+use crate::text::Language;
+
+/// Kind of tree, scene and number of leaves, in one short line.
+pub fn short_title<const D: usize>(
+    scenario: &Scenario<D>,
+    n_leaves: usize,
+    language: Language,
+) -> String {
+    let texts = step_texts(language);
+    let tree = texts.get(if D == 2 { "title-quadtree" } else { "title-octree" });
+    let scene = match &scenario.source {
+        Source::BuiltIn { name, .. } => name.clone(),
+        Source::Inline(_) => texts.get("scene-inline"),
+        Source::File { path, .. } => path.rsplit('/').next().unwrap_or(path).to_owned(),
+    };
+    let n = n_leaves as u64;
+    texts.format("title", &[("tree", tree.into()), ("scene", scene.into()), ("n", n.into())])
+}

@@ -1,0 +1,113 @@
+//! The variables of an algorithm, as its listing names them.
+
+use super::number::distinct;
+use super::rich::{RichText, on_axis, strong};
+use super::words::{binary, t, tuple, typographic};
+use crate::geometry::AXIS_NAMES;
+use crate::trace::Moment;
+use crate::tree::{Code, Tree};
+
+/// Variable of an algorithm at some moment.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Variable {
+    /// Its name.
+    pub name: RichText,
+    /// Its value.
+    pub value: RichText,
+}
+
+/// The variables that have a value at `moment`: first where the algorithm is,
+/// then parameters, then codes, then the result. What changed is what differs
+/// from the variable of the same name a moment earlier.
+pub fn variables<const D: usize>(tree: &Tree<D>, moment: &Moment<D>) -> Vec<Variable> {
+    let mut list = List(Vec::new());
+    let levels = tree.domain().root_level();
+    let in_binary = |code: Code<D>| tuple(code.map(|c| binary(c, levels)));
+
+    // Where it is.
+    if let Some(node) = moment.current {
+        list.push("node", &tuple(tree.code(node).map(|c| c.to_string())));
+        list.push("level", &tree.level(node).to_string());
+    }
+
+    // Parameters, the state and the mirror mask.
+    if let Some(frame) = moment.frame() {
+        list.parameters("0", frame.near);
+        if let Some(mid) = frame.mid {
+            list.parameters("m", mid);
+        }
+        list.parameters("1", frame.far);
+        list.push("entry", &typographic(frame.enter()));
+        if let Some(state) = frame.child_state {
+            list.push("s", &bits::<D>(state.0));
+        }
+    } else if let Some(exits) = moment.exits {
+        list.parameters("1", exits.exits);
+    } else if let Some(clip) = moment.clip
+        && moment.current.is_none()
+    {
+        list.parameters("0", clip.near);
+        list.parameters("1", clip.far);
+    }
+    if let Some(clip) = moment.clip {
+        list.push("a", &bits::<D>(clip.mirror.0));
+    }
+
+    // Codes.
+    if let Some([from, to]) = moment.corners {
+        list.push("from", &in_binary(from));
+        list.push("to", &in_binary(to));
+    }
+    if let Some(codes) = moment.codes {
+        list.push("code", &in_binary(codes.code));
+        if let Some(bit) = codes.bit {
+            list.push("bit", &bit.to_string());
+        }
+    }
+    if let Some(target) = moment.target {
+        list.push("from", &in_binary(target.from));
+        let last = i64::from(tree.domain().grid_size());
+        let code = |c: i64| match u32::try_from(c) {
+            Ok(inside) if c < last => binary(inside, levels),
+            Ok(_) | Err(_) => c.to_string().replace('-', "−"),
+        };
+        list.push("to", &tuple(target.to.map(code)));
+    }
+    if let Some(difference) = moment.difference {
+        list.push("diff", &in_binary(difference.xor));
+        list.push("common", &difference.level.to_string());
+    }
+
+    // The result.
+    if !moment.leaves.is_empty() {
+        list.push("leaves", &moment.leaves.len().to_string());
+    }
+    if let Some(found) = moment.found {
+        list.push("found", &tuple(tree.code(found).map(|c| c.to_string())));
+    }
+    list.0
+}
+
+/// State or mask in decimal, and its bits in the colours of the axes.
+fn bits<const D: usize>(set: u8) -> String {
+    let bit = |e: usize| on_axis(e, if set >> (D - 1 - e) & 1 == 1 { "1" } else { "0" });
+    let bits: String = (0..D).map(bit).collect();
+    format!("{} ({bits})", strong(&set.to_string()))
+}
+
+struct List(Vec<Variable>);
+
+impl List {
+    fn push(&mut self, name: &str, value: &str) {
+        self.0.push(Variable { name: RichText::parse(name), value: RichText::parse(value) });
+    }
+
+    /// One parameter an axis.
+    fn parameters<const D: usize>(&mut self, plane: &str, values: [f64; D]) {
+        let texts = distinct(&values);
+        for (axis, text) in texts.iter().enumerate() {
+            debug_assert!(axis < AXIS_NAMES.len());
+            self.push(&t(axis, plane), text);
+        }
+    }
+}

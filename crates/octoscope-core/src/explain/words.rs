@@ -1,0 +1,133 @@
+//! Pieces of sentences, marked up.
+
+use super::names::step_texts;
+use super::number::{distinct, number};
+use super::rich::{on_axis, strong, with_sub};
+use crate::geometry::{AXIS_NAMES, Axes};
+use crate::text::{Language, Texts};
+use crate::tree::{Code, NodeId, Tree};
+
+/// Pieces of sentences on a tree, in a language.
+pub(super) struct Words<'a, const D: usize> {
+    pub tree: &'a Tree<D>,
+    pub texts: &'static Texts,
+}
+
+impl<'a, const D: usize> Words<'a, D> {
+    pub fn new(tree: &'a Tree<D>, language: Language) -> Self {
+        Self { tree, texts: step_texts(language) }
+    }
+
+    /// The text of `key` with marked-up arguments.
+    pub fn say(&self, key: &str, arguments: &[(&str, String)]) -> String {
+        let values: Vec<_> =
+            arguments.iter().map(|(name, text)| (*name, text.as_str().into())).collect();
+        self.texts.format(key, &values)
+    }
+
+    /// "a, b and c".
+    pub fn list(&self, parts: impl IntoIterator<Item = String>) -> String {
+        let mut parts: Vec<String> = parts.into_iter().collect();
+        let Some(last) = parts.pop() else {
+            return String::new();
+        };
+        let joined = parts
+            .into_iter()
+            .reduce(|first, last| self.say("comma", &[("first", first), ("last", last)]));
+        match joined {
+            Some(first) => self.say("and", &[("first", first), ("last", last)]),
+            None => last,
+        }
+    }
+
+    /// Names of axes, in their colours.
+    pub fn axes(&self, axes: Axes<D>) -> String {
+        self.list(axes.iter().map(|e| on_axis(e, AXIS_NAMES[e])))
+    }
+
+    /// An inner node in the middle of a sentence, or any.
+    pub fn node(&self, id: NodeId) -> String {
+        self.named("the-node", id)
+    }
+
+    /// A leaf at the head of a sentence.
+    pub fn leaf(&self, id: NodeId) -> String {
+        self.named("the-leaf", id)
+    }
+
+    fn named(&self, key: &str, id: NodeId) -> String {
+        let level = self.tree.level(id).to_string();
+        self.say(
+            key,
+            &[("code", tuple(self.tree.code(id).map(|c| c.to_string()))), ("level", level)],
+        )
+    }
+
+    /// Codes in binary, as many digits as the root has levels.
+    pub fn binary(&self, code: Code<D>) -> String {
+        tuple(code.map(|c| binary(c, self.tree.domain().root_level())))
+    }
+}
+
+/// A tuple in the colours of the axes.
+pub(super) fn tuple<const D: usize>(parts: [String; D]) -> String {
+    let parts: Vec<String> = parts.iter().enumerate().map(|(e, part)| on_axis(e, part)).collect();
+    format!("({})", parts.join(", "))
+}
+
+/// A point in the colours of the axes.
+pub(super) fn point<const D: usize>(x: [f64; D]) -> String {
+    tuple(x.map(typographic))
+}
+
+/// `code` in binary, `width` digits at least.
+pub(super) fn binary(code: u32, width: u8) -> String {
+    format!("{code:0width$b}", width = usize::from(width.max(1)))
+}
+
+/// The shortest number that reads back, but with a typographic minus.
+pub(super) fn typographic(x: f64) -> String {
+    number(x).replace('-', "−")
+}
+
+/// Name of the parameter at a plane: `plane` is 0, m or 1.
+pub(super) fn t(axis: usize, plane: &str) -> String {
+    with_sub(axis, "t", &format!("{}{plane}", AXIS_NAMES[axis]))
+}
+
+/// "t_x1 = 0.5": a parameter with its value.
+pub(super) fn equation(name: &str, value: &str) -> String {
+    format!("{name} = {}", strong(value))
+}
+
+/// How `a` compares to `b`: <, = or >.
+pub(super) fn relation(a: f64, b: f64) -> &'static str {
+    if a < b {
+        "<"
+    } else if a > b {
+        ">"
+    } else {
+        "="
+    }
+}
+
+/// "t_x1 = 0.2 < t_y1 = 0.5": parameters at planes of all axes, in order, those
+/// of `first` in front of equal ones.
+pub(super) fn chain<const D: usize>(values: [f64; D], plane: &str, first: Axes<D>) -> String {
+    let mut order: Vec<usize> = (0..D).collect();
+    order.sort_by(|&a, &b| {
+        values[a].total_cmp(&values[b]).then(first.contains(b).cmp(&first.contains(a)))
+    });
+    // Exact arithmetic may tell apart what rounds to equal doubles: the planes
+    // that were found first lead in any case.
+    order.sort_by_key(|&e| !first.contains(e));
+    let texts = distinct(&values);
+    let mut chain = String::new();
+    for (i, &e) in order.iter().enumerate() {
+        if i > 0 {
+            chain.push_str(&format!(" {} ", relation(values[order[i - 1]], values[e])));
+        }
+        chain.push_str(&equation(&t(e, plane), &texts[e]));
+    }
+    chain
+}
