@@ -1,3 +1,6 @@
-//! The program's modules; `main.rs` only starts them.
+//! Octoscope shows quadtrees and octrees, and every step of the algorithms on
+//! them: in a window and on the command line.
 
+pub mod cli;
+pub mod files;
 pub mod render;

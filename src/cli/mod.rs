@@ -1,0 +1,112 @@
+//! The command line: one file a command.
+//!
+//! Results go to standard output or a file, messages to standard error. A
+//! command answers [`Answer::Done`] or [`Answer::No`], or fails; these are the
+//! exit statuses 0, 1 and 2.
+
+mod scenes;
+mod visit;
+
+use clap::{Parser, Subcommand};
+use std::io;
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+/// Shows quadtrees and octrees and every step of the algorithms on them.
+///
+/// Without a command, opens the window. Exit status: 0 done; 1 the answer is no
+/// (a comparison found a difference, a check failed); 2 bad arguments or input.
+#[derive(Debug, Parser)]
+#[command(
+    name = "octoscope",
+    version,
+    args_conflicts_with_subcommands = true,
+    after_long_help = "Examples:\n  \
+        octoscope scenes\n  \
+        octoscope visit --cells a.cells --depth 6 --rays a.rays --algorithm all"
+)]
+pub struct Arguments {
+    /// What to do instead of opening the window.
+    #[command(subcommand)]
+    pub command: Option<Command>,
+    /// Scenario or data file that the window opens, or scene:NAME.
+    pub file: Option<PathBuf>,
+    /// Steps the ray of the first built-in scene to its end, writes a picture
+    /// of the window and ends.
+    #[arg(long, value_name = "FILE", hide = true)]
+    pub demo_screenshot: Option<PathBuf>,
+}
+
+impl Arguments {
+    /// The arguments that the program was started with. Ends the program if
+    /// they are wrong or ask for help.
+    pub fn from_command_line() -> Self {
+        Self::parse()
+    }
+}
+
+/// What can be done without a window.
+#[derive(Debug, Subcommand)]
+pub enum Command {
+    /// Prints the leaves on many rays through one tree.
+    Visit(visit::Visit),
+    /// Lists the built-in scenes and the algorithms.
+    Scenes(scenes::Scenes),
+}
+
+/// How a command ended that did not fail.
+#[derive(Debug, PartialEq, Eq)]
+pub enum Answer {
+    /// It is done.
+    Done,
+    /// The answer is no, for this reason.
+    No(String),
+}
+
+/// Runs a command and tells its exit status; messages go to standard error. A
+/// broken pipe ends it quietly.
+pub fn run(command: &Command) -> ExitCode {
+    let answer = match command {
+        Command::Visit(arguments) => visit::visit(arguments),
+        Command::Scenes(arguments) => scenes::scenes(arguments),
+    };
+    match answer {
+        Ok(Answer::Done) => ExitCode::SUCCESS,
+        Ok(Answer::No(reason)) => {
+            eprintln!("octoscope: {reason}");
+            ExitCode::from(1)
+        }
+        Err(error) if is_broken_pipe(&error) => ExitCode::SUCCESS,
+        Err(error) => {
+            eprintln!("octoscope: {error:#}");
+            ExitCode::from(2)
+        }
+    }
+}
+
+fn is_broken_pipe(error: &anyhow::Error) -> bool {
+    error
+        .chain()
+        .filter_map(|cause| cause.downcast_ref::<io::Error>())
+        .any(|cause| cause.kind() == io::ErrorKind::BrokenPipe)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use clap::CommandFactory;
+
+    #[test]
+    fn the_arguments_are_well_formed() {
+        Arguments::command().debug_assert();
+    }
+
+    #[test]
+    fn a_file_opens_the_window_and_a_command_does_not() {
+        let parse = |words: &[&str]| Arguments::try_parse_from(words).unwrap();
+        assert!(parse(&["octoscope"]).command.is_none());
+        assert_eq!(parse(&["octoscope", "a.png"]).file, Some("a.png".into()));
+        assert!(parse(&["octoscope", "scenes"]).command.is_some());
+        assert!(Arguments::try_parse_from(["octoscope", "--no-such"]).is_err());
+    }
+}

@@ -1,0 +1,73 @@
+//! `octoscope scenes`: what comes with the program.
+
+use super::Answer;
+use crate::files::Output;
+use clap::Args;
+use octoscope_core::scenario::BUILT_IN;
+use octoscope_core::traverse::Algorithm;
+use serde_json::json;
+use std::io::Write;
+
+/// Lists the built-in scenes and the algorithms, with their identifiers.
+///
+/// A scene's identifier, scene:NAME, stands wherever a command takes a file.
+#[derive(Debug, Args)]
+pub struct Scenes {
+    /// Prints the list as JSON.
+    #[arg(long)]
+    json: bool,
+}
+
+/// Runs the command.
+///
+/// # Errors
+/// Says that the list could not be written.
+pub fn scenes(arguments: &Scenes) -> anyhow::Result<Answer> {
+    let mut output = Output::open(None)?;
+    let list = if arguments.json { as_json() } else { as_text() };
+    output.write_all(list.as_bytes())?;
+    output.finish()?;
+    Ok(Answer::Done)
+}
+
+fn as_text() -> String {
+    let scenes = BUILT_IN.iter().map(|scene| {
+        let kind = if scene.dimension == 2 { "quadtree" } else { "octree" };
+        let seed = scene.seed.map_or(String::new(), |seed| format!(", seed {seed}"));
+        let n = scene.n.map_or(String::new(), |[n, most]| format!(", n {n} (1 … {most})"));
+        format!("  {:<24}{kind}{seed}{n}\n", format!("scene:{}", scene.id))
+    });
+    let algorithms = Algorithm::ALL.map(|algorithm| format!("  {}\n", algorithm.id()));
+    format!("Scenes\n{}\nAlgorithms\n{}", scenes.collect::<String>(), algorithms.concat())
+}
+
+fn as_json() -> String {
+    let scenes = BUILT_IN.iter().map(|scene| {
+        json!({
+            "id": format!("scene:{}", scene.id),
+            "dimension": scene.dimension,
+            "seed": scene.seed,
+            "n": scene.n.map(|[n, _]| n),
+        })
+    });
+    let list = json!({
+        "scenes": scenes.collect::<Vec<_>>(),
+        "algorithms": Algorithm::ALL.map(Algorithm::id),
+    });
+    format!("{list:#}\n")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_scene_and_algorithm_is_listed() {
+        for list in [as_text(), as_json()] {
+            for scene in &BUILT_IN {
+                assert!(list.contains(&format!("scene:{}", scene.id)));
+            }
+            assert!(Algorithm::ALL.iter().all(|algorithm| list.contains(algorithm.id())));
+        }
+    }
+}

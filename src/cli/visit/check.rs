@@ -1,0 +1,106 @@
+//! Whether the algorithms agree on a ray.
+
+use super::line::{Met, line, met, push_token, visited};
+use super::{Answer, Asked};
+use octoscope_core::geometry::Ray;
+use octoscope_core::query::Arithmetic;
+use octoscope_core::traverse::{Algorithm, Slivers, first_difference};
+use octoscope_core::tree::{NodeId, Tree};
+
+/// Line of a ray, and the first difference between `algorithms` in words. The
+/// line is that of the oracle, if it is among them, else of the first.
+pub fn compared_line<const D: usize>(
+    tree: &Tree<D>,
+    ray: &Ray<D>,
+    algorithms: &[Algorithm],
+    asked: Asked,
+) -> (String, Option<String>) {
+    let oracle = algorithms.contains(&Algorithm::Exhaustive).then_some(Algorithm::Exhaustive);
+    let Some(reference) = oracle.or(algorithms.first().copied()) else {
+        return (String::new(), None);
+    };
+    let expected = met(tree, ray, reference, asked);
+    let expected_leaves = visited(&expected);
+    let slivers = match asked.arithmetic {
+        Arithmetic::Exact => Slivers::Count,
+        Arithmetic::Doubles => Slivers::Ignore,
+    };
+    let others = algorithms.iter().filter(|&&algorithm| algorithm != reference);
+    let difference = others
+        .filter_map(|&algorithm| {
+            let found = visited(&met(tree, ray, algorithm, asked));
+            let at = first_difference(tree, ray, &expected_leaves, &found, slivers)?;
+            let leaf = |node: Option<NodeId>| named(tree, node);
+            Some(format!(
+                "{} finds {} as leaf {} where {} finds {}",
+                algorithm.id(),
+                leaf(at.found),
+                at.index + 1,
+                reference.id(),
+                leaf(at.expected),
+            ))
+        })
+        .next();
+    (line(tree, &expected), difference)
+}
+
+/// The differences found so far.
+#[derive(Debug, Default)]
+pub struct Differences {
+    first: Option<String>,
+    n_rays: usize,
+}
+
+impl Differences {
+    /// Adds what was found on the ray of this index, counted from 0.
+    pub fn add<const D: usize>(&mut self, index: usize, ray: &Ray<D>, difference: Option<String>) {
+        let Some(difference) = difference else {
+            return;
+        };
+        self.n_rays += 1;
+        self.first.get_or_insert_with(|| {
+            let numbers = ray.origin().into_iter().chain(ray.direction());
+            let numbers: Vec<String> = numbers.map(|x| format!("{x:?}")).collect();
+            format!("ray {} ({}): {difference}", index + 1, numbers.join(" "))
+        });
+    }
+
+    /// Done, if there are none.
+    pub fn answer(self, n_rays: usize) -> Answer {
+        match self.first {
+            None => Answer::Done,
+            Some(first) => Answer::No(format!(
+                "the algorithms differ on {} of {n_rays} rays; the first is {first}",
+                self.n_rays
+            )),
+        }
+    }
+}
+
+fn named<const D: usize>(tree: &Tree<D>, node: Option<NodeId>) -> String {
+    let Some(node) = node else {
+        return "nothing".to_owned();
+    };
+    let mut name = String::new();
+    let full = tree.node(node).is_full();
+    push_token(&mut name, tree, if full { Met::Full(node) } else { Met::Empty(node) });
+    name
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_first_difference_is_named_and_all_are_counted() {
+        let ray = Ray::new([0.5, 0.25], [1.0, 0.0]).unwrap();
+        let mut differences = Differences::default();
+        differences.add(0, &ray, None);
+        differences.add(1, &ray, Some("codes finds nothing".to_owned()));
+        differences.add(2, &ray, Some("another".to_owned()));
+        let message = "the algorithms differ on 2 of 3 rays; the first is \
+                       ray 2 (0.5 0.25 1.0 0.0): codes finds nothing";
+        assert_eq!(differences.answer(3), Answer::No(message.to_owned()));
+        assert_eq!(Differences::default().answer(3), Answer::Done);
+    }
+}

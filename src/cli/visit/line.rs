@@ -1,0 +1,116 @@
+//! The line of a ray.
+
+use super::{Asked, Touches};
+use octoscope_core::event::{Event, Observer};
+use octoscope_core::geometry::Ray;
+use octoscope_core::query::Query;
+use octoscope_core::traverse::Algorithm;
+use octoscope_core::tree::{NodeId, Tree};
+use std::fmt::Write;
+
+/// A leaf that a ray meets.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Met {
+    /// An empty leaf is visited.
+    Empty(NodeId),
+    /// An occupied leaf is visited.
+    Full(NodeId),
+    /// A leaf is met in one point.
+    Touch(NodeId),
+}
+
+/// Leaves along `ray` in order; touches only where asked for.
+pub fn met<const D: usize>(
+    tree: &Tree<D>,
+    ray: &Ray<D>,
+    algorithm: Algorithm,
+    asked: Asked,
+) -> Vec<Met> {
+    let Asked { options, arithmetic, touches } = asked;
+    let mut list = List { met: Vec::new(), touches };
+    Query::Ray { algorithm, options, arithmetic }.run(tree, ray, &mut list);
+    list.met
+}
+
+/// The visited leaves of a list.
+pub fn visited(met: &[Met]) -> Vec<NodeId> {
+    met.iter()
+        .filter_map(|met| match *met {
+            Met::Empty(node) | Met::Full(node) => Some(node),
+            Met::Touch(_) => None,
+        })
+        .collect()
+}
+
+/// Line of a ray with its end: the number of visited leaves, then a token for
+/// each leaf.
+pub fn line<const D: usize>(tree: &Tree<D>, met: &[Met]) -> String {
+    let mut line = visited(met).len().to_string();
+    for met in met {
+        line.push(' ');
+        push_token(&mut line, tree, *met);
+    }
+    line.push('\n');
+    line
+}
+
+/// Token of a leaf: `level:x,y,z`, `*` behind it if it is full, `~` before it
+/// if it is touched.
+pub fn push_token<const D: usize>(text: &mut String, tree: &Tree<D>, met: Met) {
+    let (before, node, behind) = match met {
+        Met::Empty(node) => ("", node, ""),
+        Met::Full(node) => ("", node, "*"),
+        Met::Touch(node) => ("~", node, ""),
+    };
+    text.push_str(before);
+    let mut separator = ':';
+    let infallible = "a string takes everything";
+    write!(text, "{}", tree.level(node)).expect(infallible);
+    for code in tree.code(node) {
+        write!(text, "{separator}{code}").expect(infallible);
+        separator = ',';
+    }
+    text.push_str(behind);
+}
+
+struct List {
+    met: Vec<Met>,
+    touches: Touches,
+}
+
+impl<const D: usize> Observer<D> for List {
+    fn observe(&mut self, event: Event<D>) {
+        match event {
+            Event::Leaf { node, full: true, .. } => self.met.push(Met::Full(node)),
+            Event::Leaf { node, full: false, .. } => self.met.push(Met::Empty(node)),
+            Event::Touch { node, .. } if self.touches == Touches::Listed => {
+                self.met.push(Met::Touch(node));
+            }
+            _ => {}
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use octoscope_core::progress::Progress;
+    use octoscope_core::tree::{Domain, Split, grow};
+
+    /// Two levels; the cell in the corner is full.
+    fn tree() -> Tree<2> {
+        grow(Domain::unit(2), (), &Progress::default(), |cell, ()| match cell.level {
+            2 => Split::Inner(vec![(); 4]),
+            _ if cell.code == [0, 0] => Split::Full(vec![]),
+            _ => Split::Empty,
+        })
+        .unwrap()
+    }
+
+    #[test]
+    fn a_line_counts_visited_leaves_and_marks_full_ones_and_touches() {
+        let met = [Met::Full(NodeId(1)), Met::Touch(NodeId(2)), Met::Empty(NodeId(4))];
+        assert_eq!(line(&tree(), &met), "2 1:0,0* ~1:0,2 1:2,2\n");
+        assert_eq!(line(&tree(), &[]), "0\n");
+    }
+}

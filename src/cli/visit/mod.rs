@@ -1,0 +1,190 @@
+//! `octoscope visit`: many rays through one tree.
+
+mod check;
+mod in_order;
+mod line;
+mod summary;
+
+use super::Answer;
+use crate::files::{self, Output};
+use anyhow::anyhow;
+use clap::Args;
+use octoscope_core::geometry::Ray;
+use octoscope_core::progress::Progress;
+use octoscope_core::query::Arithmetic;
+use octoscope_core::scene::Content;
+use octoscope_core::traverse::{Algorithm, Options, StopAt, UnknownAlgorithm};
+use octoscope_core::tree::{Domain, Merge, Recipe, Tree, build};
+use std::fmt::Display;
+use std::io::Write;
+use std::num::NonZeroUsize;
+use std::path::{Path, PathBuf};
+
+/// Prints the leaves on many rays through one tree.
+///
+/// The tree is the region quadtree or octree of the occupied cells, over the
+/// domain [0, 1). For each ray, in order, one line: the number of leaves, then
+/// level:x,y,z for each leaf, with the codes of its minimum corner and level 0
+/// for the smallest cell; a * marks an occupied leaf. A ray that misses gives 0.
+///
+/// A leaf is on the ray if a part of positive length with t ≥ 0 is in it. In
+/// doubles, leaves that hold less than 1e-12 of the root's side may be there or
+/// not.
+#[derive(Debug, Args)]
+#[command(after_long_help = "Examples:\n  \
+    octoscope visit --cells a.cells --depth 6 --rays a.rays\n  \
+    octoscope visit --cells a.cells --depth 6 --rays a.rays --algorithm all --exact\n  \
+    octoscope visit --cells a.cells --depth 6 --rays a.rays --summary --repeat 9")]
+pub struct Visit {
+    /// Occupied cells: one a line, integers from 0 to 2^depth − 1 between
+    /// blanks; # starts a comment.
+    #[arg(long, value_name = "FILE")]
+    cells: PathBuf,
+    /// Levels below the root; the domain has 2^depth cells along each axis.
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u8).range(0..=20))]
+    depth: u8,
+    /// Rays: one a line, origin and direction, decimal or hexadecimal floats;
+    /// # starts a comment.
+    #[arg(long, value_name = "FILE")]
+    rays: PathBuf,
+    /// Dimension: 2 for a quadtree, 3 for an octree.
+    #[arg(long, default_value_t = 3, value_parser = clap::value_parser!(u8).range(2..=3))]
+    dim: u8,
+    /// Identifier of the algorithm (see octoscope scenes), or all: runs every
+    /// one, prints what the oracle finds, and fails where one differs from it.
+    #[arg(long, value_name = "ID", default_value = "parametric")]
+    algorithm: Choice,
+    /// Ends each ray at its first occupied leaf.
+    #[arg(long)]
+    first: bool,
+    /// Lists leaves met in one point as well, as ~level:x,y,z; they do not
+    /// count. Algorithms report the touches that they notice, the oracle all.
+    #[arg(long)]
+    touches: bool,
+    /// Does not merge full nodes: every occupied cell stays a leaf of level 0.
+    #[arg(long)]
+    keep_cells: bool,
+    /// Compares exactly, whatever the (finite) numbers.
+    #[arg(long)]
+    exact: bool,
+    /// Number of threads; the output stays in order.
+    #[arg(long, value_name = "N", default_value = "1")]
+    threads: NonZeroUsize,
+    /// Prints for each algorithm the number of rays, of leaves and of occupied
+    /// leaves, a checksum of the output (FNV-1a, 64 bits) and the time that the
+    /// traversals alone take.
+    #[arg(long)]
+    summary: bool,
+    /// How often the summary measures.
+    #[arg(long, value_name = "N", default_value = "5", requires = "summary")]
+    repeat: NonZeroUsize,
+    /// Writes to this file, which appears whole or not at all.
+    #[arg(short, long, value_name = "FILE")]
+    output: Option<PathBuf>,
+}
+
+/// One algorithm or every one.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Choice {
+    One(Algorithm),
+    All,
+}
+
+impl std::str::FromStr for Choice {
+    type Err = UnknownAlgorithm;
+
+    fn from_str(id: &str) -> Result<Self, UnknownAlgorithm> {
+        if id == "all" { Ok(Self::All) } else { id.parse().map(Self::One) }
+    }
+}
+
+impl Choice {
+    fn algorithms(&self) -> &[Algorithm] {
+        match self {
+            Self::One(algorithm) => std::slice::from_ref(algorithm),
+            Self::All => &Algorithm::ALL,
+        }
+    }
+}
+
+/// What is asked of every ray.
+#[derive(Clone, Copy, Debug)]
+struct Asked {
+    options: Options,
+    arithmetic: Arithmetic,
+    touches: Touches,
+}
+
+/// Whether touches are listed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Touches {
+    Listed,
+    LeftOut,
+}
+
+/// Runs the command.
+///
+/// # Errors
+/// Says what is wrong with a file, and where.
+pub fn visit(arguments: &Visit) -> anyhow::Result<Answer> {
+    match arguments.dim {
+        2 => visit_in::<2>(arguments),
+        _ => visit_in::<3>(arguments),
+    }
+}
+
+fn visit_in<const D: usize>(arguments: &Visit) -> anyhow::Result<Answer> {
+    let tree = read_tree::<D>(arguments)?;
+    let rays = read_rays::<D>(&arguments.rays)?;
+    let asked = Asked {
+        options: Options { stop_at: if arguments.first { StopAt::FirstFull } else { StopAt::End } },
+        arithmetic: if arguments.exact { Arithmetic::Exact } else { Arithmetic::Doubles },
+        touches: if arguments.touches { Touches::Listed } else { Touches::LeftOut },
+    };
+    let mut output = Output::open(arguments.output.as_deref())?;
+    let algorithms = arguments.algorithm.algorithms();
+    let threads = arguments.threads;
+    let mut differences = check::Differences::default();
+    if arguments.summary {
+        let mut rows = Vec::new();
+        for &algorithm in algorithms {
+            let measured =
+                summary::measure(&tree, &rays, algorithm, asked, threads, arguments.repeat)?;
+            rows.push(measured);
+        }
+        output.write_all(summary::table(&rows).as_bytes())?;
+    }
+    let prints = !arguments.summary;
+    if prints || algorithms.len() > 1 {
+        let work = |ray: &Ray<D>| check::compared_line(&tree, ray, algorithms, asked);
+        in_order::in_order(&rays, threads, work, |index, (line, difference)| {
+            differences.add(index, &rays[index], difference);
+            if prints { output.write_all(line.as_bytes()) } else { Ok(()) }
+        })?;
+    }
+    output.finish()?;
+    Ok(differences.answer(rays.len()))
+}
+
+fn read_tree<const D: usize>(arguments: &Visit) -> anyhow::Result<Tree<D>> {
+    let path = &arguments.cells;
+    let cells = octoscope_import::cells::<D>(&files::read_text(path)?, arguments.depth)
+        .map_err(|error| in_file(error, path))?;
+    let recipe = Recipe {
+        depth: arguments.depth,
+        merge: if arguments.keep_cells { Merge::Kept } else { Merge::Whole },
+        ..Recipe::default()
+    };
+    let domain = Domain::unit(arguments.depth);
+    build(&Content::Cells(cells), domain, &recipe, &Progress::default())
+        .map_err(|error| in_file(error, path))
+}
+
+fn read_rays<const D: usize>(path: &Path) -> anyhow::Result<Vec<Ray<D>>> {
+    octoscope_import::rays::<D>(&files::read_text(path)?).map_err(|error| in_file(error, path))
+}
+
+/// The fact first, the path last.
+fn in_file(error: impl Display, path: &Path) -> anyhow::Error {
+    anyhow!("{error}: {}", path.display())
+}

@@ -1,0 +1,203 @@
+//! What an algorithm finds on all rays, and how long that takes.
+
+use super::Asked;
+use super::in_order::in_order;
+use super::line::{Met, line, met};
+use octoscope_core::event::{Event, Observer};
+use octoscope_core::geometry::Ray;
+use octoscope_core::query::Query;
+use octoscope_core::traverse::Algorithm;
+use octoscope_core::tree::Tree;
+use std::hint::black_box;
+use std::io;
+use std::num::NonZeroUsize;
+use std::thread;
+use std::time::{Duration, Instant};
+
+/// Row of the table.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Summary {
+    algorithm: Algorithm,
+    n_rays: usize,
+    tally: Tally,
+    /// FNV-1a, 64 bits, of the lines that would be printed.
+    checksum: u64,
+    /// Times of the runs, the shortest first.
+    times: Vec<Duration>,
+}
+
+/// Runs `algorithm` over all rays: once for the lines, then `repeat` times for
+/// the time of the traversals alone.
+///
+/// # Errors
+/// None of its own; that of [`in_order`] is passed on.
+pub fn measure<const D: usize>(
+    tree: &Tree<D>,
+    rays: &[Ray<D>],
+    algorithm: Algorithm,
+    asked: Asked,
+    threads: NonZeroUsize,
+    repeat: NonZeroUsize,
+) -> io::Result<Summary> {
+    let mut tally = Tally::default();
+    let mut checksum = FNV_BASIS;
+    let work = |ray: &Ray<D>| {
+        let met = met(tree, ray, algorithm, asked);
+        (line(tree, &met), met)
+    };
+    in_order(rays, threads, work, |_, (line, met)| {
+        checksum = fnv_1a(checksum, line.as_bytes());
+        for met in met {
+            match met {
+                Met::Empty(_) => tally.leaves += 1,
+                Met::Full(_) => {
+                    tally.leaves += 1;
+                    tally.occupied += 1;
+                }
+                Met::Touch(_) => {}
+            }
+        }
+        Ok(())
+    })?;
+    let query = Query::Ray { algorithm, options: asked.options, arithmetic: asked.arithmetic };
+    let mut times: Vec<Duration> =
+        (0..repeat.get()).map(|_| time(tree, rays, &query, threads)).collect();
+    times.sort_unstable();
+    Ok(Summary { algorithm, n_rays: rays.len(), tally, checksum, times })
+}
+
+/// The rows as a table with a head, in columns.
+pub fn table(rows: &[Summary]) -> String {
+    let head = [
+        "algorithm",
+        "rays",
+        "leaves",
+        "occupied",
+        "checksum",
+        "rays/s-median",
+        "rays/s-best",
+        "ns/leaf-median",
+        "ns/leaf-best",
+    ]
+    .map(str::to_owned);
+    let cells: Vec<[String; 9]> = std::iter::once(head).chain(rows.iter().map(row)).collect();
+    let mut table = String::new();
+    for line in &cells {
+        let padded = line.iter().enumerate().map(|(column, cell)| {
+            let width = cells.iter().map(|line| line[column].len()).max().unwrap_or(0);
+            if column == 0 { format!("{cell:<width$}") } else { format!("{cell:>width$}") }
+        });
+        table.push_str(&padded.collect::<Vec<_>>().join("  "));
+        table.push('\n');
+    }
+    table
+}
+
+fn row(summary: &Summary) -> [String; 9] {
+    let Summary { algorithm, n_rays, tally, checksum, times } = summary;
+    let best = times.first().copied().unwrap_or_default();
+    let median = times.get(times.len() / 2).copied().unwrap_or_default();
+    let rate = |time: Duration| quotient(*n_rays as f64, time.as_secs_f64(), 0);
+    let per_leaf = |time: Duration| quotient(time.as_secs_f64() * 1e9, tally.leaves as f64, 2);
+    [
+        algorithm.id().to_owned(),
+        n_rays.to_string(),
+        tally.leaves.to_string(),
+        tally.occupied.to_string(),
+        format!("{checksum:016x}"),
+        rate(median),
+        rate(best),
+        per_leaf(median),
+        per_leaf(best),
+    ]
+}
+
+/// `a / b` with so many decimals, or `-` if there is none.
+fn quotient(a: f64, b: f64, decimals: usize) -> String {
+    if a > 0.0 && b > 0.0 { format!("{:.decimals$}", a / b) } else { "-".to_owned() }
+}
+
+/// Time of one run over all rays.
+fn time<const D: usize>(
+    tree: &Tree<D>,
+    rays: &[Ray<D>],
+    query: &Query<D>,
+    threads: NonZeroUsize,
+) -> Duration {
+    let run = |rays: &[Ray<D>]| {
+        let mut tally = Tally::default();
+        for ray in rays {
+            black_box(query.run(tree, ray, &mut tally));
+        }
+        black_box(tally);
+    };
+    let start = Instant::now();
+    if threads.get() == 1 {
+        run(rays);
+    } else {
+        thread::scope(|scope| {
+            for part in rays.chunks(rays.len().div_ceil(threads.get()).max(1)) {
+                scope.spawn(move || run(part));
+            }
+        });
+    }
+    start.elapsed()
+}
+
+/// The least that keeps the compiler from leaving a traversal out: it counts.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+struct Tally {
+    leaves: u64,
+    occupied: u64,
+}
+
+impl<const D: usize> Observer<D> for Tally {
+    #[inline]
+    fn observe(&mut self, event: Event<D>) {
+        if let Event::Leaf { full, .. } = event {
+            self.leaves += 1;
+            self.occupied += u64::from(full);
+        }
+    }
+}
+
+const FNV_BASIS: u64 = 0xcbf2_9ce4_8422_2325;
+const FNV_PRIME: u64 = 0x0000_0100_0000_01b3;
+
+/// Continues the FNV-1a hash `hash` with `bytes`.
+fn fnv_1a(hash: u64, bytes: &[u8]) -> u64 {
+    bytes.iter().fold(hash, |hash, &byte| (hash ^ u64::from(byte)).wrapping_mul(FNV_PRIME))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_hash_is_fnv_1a() {
+        assert_eq!(fnv_1a(FNV_BASIS, b""), 0xcbf2_9ce4_8422_2325);
+        assert_eq!(fnv_1a(FNV_BASIS, b"a"), 0xaf63_dc4c_8601_ec8c);
+        assert_eq!(fnv_1a(FNV_BASIS, b"foobar"), 0x8594_4171_f739_67e8);
+    }
+
+    #[test]
+    fn the_table_shows_median_and_best() {
+        let summary = Summary {
+            algorithm: Algorithm::Codes,
+            n_rays: 10,
+            tally: Tally { leaves: 20, occupied: 5 },
+            checksum: 0xff,
+            times: [1, 2, 4].map(Duration::from_micros).to_vec(),
+        };
+        let table = table(&[summary]);
+        let cells: Vec<&str> = table.lines().nth(1).unwrap().split_whitespace().collect();
+        let expected = "codes 10 20 5 00000000000000ff 5000000 10000000 100.00 50.00";
+        assert_eq!(cells.join(" "), expected);
+    }
+
+    #[test]
+    fn nothing_is_divided_by_nothing() {
+        assert_eq!(quotient(0.0, 0.0, 2), "-");
+        assert_eq!(quotient(1.0, 0.0, 2), "-");
+    }
+}

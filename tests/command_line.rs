@@ -1,0 +1,204 @@
+//! The command line as its users meet it: the real program, its output, its
+//! messages and its exit status.
+
+#![allow(clippy::unwrap_used, reason = "a test may panic")]
+
+use std::fs;
+use std::path::PathBuf;
+use std::process::{Command, Output, Stdio};
+use tempfile::TempDir;
+
+/// A folder with files, and the program run in it.
+struct Desk(TempDir);
+
+impl Desk {
+    /// Folder with one occupied cell of a 4×4 grid and three rays.
+    fn new() -> Self {
+        let desk = Self(tempfile::tempdir().unwrap());
+        desk.put("a.cells", "# corner\n3 0\n");
+        desk.put("a.rays", "-1 0.125 1 0\n0.5 0.5 0x1p-1 0x1p-1\n5 5 1 1 # misses\n");
+        desk
+    }
+
+    fn put(&self, name: &str, text: &str) -> PathBuf {
+        let path = self.0.path().join(name);
+        fs::write(&path, text).unwrap();
+        path
+    }
+
+    fn run(&self, arguments: &str) -> Output {
+        self.command(arguments).output().unwrap()
+    }
+
+    fn command(&self, arguments: &str) -> Command {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_octoscope"));
+        command.args(arguments.split_whitespace()).current_dir(self.0.path());
+        for display in ["DISPLAY", "WAYLAND_DISPLAY"] {
+            command.env_remove(display);
+        }
+        command
+    }
+
+    /// Standard output of a run that succeeds without a message.
+    #[track_caller]
+    fn prints(&self, arguments: &str) -> String {
+        let output = self.run(arguments);
+        assert_eq!(text(&output.stderr), "", "{arguments}");
+        assert_eq!(output.status.code(), Some(0), "{arguments}");
+        text(&output.stdout)
+    }
+
+    /// The message of a run that ends with status 2 and prints nothing.
+    #[track_caller]
+    fn refuses(&self, arguments: &str) -> String {
+        let output = self.run(arguments);
+        assert_eq!(output.status.code(), Some(2), "{arguments}");
+        assert_eq!(text(&output.stdout), "", "{arguments}");
+        text(&output.stderr)
+    }
+}
+
+fn text(bytes: &[u8]) -> String {
+    String::from_utf8(bytes.to_vec()).unwrap()
+}
+
+const VISIT: &str = "visit --cells a.cells --depth 2 --rays a.rays --dim 2";
+const LINES: &str = "3 1:0,0 0:2,0 0:3,0*\n1 1:2,2\n0\n";
+
+#[test]
+fn visit_prints_one_line_a_ray() {
+    let desk = Desk::new();
+    assert_eq!(desk.prints(VISIT), LINES);
+    for algorithm in ["parametric", "parametric-table", "codes", "exhaustive", "all"] {
+        for more in ["", "--exact", "--threads 3", "--exact --threads 2"] {
+            let arguments = format!("{VISIT} --algorithm {algorithm} {more}");
+            assert_eq!(desk.prints(&arguments), LINES, "{arguments}");
+        }
+    }
+}
+
+#[test]
+fn visit_takes_octrees_by_default() {
+    let desk = Desk::new();
+    desk.put("b.cells", "1 1 1\n");
+    desk.put("b.rays", "0.75 0.75 -1 0 0 1\n");
+    let lines = desk.prints("visit --cells b.cells --depth 1 --rays b.rays");
+    assert_eq!(lines, "2 0:1,1,0 0:1,1,1*\n");
+}
+
+#[test]
+fn visit_stops_at_the_first_full_leaf() {
+    let desk = Desk::new();
+    desk.put("a.cells", "0 0\n");
+    assert_eq!(desk.prints(&format!("{VISIT} --first")), "1 0:0,0*\n1 1:2,2\n0\n");
+}
+
+#[test]
+fn touches_are_listed_on_request_and_do_not_count() {
+    let desk = Desk::new();
+    desk.put("a.cells", "0 0\n");
+    desk.put("a.rays", "0 1 1 -1\n");
+    let oracle = desk.prints(&format!("{VISIT} --touches --algorithm exhaustive"));
+    assert!(oracle.starts_with("2 "), "{oracle}");
+    assert!(oracle.contains('~'), "{oracle}");
+    let without = desk.prints(&format!("{VISIT} --algorithm exhaustive"));
+    assert_eq!(without, "2 1:0,2 1:2,0\n");
+}
+
+#[test]
+fn full_nodes_merge_unless_cells_are_kept() {
+    let desk = Desk::new();
+    desk.put("a.cells", "0 0\n0 1\n1 0\n1 1\n");
+    desk.put("a.rays", "-1 0.125 1 0\n");
+    assert_eq!(desk.prints(VISIT), "2 1:0,0* 1:2,0\n");
+    assert_eq!(desk.prints(&format!("{VISIT} --keep-cells")), "3 0:0,0* 0:1,0* 1:2,0\n");
+}
+
+#[test]
+fn the_summary_tells_the_checksum_of_what_would_be_printed() {
+    let desk = Desk::new();
+    let summary = desk.prints(&format!("{VISIT} --algorithm all --summary --repeat 3"));
+    let hash = LINES.bytes().fold(0xcbf2_9ce4_8422_2325_u64, |hash, byte| {
+        (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3)
+    });
+    assert_eq!(summary.lines().count(), 5, "{summary}");
+    for line in summary.lines().skip(1) {
+        let cells: Vec<&str> = line.split_whitespace().collect();
+        assert_eq!(cells[1..5], ["3", "4", "1", &format!("{hash:016x}")], "{summary}");
+        assert_eq!(cells.len(), 9, "{summary}");
+    }
+}
+
+#[test]
+fn results_go_to_a_file_that_appears_whole() {
+    let desk = Desk::new();
+    assert_eq!(desk.prints(&format!("{VISIT} -o out.txt")), "");
+    assert_eq!(fs::read_to_string(desk.0.path().join("out.txt")).unwrap(), LINES);
+}
+
+#[test]
+fn a_failed_run_leaves_the_old_file_and_no_other() {
+    let desk = Desk::new();
+    desk.put("out.txt", "old");
+    desk.put("a.rays", "0 0 1 1\n0 0 0 0\n");
+    desk.refuses(&format!("{VISIT} -o out.txt"));
+    assert_eq!(fs::read_to_string(desk.0.path().join("out.txt")).unwrap(), "old");
+    assert_eq!(fs::read_dir(desk.0.path()).unwrap().count(), 3);
+}
+
+#[test]
+fn bad_input_is_refused_with_what_where_and_what_would_be_right() {
+    let desk = Desk::new();
+    desk.put("bad.cells", "0 0\n0 4\n");
+    desk.put("bad.rays", "0 0 1 0\n0 0 x 0\n");
+    let message = desk.refuses(&VISIT.replace("a.cells", "bad.cells"));
+    assert!(message.contains("line 2, column 3") && message.contains("0 … 3"), "{message}");
+    assert!(message.trim_end().ends_with("bad.cells"), "{message}");
+    let message = desk.refuses(&VISIT.replace("a.rays", "bad.rays"));
+    assert!(message.contains("line 2, column 5"), "{message}");
+    let message = desk.refuses(&VISIT.replace("a.rays", "no.rays"));
+    assert!(message.contains("no such file") && message.contains("no.rays"), "{message}");
+    let message = desk.refuses(&format!("{VISIT} -o no/folder/out.txt"));
+    assert!(message.contains("no/folder/out.txt"), "{message}");
+}
+
+#[test]
+fn bad_arguments_are_refused_with_what_there_is() {
+    let desk = Desk::new();
+    let message = desk.refuses(&format!("{VISIT} --algorithm fastest"));
+    assert!(message.contains("fastest") && message.contains("parametric-table"), "{message}");
+    desk.refuses("visit");
+    desk.refuses("--no-such");
+    desk.refuses(&VISIT.replace("--depth 2", "--depth 21"));
+    desk.refuses(&VISIT.replace("--dim 2", "--dim 4"));
+    desk.refuses(&format!("{VISIT} --threads 0"));
+}
+
+#[test]
+fn a_broken_pipe_ends_quietly() {
+    let desk = Desk::new();
+    desk.put("a.rays", &"-1 0.125 1 0\n".repeat(50_000));
+    let mut child =
+        desk.command(VISIT).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
+    drop(child.stdout.take());
+    let output = child.wait_with_output().unwrap();
+    assert_eq!(text(&output.stderr), "");
+    assert_eq!(output.status.code(), Some(0));
+}
+
+#[test]
+fn scenes_lists_scenes_and_algorithms() {
+    let desk = Desk::new();
+    let list = desk.prints("scenes");
+    assert!(list.contains("scene:quadtree-82") && list.contains("parametric-table"), "{list}");
+    let json: serde_json::Value = serde_json::from_str(&desk.prints("scenes --json")).unwrap();
+    assert_eq!(json["scenes"][0]["id"], "scene:quadtree-82");
+}
+
+#[test]
+fn help_shows_examples() {
+    let desk = Desk::new();
+    for command in ["--help", "visit --help"] {
+        assert!(desk.prints(command).contains("Examples:"), "{command}");
+    }
+}
