@@ -224,9 +224,9 @@ impl<const D: usize> Camera<D> {
     }
 }
 
-impl Camera<3> {
+impl<const D: usize> Camera<D> {
     /// Line of sight through a place on the page, away from the eye.
-    pub fn sight(&self, page: Page, at: [f64; 2]) -> Option<Ray<3>> {
+    pub fn sight(&self, page: Page, at: [f64; 2]) -> Option<Ray<D>> {
         let [_, _, back] = self.basis();
         let on_page = self.unproject(page, at, self.target);
         let direction = match self.lens {
@@ -244,9 +244,7 @@ impl Camera<3> {
         self.yaw = (self.yaw - dx / page.height * PI).rem_euclid(2.0 * PI);
         self.pitch = (self.pitch + dy / page.height * PI).clamp(-FRAC_PI_2, FRAC_PI_2);
     }
-}
 
-impl<const D: usize> Camera<D> {
     /// Moves along the page by a drag of (`dx`, `dy`) page units.
     pub fn pan(&mut self, page: Page, dx: f64, dy: f64) {
         let unit = self.unit(page);

@@ -24,7 +24,7 @@ pub use figure::{Drawn, Figure, Form, Part};
 pub use mark::{Mark, Shape};
 pub use marks::{Show, leaves, marks};
 pub use palette::{Colour, Palette, Theme, contrast};
-pub use png::{PngError, png};
+pub use png::{PngError, png, png_of_pixels};
 pub use role::Role;
 pub use space::space_figure;
 pub use style::{Dash, Lettering, Style, Weight};

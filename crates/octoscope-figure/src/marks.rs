@@ -6,9 +6,11 @@ use octoscope_core::geometry::{AXIS_NAMES, Aabb, Axes, Ray};
 use octoscope_core::query::Query;
 use octoscope_core::trace::Moment;
 use octoscope_core::tree::{Child, NodeId, Tree};
+use serde::{Deserialize, Serialize};
 
 /// What is to be seen beside the algorithm's state.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(default)]
 pub struct Show {
     /// Numbers of the visited leaves.
     pub order_numbers: bool,

@@ -1,7 +1,10 @@
 //! The colours of every theme: the only place with colours in the product.
 
+use serde::{Deserialize, Serialize};
+
 /// Look of the whole program and of figures.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
 pub enum Theme {
     /// Dark on white, for bright rooms.
     #[default]

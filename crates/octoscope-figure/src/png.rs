@@ -53,3 +53,14 @@ pub fn png(svg: &str, width: u32) -> Result<Vec<u8>, PngError> {
     resvg::render(&tree, transform, &mut pixmap.as_mut());
     pixmap.encode_png().map_err(|error| PngError::Encode(error.to_string()))
 }
+
+/// PNG file of opaque pixels: red, green, blue and 255, row by row from the top.
+///
+/// # Errors
+/// Refuses another number of bytes than 4 · `width` · `height`.
+pub fn png_of_pixels(width: u32, height: u32, pixels: Vec<u8>) -> Result<Vec<u8>, PngError> {
+    let size = tiny_skia::IntSize::from_wh(width, height);
+    let pixmap = size.and_then(|size| tiny_skia::Pixmap::from_vec(pixels, size));
+    let pixmap = pixmap.ok_or(PngError::Size(width, height))?;
+    pixmap.encode_png().map_err(|error| PngError::Encode(error.to_string()))
+}
