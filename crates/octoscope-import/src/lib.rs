@@ -24,6 +24,7 @@ mod words;
 
 pub use error::{ImportError, Place};
 pub use hash::hash;
+pub use hexadecimal::hexadecimal;
 pub use import::{Imported, import};
 pub use kind::Kind;
 pub use picture::MAX_PIXELS;
