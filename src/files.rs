@@ -1,5 +1,9 @@
 //! The only place that touches the disk.
 
+mod ask;
+
+pub use ask::{Answers, Chosen};
+
 use anyhow::anyhow;
 use std::fs::{self, File};
 use std::io::{self, BufWriter, Stdout, Write};

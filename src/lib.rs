@@ -1,6 +1,24 @@
 //! Octoscope shows quadtrees and octrees, and every step of the algorithms on
 //! them: in a window and on the command line.
 
+pub mod app;
 pub mod cli;
+pub mod command;
+pub mod document;
+pub mod export;
 pub mod files;
+pub mod history;
+pub mod job;
+pub mod look;
+pub mod open;
+pub mod panels;
+pub mod playback;
 pub mod render;
+pub mod save;
+pub mod sidebar;
+pub mod space;
+pub mod text;
+pub mod theme;
+pub mod view;
+pub mod widgets;
+pub mod window;

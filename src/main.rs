@@ -1,14 +1,19 @@
 //! Arguments → window or command.
 
 use octoscope::cli::{self, Arguments};
+use octoscope::window::{self, Opening};
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
     let arguments = Arguments::from_command_line();
-    match arguments.command {
-        Some(command) => cli::run(&command),
-        None => {
-            eprintln!("octoscope: this build has no window; try ‘octoscope help’");
+    if let Some(command) = arguments.command {
+        return cli::run(&command);
+    }
+    let opening = Opening { file: arguments.file, picture: arguments.demo_screenshot };
+    match window::run(opening) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            eprintln!("octoscope: {error:#}");
             ExitCode::from(2)
         }
     }

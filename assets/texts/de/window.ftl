@@ -1,0 +1,203 @@
+# Texte des Fensters, auf Deutsch.
+
+menu-file = Datei
+menu-edit = Bearbeiten
+menu-view = Ansicht
+menu-ray = Strahl
+menu-step = Schritt
+menu-help = Hilfe
+
+command-open = Öffnen …
+command-save = Speichern
+command-save-as = Speichern unter …
+command-export = Ansicht exportieren …
+command-quit = Beenden
+command-undo = Rückgängig
+command-redo = Wiederholen
+command-preset-bits = Geometrie und Bits
+command-preset-rail = Geometrie und t-Leiste
+command-preset-automaton = Geometrie und Automat
+command-preset-debug = Fehlersuche
+command-preset-queries = Punkt, Bereich, Nachbar
+command-preset-lecture = Vorlesung
+command-frame-all = Alles zeigen
+command-next-theme = Nächstes Farbschema
+command-next-language = English
+command-scale-up = Größer
+command-scale-down = Kleiner
+command-scale-reset = Normale Größe
+command-full-screen = Vollbild
+command-blank = Bildschirm leeren
+command-reverse-ray = Strahl umkehren
+command-step-forward = Schritt vor
+command-step-back = Schritt zurück
+command-next-leaf = Zum nächsten Blatt
+command-previous-leaf = Zum vorigen Blatt
+command-first = Zum Anfang
+command-last = Zum Ende
+command-play = Abspielen oder anhalten
+command-faster = Schneller abspielen
+command-slower = Langsamer abspielen
+command-keys = Tasten
+command-about = Über Octoscope
+
+panel-scene = Szene
+panel-ray = Strahl
+panel-query = Anfrage
+panel-show = Zeigen
+panel-codes = Ortscodes
+panel-region = Bereich durch XOR
+panel-neighbour = Nachbar
+panel-t-rail = t-Leiste
+panel-automaton = Automat
+panel-listing = Programm
+panel-variables = Variablen
+panel-stack = Stapel
+panel-counters = Zähler
+space-name = Raumansicht
+
+scene-source = Woraus der Baum gebaut ist
+scene-inline = eigene Daten
+scene-depth = Tiefe
+scene-capacity = Kapazität
+scene-threshold = Schwelle
+scene-quadtree-82 = 82 Punkte in der Ebene
+scene-figure-1 = Abbildung 1: ein Binärbaum
+scene-checker-cells = Schachbrettzellen
+scene-rings = Bild mit Ringen
+scene-figure-7 = Abbildung 7: gespiegelter Strahl
+scene-points-3d = 300 Punkte im Raum
+scene-sphere-grid = Kugelgitter
+scene-cloud = Wolke aus 1890 Kugeln
+scene-counts-points = { $items ->
+    [one] 1 Punkt
+   *[other] { $items } Punkte
+}, { $leaves ->
+    [one] 1 Blatt
+   *[other] { $leaves } Blätter
+}
+scene-counts-cells = { $items ->
+    [one] 1 Zelle
+   *[other] { $items } Zellen
+}, { $leaves ->
+    [one] 1 Blatt
+   *[other] { $leaves } Blätter
+}
+scene-counts-image = { $items ->
+    [one] 1 Pixel
+   *[other] { $items } Pixel
+}, { $leaves ->
+    [one] 1 Blatt
+   *[other] { $leaves } Blätter
+}
+scene-counts-spheres = { $items ->
+    [one] 1 Kugel
+   *[other] { $items } Kugeln
+}, { $leaves ->
+    [one] 1 Blatt
+   *[other] { $leaves } Blätter
+}
+scene-counts-boxes = { $items ->
+    [one] 1 Quader
+   *[other] { $items } Quader
+}, { $leaves ->
+    [one] 1 Blatt
+   *[other] { $leaves } Blätter
+}
+scene-counts-triangles = { $items ->
+    [one] 1 Dreieck
+   *[other] { $items } Dreiecke
+}, { $leaves ->
+    [one] 1 Blatt
+   *[other] { $leaves } Blätter
+}
+
+ray-origin = Startpunkt
+ray-direction = Richtung
+ray-refused = Ein Strahl braucht eine Richtung ungleich null; die letzte bleibt.
+
+query-ray = Strahl
+query-point = Punkt
+query-region = Bereich
+query-neighbour = Nachbar
+query-algorithm = Verfahren
+query-first-full = beim ersten vollen Blatt anhalten
+query-point-hint = Eine Zelle anklicken, um einen Punkt darin zu lokalisieren.
+query-region-hint = Einen Kasten über die Zellen ziehen.
+query-neighbour-hint = Nahe an die Seite einer Zelle klicken oder eine Richtung wählen.
+arithmetic-doubles = Gleitkomma
+arithmetic-exact = exakt
+point-codes = durch Codes
+point-comparison = durch Vergleiche
+reach-equal = gleich groß oder größer
+reach-leaf = Blatt
+neighbour-cell = Zelle der Ebene { $level }, Codes { $codes }
+neighbour-direction = Richtung
+
+show-order-numbers = Reihenfolge
+show-half-open-sides = halboffene Seiten
+show-codes = Codes auf den Zellen
+show-mirrored-ray = gespiegelter Strahl
+show-content = Inhalt
+show-empty-leaves = leere Blätter
+show-ancestors = Vorfahren
+show-children = Kinder des Knotens
+
+codes-child-rule = Kind = { $rule }
+codes-child = Bit { $bit } jedes Codes: { $bits }, also Kind { $child } ({ $morton } in Morton-Reihenfolge).
+codes-morton = Morton-Code { $code }
+region-none = Zeigt die Codes der Ecken, sobald ein Bereich lokalisiert wird.
+region-same = Alle Bits stimmen überein: eine Zelle der Ebene 0.
+region-level = Höchste Eins: Bit { $bit }. Plus 1: Ebene { $level }.
+neighbour-none = Zeigt, wie die Codes jenseits einer Zelle entstehen, sobald sie verlassen wird.
+neighbour-new = neu
+neighbour-carry = Überträge markiert
+neighbour-borrow = Überträge markiert
+neighbour-climb = Ebene { $level }
+neighbour-inside = Innerhalb des Gebiets: die Suche geht weiter.
+neighbour-outside = Außerhalb des Gebiets auf { $axes }: dahinter ist nichts.
+neighbour-ancestor = Aufgestiegen zu Ebene { $climbed } von { $level }.
+node-note = Ebene { $level }, Codes { $codes }
+t-rail-none = Zeigt die Parameter t, sobald der Strahl geschnitten ist.
+t-rail-enter = Eintritt
+t-rail-exit = Austritt
+automaton-mask = a = { $mask }
+automaton-none = Zeigt die Zustände, sobald ein Knoten durch seine Ebenen betreten wird.
+automaton-state = Zustand { $state }
+automaton-state-column = Zustand
+automaton-end = Ende
+automaton-table-1 = Tabelle 1: verlassen durch die ferne Ebene von
+automaton-table-3 = Tabelle 3: verlassen durch die ferne Ebene von
+automaton-table-2 = Tabelle 2: betreten durch die Ebene
+automaton-numbering = Zustand i ist Kind i xor { $mask } des Baums.
+stack-empty = Auf dem Stapel liegt nichts.
+stack-level = Ebene
+stack-codes = Codes
+stack-state = Zustand
+stack-interval = t
+counters-step = Schritt
+counters-so-far = bisher
+counters-total = gesamt
+timeline-name = Schritt der Aufzeichnung
+timeline-speed = Geschwindigkeit
+
+job-open = { $name } wird geöffnet
+job-build = Der Baum wird gebaut
+job-broken = Die Arbeit endete ohne Ergebnis. Versuchen Sie es noch einmal; geschieht es wieder, melden Sie es bitte.
+job-cancel = Abbrechen
+dialog-close = Schließen
+dialog-error = Das ging nicht
+dialog-keys = Tasten
+dialog-about = Über Octoscope
+dialog-export = Ansicht exportieren
+dialog-path = Eine Datei öffnen
+dialog-path-hint = Es ließ sich kein Dateidialog öffnen. Geben Sie einen Pfad ein oder ziehen Sie eine Datei auf das Fenster.
+dialog-path-open = Öffnen
+dialog-export-svg = SVG …
+dialog-export-png = PNG …
+dialog-export-text = Die Raumansicht, wie sie ist, ohne die Tafeln.
+about-text = Octoscope zeigt geordnete Durchläufe von Quadtrees und Octrees Schritt für Schritt. Gegenstand ist die Seminararbeit „Ray Tracing mit Octrees“ von M. Kirschmann, Ulm, mit den Verfahren, die sie nennt.
+about-licence = Version { $version }, unter der MIT- oder der Apache-Lizenz 2.0.
+drop-here = Datei loslassen, um sie zu öffnen
+status-saved = Gespeichert als { $name }
+status-exported = Exportiert als { $name }

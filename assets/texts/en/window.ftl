@@ -1,0 +1,203 @@
+# Texts of the window, in English.
+
+menu-file = File
+menu-edit = Edit
+menu-view = View
+menu-ray = Ray
+menu-step = Step
+menu-help = Help
+
+command-open = Open…
+command-save = Save
+command-save-as = Save as…
+command-export = Export the view…
+command-quit = Quit
+command-undo = Undo
+command-redo = Redo
+command-preset-bits = Geometry and bits
+command-preset-rail = Geometry and t-rail
+command-preset-automaton = Geometry and automaton
+command-preset-debug = Debug
+command-preset-queries = Point, region, neighbour
+command-preset-lecture = Lecture
+command-frame-all = Show everything
+command-next-theme = Next theme
+command-next-language = Deutsch
+command-scale-up = Larger
+command-scale-down = Smaller
+command-scale-reset = Normal size
+command-full-screen = Full screen
+command-blank = Blank the screen
+command-reverse-ray = Turn the ray round
+command-step-forward = Step forward
+command-step-back = Step back
+command-next-leaf = To the next leaf
+command-previous-leaf = To the previous leaf
+command-first = To the beginning
+command-last = To the end
+command-play = Play or pause
+command-faster = Play faster
+command-slower = Play slower
+command-keys = Keys
+command-about = About Octoscope
+
+panel-scene = Scene
+panel-ray = Ray
+panel-query = Query
+panel-show = Show
+panel-codes = Codes
+panel-region = Region by XOR
+panel-neighbour = Neighbour
+panel-t-rail = t-rail
+panel-automaton = Automaton
+panel-listing = Listing
+panel-variables = Variables
+panel-stack = Stack
+panel-counters = Counters
+space-name = Space view
+
+scene-source = What the tree is built from
+scene-inline = own data
+scene-depth = depth
+scene-capacity = capacity
+scene-threshold = threshold
+scene-quadtree-82 = 82 points in the plane
+scene-figure-1 = Figure 1: a binary tree
+scene-checker-cells = Chequered cells
+scene-rings = Picture with rings
+scene-figure-7 = Figure 7: a mirrored ray
+scene-points-3d = 300 points in space
+scene-sphere-grid = Grid of spheres
+scene-cloud = Cloud of 1890 spheres
+scene-counts-points = { $items ->
+    [one] 1 point
+   *[other] { $items } points
+}, { $leaves ->
+    [one] 1 leaf
+   *[other] { $leaves } leaves
+}
+scene-counts-cells = { $items ->
+    [one] 1 cell
+   *[other] { $items } cells
+}, { $leaves ->
+    [one] 1 leaf
+   *[other] { $leaves } leaves
+}
+scene-counts-image = { $items ->
+    [one] 1 pixel
+   *[other] { $items } pixels
+}, { $leaves ->
+    [one] 1 leaf
+   *[other] { $leaves } leaves
+}
+scene-counts-spheres = { $items ->
+    [one] 1 sphere
+   *[other] { $items } spheres
+}, { $leaves ->
+    [one] 1 leaf
+   *[other] { $leaves } leaves
+}
+scene-counts-boxes = { $items ->
+    [one] 1 box
+   *[other] { $items } boxes
+}, { $leaves ->
+    [one] 1 leaf
+   *[other] { $leaves } leaves
+}
+scene-counts-triangles = { $items ->
+    [one] 1 triangle
+   *[other] { $items } triangles
+}, { $leaves ->
+    [one] 1 leaf
+   *[other] { $leaves } leaves
+}
+
+ray-origin = origin
+ray-direction = direction
+ray-refused = A ray needs a direction other than zero; the last one stays.
+
+query-ray = Ray
+query-point = Point
+query-region = Region
+query-neighbour = Neighbour
+query-algorithm = Algorithm
+query-first-full = stop at the first full leaf
+query-point-hint = Click a cell to locate a point in it.
+query-region-hint = Drag a box over the cells.
+query-neighbour-hint = Click near a side of a cell, or pick a direction.
+arithmetic-doubles = doubles
+arithmetic-exact = exact
+point-codes = by codes
+point-comparison = by comparison
+reach-equal = equal or larger
+reach-leaf = leaf
+neighbour-cell = cell of level { $level }, codes { $codes }
+neighbour-direction = direction
+
+show-order-numbers = order numbers
+show-half-open-sides = half-open sides
+show-codes = codes on cells
+show-mirrored-ray = mirrored ray
+show-content = content
+show-empty-leaves = empty leaves
+show-ancestors = ancestors
+show-children = children of the node
+
+codes-child-rule = child = { $rule }
+codes-child = Bit { $bit } of every code: { $bits }, so child { $child } ({ $morton } in Morton order).
+codes-morton = Morton code { $code }
+region-none = Shows the codes of a region’s corners once a region is located.
+region-same = All bits agree: one cell of level 0.
+region-level = Highest one: bit { $bit }. Plus 1: level { $level }.
+neighbour-none = Shows how the codes beyond a cell come about, once it is left.
+neighbour-new = new
+neighbour-carry = carries marked
+neighbour-borrow = borrows marked
+neighbour-climb = level { $level }
+neighbour-inside = Inside the domain: the search goes on.
+neighbour-outside = Outside the domain on { $axes }: there is nothing beyond.
+neighbour-ancestor = Climbed to level { $climbed } of { $level }.
+node-note = level { $level }, codes { $codes }
+t-rail-none = Shows the parameters t once the ray is clipped.
+t-rail-enter = enter
+t-rail-exit = exit
+automaton-mask = a = { $mask }
+automaton-none = Shows the states once a node is entered by its planes.
+automaton-state = State { $state }
+automaton-state-column = state
+automaton-end = end
+automaton-table-1 = Table 1: left through the far plane of
+automaton-table-3 = Table 3: left through the far plane of
+automaton-table-2 = Table 2: entered through the plane
+automaton-numbering = State i is child i xor { $mask } of the tree.
+stack-empty = Nothing is on the stack.
+stack-level = level
+stack-codes = codes
+stack-state = state
+stack-interval = t
+counters-step = step
+counters-so-far = so far
+counters-total = total
+timeline-name = Step of the trace
+timeline-speed = Speed
+
+job-open = Opening { $name }
+job-build = Building the tree
+job-broken = The work stopped without a result. Try again; if it happens again, please report it.
+job-cancel = Cancel
+dialog-close = Close
+dialog-error = This did not work
+dialog-keys = Keys
+dialog-about = About Octoscope
+dialog-export = Export the view
+dialog-path = Open a file
+dialog-path-hint = No file dialog could be opened. Type a path, or drop a file on the window.
+dialog-path-open = Open
+dialog-export-svg = SVG…
+dialog-export-png = PNG…
+dialog-export-text = The space view, as it is, without the panels.
+about-text = Octoscope shows ordered traversals of quadtrees and octrees step by step. Its subject is the seminar paper “Ray Tracing mit Octrees” by M. Kirschmann, Ulm, and the algorithms it names.
+about-licence = Version { $version }, under the MIT or the Apache licence 2.0.
+drop-here = Drop the file to open it
+status-saved = Saved as { $name }
+status-exported = Exported as { $name }

@@ -1,0 +1,221 @@
+//! All commands of the window, with their names, menus and keys: one table,
+//! from which menus, tooltips and shortcuts follow.
+
+use eframe::egui::{Key, KeyboardShortcut, Modifiers};
+
+/// Something that the user can ask for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Command {
+    /// Choose a file and open it.
+    Open,
+    /// Save the scenario where it came from.
+    Save,
+    /// Choose where to save the scenario.
+    SaveAs,
+    /// Export the space view.
+    Export,
+    /// Close the window.
+    Quit,
+    /// Take the last change back.
+    Undo,
+    /// Do it again.
+    Redo,
+    /// One event forward.
+    StepForward,
+    /// One event back.
+    StepBack,
+    /// Before the first event.
+    First,
+    /// After the last event.
+    Last,
+    /// To the next leaf or result.
+    NextLeaf,
+    /// To the previous leaf or result.
+    PreviousLeaf,
+    /// Play or pause.
+    Play,
+    /// Play twice as fast.
+    Faster,
+    /// Play half as fast.
+    Slower,
+    /// Show a preset of panels, by its index in [`crate::view::Preset::ALL`].
+    Preset(u8),
+    /// Fit the tree and the ray into the view.
+    FrameAll,
+    /// Turn the ray round.
+    ReverseRay,
+    /// Light, dark, projector in turn.
+    NextTheme,
+    /// English, German in turn.
+    NextLanguage,
+    /// Larger type and lines.
+    ScaleUp,
+    /// Smaller type and lines.
+    ScaleDown,
+    /// Normal type and lines.
+    ScaleReset,
+    /// Full screen on or off.
+    FullScreen,
+    /// Blank the window or show it again.
+    Blank,
+    /// Show all keys.
+    Keys,
+    /// Show what this program is.
+    About,
+}
+
+/// Menu of the menu bar.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Menu {
+    /// Files.
+    File,
+    /// Undo and redo.
+    Edit,
+    /// Panels, themes, sizes.
+    View,
+    /// The ray.
+    Ray,
+    /// The playhead.
+    Step,
+    /// Help.
+    Help,
+}
+
+impl Menu {
+    /// All menus from left to right.
+    pub const ALL: [Self; 6] =
+        [Self::File, Self::Edit, Self::View, Self::Ray, Self::Step, Self::Help];
+
+    /// Key of the menu's title in the language files.
+    pub fn id(self) -> &'static str {
+        match self {
+            Self::File => "menu-file",
+            Self::Edit => "menu-edit",
+            Self::View => "menu-view",
+            Self::Ray => "menu-ray",
+            Self::Step => "menu-step",
+            Self::Help => "menu-help",
+        }
+    }
+}
+
+/// One row of the table of commands.
+#[derive(Clone, Copy, Debug)]
+pub struct Row {
+    /// The command.
+    pub command: Command,
+    /// Key of its name in the language files.
+    pub id: &'static str,
+    /// The menu in which it stands.
+    pub menu: Menu,
+    /// Keys that give the command; the first one is shown.
+    pub keys: &'static [KeyboardShortcut],
+}
+
+const fn key(key: Key) -> KeyboardShortcut {
+    KeyboardShortcut::new(Modifiers::NONE, key)
+}
+
+const fn ctrl(key: Key) -> KeyboardShortcut {
+    KeyboardShortcut::new(Modifiers::COMMAND, key)
+}
+
+const fn ctrl_shift(key: Key) -> KeyboardShortcut {
+    KeyboardShortcut::new(Modifiers::COMMAND.plus(Modifiers::SHIFT), key)
+}
+
+const fn row(
+    command: Command,
+    id: &'static str,
+    menu: Menu,
+    keys: &'static [KeyboardShortcut],
+) -> Row {
+    Row { command, id, menu, keys }
+}
+
+/// All commands, in the order of the menus.
+pub const COMMANDS: &[Row] = &[
+    row(Command::Open, "command-open", Menu::File, &[ctrl(Key::O)]),
+    row(Command::Save, "command-save", Menu::File, &[ctrl(Key::S)]),
+    row(Command::SaveAs, "command-save-as", Menu::File, &[ctrl_shift(Key::S)]),
+    row(Command::Export, "command-export", Menu::File, &[ctrl(Key::E)]),
+    row(Command::Quit, "command-quit", Menu::File, &[ctrl(Key::Q)]),
+    row(Command::Undo, "command-undo", Menu::Edit, &[ctrl(Key::Z)]),
+    row(Command::Redo, "command-redo", Menu::Edit, &[ctrl(Key::Y), ctrl_shift(Key::Z)]),
+    row(Command::Preset(0), "command-preset-bits", Menu::View, &[key(Key::Num1)]),
+    row(Command::Preset(1), "command-preset-rail", Menu::View, &[key(Key::Num2)]),
+    row(Command::Preset(2), "command-preset-automaton", Menu::View, &[key(Key::Num3)]),
+    row(Command::Preset(3), "command-preset-debug", Menu::View, &[key(Key::Num4)]),
+    row(Command::Preset(4), "command-preset-queries", Menu::View, &[key(Key::Num5)]),
+    row(Command::Preset(5), "command-preset-lecture", Menu::View, &[key(Key::Num6)]),
+    row(Command::FrameAll, "command-frame-all", Menu::View, &[key(Key::F)]),
+    row(Command::NextTheme, "command-next-theme", Menu::View, &[key(Key::T)]),
+    row(Command::NextLanguage, "command-next-language", Menu::View, &[key(Key::L)]),
+    row(Command::ScaleUp, "command-scale-up", Menu::View, &[key(Key::Plus), key(Key::Equals)]),
+    row(Command::ScaleDown, "command-scale-down", Menu::View, &[key(Key::Minus)]),
+    row(Command::ScaleReset, "command-scale-reset", Menu::View, &[key(Key::Num0)]),
+    row(Command::FullScreen, "command-full-screen", Menu::View, &[key(Key::F11)]),
+    row(Command::Blank, "command-blank", Menu::View, &[key(Key::B), key(Key::Period)]),
+    row(Command::ReverseRay, "command-reverse-ray", Menu::Ray, &[key(Key::R)]),
+    row(
+        Command::StepForward,
+        "command-step-forward",
+        Menu::Step,
+        &[key(Key::ArrowRight), key(Key::PageDown)],
+    ),
+    row(
+        Command::StepBack,
+        "command-step-back",
+        Menu::Step,
+        &[key(Key::ArrowLeft), key(Key::PageUp)],
+    ),
+    row(Command::NextLeaf, "command-next-leaf", Menu::Step, &[key(Key::ArrowDown)]),
+    row(Command::PreviousLeaf, "command-previous-leaf", Menu::Step, &[key(Key::ArrowUp)]),
+    row(Command::First, "command-first", Menu::Step, &[key(Key::Home)]),
+    row(Command::Last, "command-last", Menu::Step, &[key(Key::End)]),
+    row(Command::Play, "command-play", Menu::Step, &[key(Key::Space)]),
+    row(Command::Faster, "command-faster", Menu::Step, &[key(Key::CloseBracket)]),
+    row(Command::Slower, "command-slower", Menu::Step, &[key(Key::OpenBracket)]),
+    row(Command::Keys, "command-keys", Menu::Help, &[key(Key::F1)]),
+    row(Command::About, "command-about", Menu::Help, &[]),
+];
+
+impl Command {
+    /// The row of this command.
+    pub fn row(self) -> &'static Row {
+        COMMANDS.iter().find(|row| row.command == self).expect("every command has a row")
+    }
+}
+
+/// Keys that a focused control keeps for itself: it is operated or left by them.
+pub fn belongs_to_focus(shortcut: &KeyboardShortcut) -> bool {
+    let function_key = matches!(shortcut.logical_key, Key::F1 | Key::F11);
+    let presenter_key = matches!(shortcut.logical_key, Key::PageUp | Key::PageDown);
+    shortcut.modifiers == Modifiers::NONE && !function_key && !presenter_key
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::collections::HashSet;
+
+    #[test]
+    fn no_two_commands_share_a_key_or_a_name() {
+        let mut keys = HashSet::new();
+        let mut ids = HashSet::new();
+        for row in COMMANDS {
+            assert!(ids.insert(row.id), "{} twice", row.id);
+            for shortcut in row.keys {
+                let shown = (shortcut.logical_key, format!("{:?}", shortcut.modifiers));
+                assert!(keys.insert(shown), "{shortcut:?} of {} clashes", row.id);
+            }
+        }
+    }
+
+    #[test]
+    fn every_preset_has_a_command() {
+        for index in 0..crate::view::Preset::ALL.len() {
+            assert_eq!(Command::Preset(index as u8).row().menu, Menu::View);
+        }
+    }
+}

@@ -1,0 +1,150 @@
+//! The open scenario with all that is derived from it.
+
+use octoscope_core::geometry::Ray;
+use octoscope_core::progress::Progress;
+use octoscope_core::query::Query;
+use octoscope_core::scenario::{AnyScenario, Scenario};
+use octoscope_core::scene::{Content, Cube};
+use octoscope_core::trace::{Counters, Moment, Trace, record};
+use octoscope_core::tree::{BuildError, Recipe, Tree, build};
+use std::path::PathBuf;
+use std::sync::Arc;
+
+/// A scenario, its content, the tree built from it and the trace of its query.
+#[derive(Clone, Debug)]
+pub struct Document<const D: usize> {
+    /// The question; panels and handles change it.
+    pub scenario: Scenario<D>,
+    /// What the tree is built from.
+    pub content: Arc<Content<D>>,
+    /// The tree; of an earlier recipe while a new one is being built.
+    pub tree: Arc<Tree<D>>,
+    /// Record of the query.
+    pub trace: Arc<Trace<D>>,
+    /// The scenario's file, if it has one.
+    pub path: Option<PathBuf>,
+    /// Folder from which the data file is named.
+    pub folder: PathBuf,
+    /// Counts the trees, so that pictures of an earlier one are not kept.
+    pub tree_version: u64,
+    traced: (Ray<D>, Query<D>),
+    built: (Cube<D>, Recipe),
+}
+
+impl<const D: usize> Document<D> {
+    /// Builds the tree of `scenario` from `content` and runs its query.
+    ///
+    /// # Errors
+    /// See [`BuildError`].
+    pub fn new(
+        scenario: Scenario<D>,
+        content: Arc<Content<D>>,
+        progress: &Progress,
+    ) -> Result<Self, BuildError> {
+        let tree = Arc::new(build(&content, scenario.grid()?, &scenario.recipe, progress)?);
+        let trace = Arc::new(record(&tree, &scenario.ray, &scenario.query));
+        let traced = (scenario.ray, scenario.query);
+        let built = (scenario.domain, scenario.recipe);
+        Ok(Self {
+            scenario,
+            content,
+            tree,
+            trace,
+            path: None,
+            folder: PathBuf::new(),
+            tree_version: 0,
+            traced,
+            built,
+        })
+    }
+
+    /// Whether the recipe or the domain has changed since the tree was built.
+    pub fn needs_building(&self) -> bool {
+        self.built != (self.scenario.domain, self.scenario.recipe)
+    }
+
+    /// Runs the query again if it or the ray has changed.
+    pub fn refresh(&mut self) {
+        let wanted = (self.scenario.ray, self.scenario.query);
+        if self.traced != wanted {
+            self.trace = Arc::new(record(&self.tree, &wanted.0, &wanted.1));
+            self.traced = wanted;
+        }
+    }
+
+    /// Takes over the tree of `rebuilt`, made meanwhile from an earlier state of
+    /// this document; everything else stays.
+    pub fn adopt(&mut self, rebuilt: &Self) {
+        self.tree = Arc::clone(&rebuilt.tree);
+        self.built = rebuilt.built;
+        self.tree_version += 1;
+        let (ray, query) = (self.scenario.ray, self.scenario.query);
+        self.trace = Arc::new(record(&self.tree, &ray, &query));
+        self.traced = (ray, query);
+    }
+
+    /// Turns the ray round: its tip becomes its origin.
+    pub fn reverse_ray(&mut self) {
+        let ray = self.scenario.ray;
+        let back = ray.direction().map(|d| -d);
+        if let Ok(reversed) = Ray::new(ray.at(1.0), back) {
+            self.scenario.ray = reversed;
+        }
+    }
+
+    /// What the whole run costs.
+    pub fn total_counters(&self) -> Counters {
+        let mut counters = Counters::default();
+        self.trace.events.iter().for_each(|event| counters.add(event));
+        counters
+    }
+
+    /// State of the algorithm after `step` events.
+    pub fn moment(&self, step: usize) -> Moment<D> {
+        Moment::after(&self.tree, &self.trace, step)
+    }
+}
+
+/// Document of either dimension.
+#[derive(Clone, Debug)]
+pub enum AnyDocument {
+    /// A quadtree.
+    Plane(Box<Document<2>>),
+    /// An octree.
+    Space(Box<Document<3>>),
+}
+
+/// Runs the same code on the document of either dimension.
+#[macro_export]
+macro_rules! with_document {
+    ($any:expr, $document:ident => $body:expr) => {
+        match $any {
+            $crate::document::AnyDocument::Plane($document) => $body,
+            $crate::document::AnyDocument::Space($document) => $body,
+        }
+    };
+}
+
+impl AnyDocument {
+    /// The scenario, for saving.
+    pub fn scenario(&self) -> AnyScenario {
+        match self {
+            Self::Plane(document) => AnyScenario::Quadtree(document.scenario.clone()),
+            Self::Space(document) => AnyScenario::Octree(document.scenario.clone()),
+        }
+    }
+
+    /// Number of events in the trace.
+    pub fn n_events(&self) -> usize {
+        with_document!(self, document => document.trace.events.len())
+    }
+
+    /// Whether both show the same scenario of the same tree.
+    pub fn is_same_state(&self, other: &Self) -> bool {
+        match (self, other) {
+            (Self::Plane(a), Self::Plane(b)) => a.scenario == b.scenario,
+            (Self::Space(a), Self::Space(b)) => a.scenario == b.scenario,
+            (Self::Plane(_), Self::Space(_)) | (Self::Space(_), Self::Plane(_)) => false,
+        }
+    }
+}

@@ -1,0 +1,73 @@
+//! Work on another thread, with progress and cancel.
+
+use octoscope_core::progress::Progress;
+use std::sync::Arc;
+use std::sync::mpsc::{Receiver, RecvTimeoutError, channel};
+use std::time::{Duration, Instant};
+
+/// A computation that has been started.
+pub struct Job<T> {
+    /// What is done, in the user's words.
+    pub title: String,
+    /// How far it is; cancels it.
+    pub progress: Arc<Progress>,
+    started: Instant,
+    receiver: Receiver<T>,
+}
+
+/// State of a job.
+pub enum Poll<T> {
+    /// Not yet done.
+    Running,
+    /// Done, with this result.
+    Done(T),
+    /// It stopped without a result.
+    Broken,
+}
+
+impl<T: Send + 'static> Job<T> {
+    /// Work of less than this is awaited, so that the window does not flicker.
+    const PATIENCE: Duration = Duration::from_millis(12);
+    /// Longer work shows its progress.
+    const SHOWN_AFTER: Duration = Duration::from_millis(250);
+
+    /// Starts `work` on another thread and wakes the window when it is done.
+    pub fn start(
+        title: String,
+        context: &eframe::egui::Context,
+        work: impl FnOnce(&Progress) -> T + Send + 'static,
+    ) -> Self {
+        let progress = Arc::new(Progress::default());
+        let (sender, receiver) = channel();
+        let job =
+            Self { title, progress: Arc::clone(&progress), started: Instant::now(), receiver };
+        let context = context.clone();
+        std::thread::spawn(move || {
+            // Nobody may be waiting any more: then the result is not wanted.
+            let _ = sender.send(work(&progress));
+            context.request_repaint();
+        });
+        job
+    }
+
+    /// Looks whether the work is done.
+    pub fn poll(&self) -> Poll<T> {
+        let patience = Self::PATIENCE.saturating_sub(self.started.elapsed());
+        match self.receiver.recv_timeout(patience) {
+            Ok(result) => Poll::Done(result),
+            Err(RecvTimeoutError::Timeout) => Poll::Running,
+            Err(RecvTimeoutError::Disconnected) => Poll::Broken,
+        }
+    }
+
+    /// Whether it has lasted long enough to be shown.
+    pub fn is_shown(&self) -> bool {
+        self.started.elapsed() >= Self::SHOWN_AFTER
+    }
+}
+
+impl<T> Drop for Job<T> {
+    fn drop(&mut self) {
+        self.progress.cancel();
+    }
+}

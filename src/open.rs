@@ -1,0 +1,128 @@
+//! From a file, a built-in scene or a scenario to a document.
+
+use crate::document::{AnyDocument, Document};
+use crate::{files, with_document};
+use anyhow::{Context, anyhow, bail};
+use octoscope_core::progress::Progress;
+use octoscope_core::scenario::{AnyScenario, Scenario, Source, built_in};
+use octoscope_core::scene::Content;
+use octoscope_import::{Imported, hash, import};
+use std::path::Path;
+use std::sync::Arc;
+
+/// Document of a scenario file or of any data file that can be imported.
+///
+/// # Errors
+/// Says what is wrong, where, and the path.
+pub fn open_path(path: &Path, progress: &Progress) -> anyhow::Result<AnyDocument> {
+    let bytes = files::read(path)?;
+    let name = path.file_name().map(|name| name.to_string_lossy().into_owned());
+    let name = name.unwrap_or_else(|| path.display().to_string());
+    let folder = path.parent().unwrap_or(Path::new("."));
+    let mut document = open_bytes(&name, &bytes, folder, progress)
+        .with_context(|| format!("cannot open {}", path.display()))?;
+    let is_scenario = is_scenario(&name);
+    with_document!(&mut document, document => {
+        document.path = is_scenario.then(|| path.to_owned());
+        document.folder = folder.to_owned();
+    });
+    Ok(document)
+}
+
+/// Document of the bytes of a file called `name`, in `folder`.
+///
+/// # Errors
+/// Says what is wrong, and where in the file.
+pub fn open_bytes(
+    name: &str,
+    bytes: &[u8],
+    folder: &Path,
+    progress: &Progress,
+) -> anyhow::Result<AnyDocument> {
+    if is_scenario(name) {
+        let text = std::str::from_utf8(bytes).map_err(|error| {
+            anyhow!("not a text file: byte {} is no UTF-8", error.valid_up_to())
+        })?;
+        return open_scenario(AnyScenario::parse(text)?, folder, progress);
+    }
+    let path = name.to_owned();
+    match import(name, bytes, progress)? {
+        Imported::Plane { content, .. } => {
+            let source = Source::File { path, hash: hash(bytes), fit: false };
+            let scenario = Scenario::of(source, &content);
+            Ok(AnyDocument::Plane(Box::new(Document::new(scenario, Arc::new(content), progress)?)))
+        }
+        Imported::Space { content, .. } => {
+            let source = Source::File { path, hash: hash(bytes), fit: false };
+            let scenario = Scenario::of(source, &content);
+            Ok(AnyDocument::Space(Box::new(Document::new(scenario, Arc::new(content), progress)?)))
+        }
+    }
+}
+
+/// Document of a scenario; data files are looked for in `folder`.
+///
+/// # Errors
+/// Says what is wrong with the scenario or its data file.
+pub fn open_scenario(
+    scenario: AnyScenario,
+    folder: &Path,
+    progress: &Progress,
+) -> anyhow::Result<AnyDocument> {
+    match scenario {
+        AnyScenario::Quadtree(mut scenario) => {
+            let content = content(&scenario.source, folder, progress, |imported| match imported {
+                Imported::Plane { content, .. } => Some(content),
+                Imported::Space { .. } => None,
+            })?;
+            scenario.fit_to(&content);
+            Ok(AnyDocument::Plane(Box::new(Document::new(scenario, Arc::new(content), progress)?)))
+        }
+        AnyScenario::Octree(mut scenario) => {
+            let content = content(&scenario.source, folder, progress, |imported| match imported {
+                Imported::Space { content, .. } => Some(content),
+                Imported::Plane { .. } => None,
+            })?;
+            scenario.fit_to(&content);
+            Ok(AnyDocument::Space(Box::new(Document::new(scenario, Arc::new(content), progress)?)))
+        }
+    }
+}
+
+/// Document of the built-in scene with this identifier.
+///
+/// # Errors
+/// Refuses unknown identifiers.
+pub fn open_built_in(id: &str, progress: &Progress) -> anyhow::Result<AnyDocument> {
+    let scenario = built_in(id).ok_or_else(|| anyhow!("there is no built-in scene ‘{id}’"))?;
+    open_scenario(scenario, Path::new("."), progress)
+}
+
+/// Whether a file of this name holds a scenario.
+fn is_scenario(name: &str) -> bool {
+    Path::new(name).extension().is_some_and(|ending| ending.eq_ignore_ascii_case("octo"))
+}
+
+fn content<const D: usize>(
+    source: &Source<D>,
+    folder: &Path,
+    progress: &Progress,
+    of_dimension: impl FnOnce(Imported) -> Option<Content<D>>,
+) -> anyhow::Result<Content<D>> {
+    let Source::File { path, hash: expected, .. } = source else {
+        return Ok(source.content()?);
+    };
+    let full = folder.join(path);
+    let bytes = files::read(&full).context("cannot read the scenario's data file")?;
+    if !expected.is_empty() && *expected != hash(&bytes) {
+        bail!(
+            "the data file is not the one the scenario was made with; \
+             restore it, or delete \"hash\" from the scenario: {}",
+            full.display()
+        );
+    }
+    let imported = import(path, &bytes, progress)
+        .with_context(|| format!("cannot open the scenario's data file {}", full.display()))?;
+    of_dimension(imported)
+        .ok_or_else(|| anyhow!("the data file has another dimension than the scenario: {path}"))
+}

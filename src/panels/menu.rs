@@ -1,0 +1,71 @@
+//! Menu bar, and the choice of language and theme.
+
+use crate::command::{COMMANDS, Command, Menu};
+use crate::look::Look;
+use eframe::egui::{
+    Align, Button, Layout, MenuBar, RichText, Sense, Shape, Stroke, Ui, WidgetInfo,
+    accesskit::Role, vec2,
+};
+use octoscope_core::text::Language;
+
+/// The menus from the table of commands; what is chosen goes to `commands`.
+pub fn ui(
+    ui: &mut Ui,
+    look: &Look,
+    title: &str,
+    language: &mut Language,
+    enabled: impl Fn(Command) -> bool,
+    commands: &mut Vec<Command>,
+) {
+    MenuBar::new().ui(ui, |ui| {
+        for menu in Menu::ALL {
+            ui.menu_button(look.text(menu.id()), |ui| {
+                for row in COMMANDS.iter().filter(|row| row.menu == menu) {
+                    let mut button = Button::new(look.text(row.id));
+                    if let Some(key) = row.keys.first() {
+                        button = button.shortcut_text(ui.ctx().format_shortcut(key));
+                    }
+                    if ui.add_enabled(enabled(row.command), button).clicked() {
+                        commands.push(row.command);
+                        ui.close();
+                    }
+                }
+            });
+        }
+        ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+            if theme_button(ui, look) {
+                commands.push(Command::NextTheme);
+            }
+            for choice in [Language::German, Language::English] {
+                let shown = choice.id().to_uppercase();
+                if ui.selectable_label(*language == choice, shown).clicked() {
+                    *language = choice;
+                }
+            }
+            ui.with_layout(
+                Layout::centered_and_justified(eframe::egui::Direction::LeftToRight),
+                |ui| {
+                    let text = RichText::new(title).color(look.palette.quiet);
+                    ui.add(eframe::egui::Label::new(text).truncate());
+                },
+            );
+        });
+    });
+}
+
+/// A half-filled circle; true when it is clicked.
+fn theme_button(ui: &mut Ui, look: &Look) -> bool {
+    let (rect, response) = ui.allocate_exact_size(vec2(28.0, 24.0), Sense::click());
+    let name = look.text(Command::NextTheme.row().id);
+    response.widget_info(|| WidgetInfo::labeled(Role::Button, true, name.as_str()));
+    let (centre, radius) = (rect.center(), 7.0);
+    let lit = response.hovered() || response.has_focus();
+    let color = if lit { look.palette.accent } else { look.palette.ink };
+    let half = (0..=16).map(|n| {
+        let angle = (f32::from(n as u8) / 16.0 - 0.5) * std::f32::consts::PI;
+        centre + radius * vec2(angle.cos(), angle.sin())
+    });
+    ui.painter().add(Shape::convex_polygon(half.collect(), color, Stroke::NONE));
+    ui.painter().circle_stroke(centre, radius, Stroke::new(1.6, color));
+    response.on_hover_text(name).clicked()
+}

@@ -1,0 +1,19 @@
+//! The panels, each a function that shows its part of the state.
+
+pub mod automaton;
+pub mod codes;
+pub mod counters;
+pub mod dialogs;
+pub mod listing;
+pub mod menu;
+pub mod neighbour;
+pub mod query;
+pub mod ray;
+pub mod region;
+pub mod scene;
+pub mod sentence;
+pub mod show;
+pub mod stack;
+pub mod t_rail;
+pub mod timeline;
+pub mod variables;

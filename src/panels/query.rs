@@ -1,0 +1,180 @@
+//! What is asked of the tree.
+
+use crate::document::Document;
+use crate::look::Look;
+use crate::widgets::{heading, number_field, segments};
+use eframe::egui::{ComboBox, Grid, RichText, Ui};
+use octoscope_core::explain::algorithm_name;
+use octoscope_core::geometry::AXIS_NAMES;
+use octoscope_core::locate::{Direction, Reach};
+use octoscope_core::query::{Arithmetic, PointMethod, Query};
+use octoscope_core::traverse::{Algorithm, Options, StopAt};
+use octoscope_core::tree::Code;
+
+#[derive(Clone, Copy, PartialEq)]
+enum Kind {
+    Ray,
+    Point,
+    Region,
+    Neighbour,
+}
+
+/// Chooses the query and edits its parameters.
+pub fn ui<const D: usize>(ui: &mut Ui, look: &Look, document: &mut Document<D>) {
+    heading(ui, look, &look.text("panel-query"), "");
+    let query = &document.scenario.query;
+    let kind_before = match query {
+        Query::Ray { .. } => Kind::Ray,
+        Query::Point { .. } => Kind::Point,
+        Query::Region { .. } => Kind::Region,
+        Query::Neighbour { .. } => Kind::Neighbour,
+    };
+    let mut kind = kind_before;
+    let choices = [
+        (Kind::Ray, look.text("query-ray")),
+        (Kind::Point, look.text("query-point")),
+        (Kind::Region, look.text("query-region")),
+        (Kind::Neighbour, look.text("query-neighbour")),
+    ];
+    if segments(ui, &mut kind, &choices) {
+        document.scenario.query = starting_query(document, kind);
+    }
+    ui.add_space(4.0);
+    let side = document.tree.domain().side();
+    let max_level = document.tree.domain().root_level();
+    match &mut document.scenario.query {
+        Query::Ray { algorithm, options, arithmetic } => {
+            ray_query(ui, look, algorithm, options, arithmetic);
+        }
+        Query::Point { at, method } => {
+            let choices = [
+                (PointMethod::Codes, look.text("point-codes")),
+                (PointMethod::Comparison, look.text("point-comparison")),
+            ];
+            segments(ui, method, &choices);
+            fields(ui, look, "query-point", &mut [at], side);
+            hint(ui, look, "query-point-hint");
+        }
+        Query::Region { min, max } => {
+            fields(ui, look, "query-region", &mut [min, max], side);
+            hint(ui, look, "query-region-hint");
+        }
+        Query::Neighbour { level, code, direction, reach } => {
+            let shown = code.map(|c| c.to_string()).join(", ");
+            let arguments = [("level", (*level).min(max_level).into()), ("codes", shown.into())];
+            ui.label(look.texts.format("neighbour-cell", &arguments));
+            let choices = [
+                (Reach::EqualOrLarger, look.text("reach-equal")),
+                (Reach::Leaf, look.text("reach-leaf")),
+            ];
+            segments(ui, reach, &choices);
+            pick_direction(ui, look, direction);
+            hint(ui, look, "query-neighbour-hint");
+        }
+    }
+}
+
+/// A query of this kind about what is on the screen.
+fn starting_query<const D: usize>(document: &Document<D>, kind: Kind) -> Query<D> {
+    let domain = document.tree.domain();
+    let part = |share: f64| {
+        std::array::from_fn(|e| domain.min()[e] + domain.side() * (share + 0.03125 * e as f64))
+    };
+    match kind {
+        Kind::Ray => Query::default(),
+        Kind::Point => Query::Point { at: part(0.546_875), method: PointMethod::default() },
+        Kind::Region => Query::Region { min: part(0.3125), max: part(0.40625) },
+        Kind::Neighbour => {
+            let leaf = document.trace.leaves().next().map(|(leaf, _)| leaf);
+            let (level, code): (u8, Code<D>) = match leaf {
+                Some(leaf) => (document.tree.level(leaf), document.tree.code(leaf)),
+                None => (0, [0; D]),
+            };
+            let right = std::array::from_fn(|e| i8::from(e == 0));
+            let direction = Direction::new(right).expect("one step along x");
+            Query::Neighbour { level, code, direction, reach: Reach::default() }
+        }
+    }
+}
+
+fn ray_query(
+    ui: &mut Ui,
+    look: &Look,
+    algorithm: &mut Algorithm,
+    options: &mut Options,
+    arithmetic: &mut Arithmetic,
+) {
+    let name = |algorithm: Algorithm| algorithm_name(algorithm, look.texts.language());
+    let label = look.text("query-algorithm");
+    let combo = ComboBox::from_id_salt("algorithm").width(ui.available_width() - 8.0).truncate();
+    let shown = combo.selected_text(name(*algorithm)).show_ui(ui, |ui| {
+        for choice in Algorithm::ALL {
+            ui.selectable_value(algorithm, choice, name(choice));
+        }
+    });
+    shown.response.on_hover_text(label);
+    let choices = [
+        (Arithmetic::Doubles, look.text("arithmetic-doubles")),
+        (Arithmetic::Exact, look.text("arithmetic-exact")),
+    ];
+    segments(ui, arithmetic, &choices);
+    let mut first = options.stop_at == StopAt::FirstFull;
+    ui.checkbox(&mut first, look.text("query-first-full"));
+    options.stop_at = if first { StopAt::FirstFull } else { StopAt::End };
+}
+
+fn fields<const D: usize>(
+    ui: &mut Ui,
+    look: &Look,
+    key: &str,
+    points: &mut [&mut [f64; D]],
+    side: f64,
+) {
+    Grid::new(key).num_columns(1 + points.len()).spacing([8.0, 6.0]).show(ui, |ui| {
+        for axis in 0..D {
+            let color = look.palette.axes[axis];
+            ui.label(RichText::new(AXIS_NAMES[axis]).strong().color(color));
+            for (n, point) in points.iter_mut().enumerate() {
+                let name = format!("{} {}{}", look.text(key), AXIS_NAMES[axis], n);
+                number_field(ui, &name, &mut point[axis], side / 256.0, color);
+            }
+            ui.end_row();
+        }
+    });
+}
+
+/// Three buttons an axis: down, stay, up.
+fn pick_direction<const D: usize>(ui: &mut Ui, look: &Look, direction: &mut Direction<D>) {
+    let mut components = direction.components();
+    for axis in 0..D {
+        ui.horizontal(|ui| {
+            let color = look.palette.axes[axis];
+            ui.label(RichText::new(AXIS_NAMES[axis]).strong().color(color));
+            for (step, sign) in [(-1i8, "− 1"), (0, "0"), (1, "+ 1")] {
+                let response = ui.selectable_label(components[axis] == step, sign);
+                let spoken =
+                    format!("{} {} {sign}", look.text("neighbour-direction"), AXIS_NAMES[axis]);
+                response.widget_info(|| {
+                    let role = eframe::egui::accesskit::Role::RadioButton;
+                    eframe::egui::WidgetInfo::selected(
+                        role,
+                        true,
+                        components[axis] == step,
+                        &spoken,
+                    )
+                });
+                if response.clicked() {
+                    components[axis] = step;
+                }
+            }
+        });
+    }
+    // All zeros point nowhere; the old direction stays.
+    if let Ok(chosen) = Direction::new(components) {
+        *direction = chosen;
+    }
+}
+
+fn hint(ui: &mut Ui, look: &Look, key: &str) {
+    ui.label(RichText::new(look.text(key)).size(13.0).color(look.palette.quiet));
+}

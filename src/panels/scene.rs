@@ -1,0 +1,74 @@
+//! What the tree is built from, and how.
+
+use crate::document::Document;
+use crate::look::Look;
+use crate::widgets::heading;
+use eframe::egui::{ComboBox, Grid, RichText, Slider, Ui};
+use octoscope_core::scenario::{BUILT_IN, Source};
+use octoscope_core::scene::Content;
+use octoscope_core::tree::MAX_ROOT_LEVEL;
+
+/// Shows the source and edits the recipe. Returns the identifier of a built-in
+/// scene to open.
+pub fn ui<const D: usize>(
+    ui: &mut Ui,
+    look: &Look,
+    document: &mut Document<D>,
+) -> Option<&'static str> {
+    heading(ui, look, &look.text("panel-scene"), "");
+    let mut chosen = None;
+    let source = match &document.scenario.source {
+        Source::BuiltIn { name, .. } => look.text(&format!("scene-{name}")),
+        Source::File { path, .. } => path.clone(),
+        Source::Inline(_) => look.text("scene-inline"),
+    };
+    let combo = ComboBox::from_id_salt("scene").width(ui.available_width() - 8.0).truncate();
+    let combo = combo.selected_text(&source).show_ui(ui, |ui| {
+        for scene in BUILT_IN {
+            let name = look.text(&format!("scene-{}", scene.id));
+            if ui.selectable_label(source == name, &name).clicked() {
+                chosen = Some(scene.id);
+            }
+        }
+    });
+    combo.response.on_hover_text(look.text("scene-source"));
+
+    let items = document.content.len();
+    let counts = [("leaves", document.tree.n_leaves().into()), ("items", items.into())];
+    let counts = look.texts.format(content_key(&document.content), &counts);
+    ui.label(RichText::new(counts).size(13.0).color(look.palette.quiet));
+    let recipe = &mut document.scenario.recipe;
+    Grid::new("recipe").num_columns(2).spacing([8.0, 6.0]).show(ui, |ui| {
+        let label = ui.label(look.text("scene-depth"));
+        let most = if matches!(*document.content, Content::Image(_)) { 12 } else { MAX_ROOT_LEVEL };
+        ui.add(Slider::new(&mut recipe.depth, 0..=most)).labelled_by(label.id);
+        ui.end_row();
+        match &*document.content {
+            Content::Points(_) => {
+                let label = ui.label(look.text("scene-capacity"));
+                ui.add(Slider::new(&mut recipe.capacity, 1..=64).logarithmic(true))
+                    .labelled_by(label.id);
+                ui.end_row();
+            }
+            Content::Image(_) => {
+                let label = ui.label(look.text("scene-threshold"));
+                ui.add(Slider::new(&mut recipe.threshold, 0..=255)).labelled_by(label.id);
+                ui.end_row();
+            }
+            Content::Cells(_) | Content::Spheres(_) | Content::Boxes(_) | Content::Triangles(_) => {
+            }
+        }
+    });
+    chosen
+}
+
+fn content_key<const D: usize>(content: &Content<D>) -> &'static str {
+    match content {
+        Content::Points(_) => "scene-counts-points",
+        Content::Cells(_) => "scene-counts-cells",
+        Content::Image(_) => "scene-counts-image",
+        Content::Spheres(_) => "scene-counts-spheres",
+        Content::Boxes(_) => "scene-counts-boxes",
+        Content::Triangles(_) => "scene-counts-triangles",
+    }
+}

@@ -1,0 +1,201 @@
+//! Parameters t of the planes of the current node, on one axis.
+
+use crate::look::Look;
+use crate::widgets::heading;
+use eframe::egui::{
+    Align2, FontFamily, FontId, Painter, Rect, Sense, Stroke, Ui, WidgetInfo, accesskit::Role,
+    pos2, vec2,
+};
+use octoscope_core::event::Event;
+use octoscope_core::explain::approx;
+use octoscope_core::geometry::AXIS_NAMES;
+use octoscope_core::trace::{Moment, Trace};
+
+/// What the rail shows of a node.
+struct Rail<const D: usize> {
+    near: [f64; D],
+    mid: Option<[f64; D]>,
+    far: [f64; D],
+}
+
+impl<const D: usize> Rail<D> {
+    /// Of the node on top of the stack, of the leaf that is left, or of the root.
+    fn of(moment: &Moment<D>) -> Option<Self> {
+        if let Some(frame) = moment.frame() {
+            return Some(Self { near: frame.near, mid: frame.mid, far: frame.far });
+        }
+        if let Some(exits) = moment.exits {
+            let enter = moment.leaves.last().map_or(0.0, |leaf| leaf.enter);
+            return Some(Self { near: [enter; D], mid: None, far: exits.exits });
+        }
+        let clip = moment.clip?;
+        Some(Self { near: clip.near, mid: None, far: clip.far })
+    }
+
+    fn enter(&self) -> f64 {
+        self.near.into_iter().fold(f64::NEG_INFINITY, f64::max)
+    }
+
+    fn exit(&self) -> f64 {
+        self.far.into_iter().fold(f64::INFINITY, f64::min)
+    }
+
+    /// Range of t that is shown: all finite parameters and the origin, with a margin.
+    fn range(&self) -> [f64; 2] {
+        let mids = self.mid.into_iter().flatten();
+        let all = self.near.into_iter().chain(self.far).chain(mids);
+        let finite: Vec<f64> = all.filter(|t| t.is_finite()).collect();
+        let low = finite.iter().copied().fold(f64::INFINITY, f64::min);
+        let high = finite.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+        if low > high {
+            return [0.0, 1.0];
+        }
+        let margin = ((high - low) * 0.08).max(f64::EPSILON * high.abs().max(1.0) * 16.0);
+        [low - margin, high + margin]
+    }
+}
+
+/// One bar per axis from t0 to t1 with tm; dragging goes to the leaf at that t.
+/// Returns the step to go to.
+pub fn ui<const D: usize>(
+    ui: &mut Ui,
+    look: &Look,
+    trace: &Trace<D>,
+    moment: &Moment<D>,
+    note: &str,
+) -> Option<usize> {
+    let title = look.text("panel-t-rail");
+    heading(ui, look, &title, note);
+    let row = 46.0;
+    let size = vec2(ui.available_width(), row * D as f32 + 34.0);
+    let (rect, response) = ui.allocate_exact_size(size, Sense::click_and_drag());
+    let Some(rail) = Rail::of(moment) else {
+        let font = FontId::proportional(14.0);
+        let text = look.text("t-rail-none");
+        ui.painter().text(rect.center(), Align2::CENTER_CENTER, text, font, look.palette.quiet);
+        response.widget_info(|| WidgetInfo::labeled(Role::Canvas, true, title.as_str()));
+        return None;
+    };
+    let [low, high] = rail.range();
+    let track = Rect::from_min_max(
+        pos2(rect.left() + 24.0, rect.top()),
+        rect.right_bottom() - vec2(8.0, 0.0),
+    );
+    let x_of = |t: f64| {
+        let share = ((t - low) / (high - low)).clamp(0.0, 1.0);
+        track.left() + share as f32 * track.width()
+    };
+    let (enter, exit) = (rail.enter(), rail.exit());
+    let spoken = format!(
+        "{title}: {} {}, {} {}",
+        look.text("t-rail-enter"),
+        approx(enter),
+        look.text("t-rail-exit"),
+        approx(exit)
+    );
+    response.widget_info(|| WidgetInfo::labeled(Role::Slider, true, spoken.as_str()));
+    let painter = ui.painter_at(rect);
+
+    // The interval in which the ray is inside.
+    let bars = Rect::from_min_max(rect.min, pos2(rect.right(), rect.top() + row * D as f32));
+    if enter < exit {
+        let inside = Rect::from_x_y_ranges(x_of(enter)..=x_of(exit), bars.y_range());
+        painter.rect_filled(inside, 0.0, look.palette.current_fill);
+    }
+    for axis in 0..D {
+        let y = rect.top() + row * axis as f32 + 15.0;
+        paint_axis(&painter, look, &rail, axis, y, &x_of, rect.left());
+    }
+    for (t, key, align) in
+        [(enter, "t-rail-enter", Align2::LEFT_TOP), (exit, "t-rail-exit", Align2::RIGHT_TOP)]
+    {
+        if !t.is_finite() {
+            continue;
+        }
+        let x = x_of(t);
+        let dashes = eframe::egui::Shape::dashed_line(
+            &[pos2(x, bars.top()), pos2(x, bars.bottom())],
+            Stroke::new(1.5, look.palette.ink),
+            4.0,
+            3.0,
+        );
+        painter.extend(dashes);
+        let side = if align == Align2::LEFT_TOP { track.left() } else { track.right() };
+        let text = format!("{} {}", look.text(key), approx(t));
+        let at = pos2(side, bars.bottom() + 12.0);
+        painter.text(at, align, text, FontId::monospace(12.0), look.palette.quiet);
+    }
+    let ground = bars.bottom() + 3.0;
+    painter.hline(track.x_range(), ground, Stroke::new(1.0, look.palette.grid));
+    if low < 0.0 && high > 0.0 {
+        painter.circle_filled(pos2(x_of(0.0), ground), 3.5, look.palette.ray);
+        let font = FontId::monospace(11.0);
+        painter.text(
+            pos2(x_of(0.0), ground - 3.0),
+            Align2::CENTER_BOTTOM,
+            "0",
+            font,
+            look.palette.ray,
+        );
+    }
+
+    let pointer = response.interact_pointer_pos()?;
+    let share = f64::from((pointer.x - track.left()) / track.width()).clamp(0.0, 1.0);
+    Some(step_at(trace, low + share * (high - low)))
+}
+
+fn paint_axis<const D: usize>(
+    painter: &Painter,
+    look: &Look,
+    rail: &Rail<D>,
+    axis: usize,
+    y: f32,
+    x_of: &impl Fn(f64) -> f32,
+    left: f32,
+) {
+    let color = look.palette.axes[axis];
+    let font = FontId::new(14.0, look.strong_family());
+    painter.text(pos2(left, y), Align2::LEFT_CENTER, AXIS_NAMES[axis], font, color);
+    let (near, far) = (rail.near[axis], rail.far[axis]);
+    if near < far {
+        painter.hline(x_of(near)..=x_of(far), y, Stroke::new(5.0, color));
+    }
+    let marks = [(near, "0"), (rail.mid.map_or(f64::NAN, |mid| mid[axis]), "m"), (far, "1")];
+    let mut labels_end = f32::NEG_INFINITY;
+    for (t, which) in marks {
+        if t.is_nan() {
+            continue;
+        }
+        let x = x_of(t);
+        if t.is_finite() {
+            painter.vline(x, y - 8.0..=y + 8.0, Stroke::new(2.0, color));
+        } else {
+            let tip = if t > 0.0 { 7.0 } else { -7.0 };
+            painter.arrow(pos2(x - tip, y), vec2(tip, 0.0), Stroke::new(2.0, color));
+        }
+        // t with its subscript, and the value where there is room.
+        let value = approx(t);
+        let font = FontId::new(12.0, FontFamily::Proportional);
+        let text = format!("t{}{which} {value}", AXIS_NAMES[axis]);
+        let galley = painter.layout_no_wrap(text, font.clone(), color);
+        let wide = galley.size().x;
+        let start = (x - wide / 2.0).clamp(left + 18.0, painter.clip_rect().right() - wide - 2.0);
+        let galley = if start > labels_end + 6.0 {
+            galley
+        } else {
+            painter.layout_no_wrap(format!("t{}{which}", AXIS_NAMES[axis]), font, color)
+        };
+        let wide = galley.size().x;
+        let start = (x - wide / 2.0).clamp(left + 18.0, painter.clip_rect().right() - wide - 2.0);
+        if start > labels_end + 4.0 {
+            labels_end = start + wide;
+            painter.galley(pos2(start, y + 9.0), galley, color);
+        }
+    }
+}
+
+/// Number of events until the leaf in which the ray is at parameter `t`.
+fn step_at<const D: usize>(trace: &Trace<D>, t: f64) -> usize {
+    let past = |event: &Event<D>| matches!(event, Event::Leaf { exit, .. } if *exit > t);
+    trace.events.iter().position(past).map_or(trace.events.len(), |index| index + 1)
+}

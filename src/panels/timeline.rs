@@ -1,0 +1,183 @@
+//! The trace as a ruler, with the keys of a player.
+
+use crate::command::Command;
+use crate::look::Look;
+use crate::playback::Playback;
+use eframe::egui::{
+    Color32, FontId, Painter, Rect, Response, RichText, Sense, Shape, Stroke, Ui, WidgetInfo,
+    accesskit::Role, lerp, pos2, remap_clamp, vec2,
+};
+use octoscope_core::event::Event;
+use octoscope_core::trace::Trace;
+
+/// Buttons and ruler; dragging the ruler moves the playhead.
+pub fn ui<const D: usize>(
+    ui: &mut Ui,
+    look: &Look,
+    trace: &Trace<D>,
+    playback: &mut Playback,
+    commands: &mut Vec<Command>,
+) {
+    let length = trace.events.len();
+    ui.horizontal(|ui| {
+        let play = if playback.playing { Icon::Pause } else { Icon::Play };
+        for (icon, command) in [
+            (Icon::First, Command::First),
+            (Icon::Back, Command::StepBack),
+            (play, Command::Play),
+            (Icon::Forward, Command::StepForward),
+            (Icon::Last, Command::Last),
+        ] {
+            if button(ui, look, icon, command).clicked() {
+                commands.push(command);
+            }
+        }
+        let slower = ui.small_button("−").on_hover_text(look.text("command-slower"));
+        slower.widget_info(|| WidgetInfo::labeled(Role::Button, true, look.text("command-slower")));
+        let speed = format!("{} ×", playback.speed / Playback::default().speed);
+        ui.label(RichText::new(speed).size(14.0)).on_hover_text(look.text("timeline-speed"));
+        let faster = ui.small_button("+").on_hover_text(look.text("command-faster"));
+        faster.widget_info(|| WidgetInfo::labeled(Role::Button, true, look.text("command-faster")));
+        if slower.clicked() {
+            commands.push(Command::Slower);
+        }
+        if faster.clicked() {
+            commands.push(Command::Faster);
+        }
+        let count = format!("{} / {length}", playback.step);
+        let font = FontId::new(16.0, look.strong_family());
+        let galley = ui.painter().layout_no_wrap(count.clone(), font, look.palette.ink);
+        let width = ui.available_width() - galley.size().x.max(84.0) - 16.0;
+        ruler(ui, look, trace, playback, width.max(60.0));
+        ui.label(RichText::new(count).size(16.0).strong());
+    });
+}
+
+fn ruler<const D: usize>(
+    ui: &mut Ui,
+    look: &Look,
+    trace: &Trace<D>,
+    playback: &mut Playback,
+    width: f32,
+) {
+    let length = trace.events.len();
+    let (rect, response) = ui.allocate_exact_size(vec2(width, 36.0), Sense::click_and_drag());
+    let track = rect.shrink2(vec2(8.0, 4.0));
+    if let Some(pointer) = response.interact_pointer_pos() {
+        let step = remap_clamp(pointer.x, track.x_range(), 0.0..=length as f32);
+        playback.playing = false;
+        playback.go_to(step.round() as usize, length);
+    }
+    let name = look.text("timeline-name");
+    response.widget_info(|| {
+        let mut info = WidgetInfo::labeled(Role::Slider, true, name.as_str());
+        info.value = Some(playback.step as f64);
+        info
+    });
+    let painter = ui.painter_at(rect.expand(2.0));
+    painter.hline(track.x_range(), track.center().y, Stroke::new(1.0, look.palette.grid));
+    paint_ticks(&painter, look, trace, playback.step, track);
+    let x = lerp(track.x_range(), playback.step as f32 / length.max(1) as f32);
+    painter.vline(x, track.y_range(), Stroke::new(2.0, look.palette.ray));
+    painter.circle_filled(pos2(x, track.top()), 5.5, look.palette.ray);
+}
+
+/// One tick an event, coloured by its kind; of crowded ones the tallest.
+fn paint_ticks<const D: usize>(
+    painter: &Painter,
+    look: &Look,
+    trace: &Trace<D>,
+    step: usize,
+    track: Rect,
+) {
+    let length = trace.events.len();
+    let columns = (track.width() / 2.0).max(1.0) as usize;
+    let per_column = length.div_ceil(columns).max(1);
+    for (column, events) in trace.events.chunks(per_column).enumerate() {
+        let tallest =
+            events.iter().map(|event| tick(look, event)).max_by(|a, b| a.0.total_cmp(&b.0));
+        let Some((height, color)) = tallest else { continue };
+        let n = column * per_column + events.len();
+        let x = lerp(track.x_range(), n as f32 / length as f32);
+        let color = if n <= step { color } else { color.gamma_multiply(0.4) };
+        let reach = track.height() * 0.5 * height;
+        let middle = track.center().y;
+        painter.vline(x, middle - reach..=middle + reach, Stroke::new(2.0, color));
+    }
+}
+
+/// Height, 0 to 1, and colour of an event's tick.
+fn tick<const D: usize>(look: &Look, event: &Event<D>) -> (f32, Color32) {
+    let palette = &look.palette;
+    match event {
+        Event::Leaf { .. } | Event::Found { .. } => (0.9, palette.axes[1]),
+        Event::Touch { .. } => (0.7, palette.rejected),
+        Event::Clip { .. } | Event::Sort { .. } | Event::End(_) => (0.9, palette.ink),
+        Event::Visit { .. } | Event::Follow { .. } | Event::Compare { .. } => {
+            (0.45, palette.axes[2])
+        }
+        Event::First { .. } | Event::Step { .. } => (0.45, palette.current_line),
+        Event::Exits { .. } | Event::Target { .. } => (0.45, palette.current_line),
+        Event::Encode { .. } | Event::Corners { .. } | Event::Begin { .. } => (0.45, palette.quiet),
+        Event::Difference { .. } | Event::Climb { .. } => (0.45, palette.axes[0]),
+        Event::Halve { .. } | Event::Skip { .. } | Event::Up { .. } => (0.2, palette.quiet),
+        Event::Border { .. } | Event::Test { .. } => (0.2, palette.quiet),
+    }
+}
+
+#[derive(Clone, Copy)]
+enum Icon {
+    First,
+    Back,
+    Play,
+    Pause,
+    Forward,
+    Last,
+}
+
+/// Button with a drawn icon; its name and key are its tooltip.
+fn button(ui: &mut Ui, look: &Look, icon: Icon, command: Command) -> Response {
+    let (rect, response) = ui.allocate_exact_size(vec2(34.0, 34.0), Sense::click());
+    let row = command.row();
+    let name = look.text(row.id);
+    response.widget_info(|| WidgetInfo::labeled(Role::Button, true, name.as_str()));
+    let visuals = ui.style().interact(&response);
+    if response.hovered() || response.has_focus() {
+        ui.painter().rect_filled(rect, 6.0, visuals.bg_fill);
+    }
+    if response.has_focus() {
+        let stroke = Stroke::new(2.0, look.palette.axes[2]);
+        ui.painter().rect_stroke(rect, 6.0, stroke, eframe::egui::StrokeKind::Inside);
+    }
+    paint_icon(ui.painter(), icon, rect.shrink(10.0), look.palette.ink);
+    let keys: Vec<String> = row.keys.iter().map(|key| ui.ctx().format_shortcut(key)).collect();
+    response.on_hover_text(format!("{name} ({})", keys.join(", ")))
+}
+
+fn paint_icon(painter: &Painter, icon: Icon, rect: Rect, color: Color32) {
+    let triangle = |from: f32, tip: f32| {
+        let x = |share: f32| lerp(rect.x_range(), share);
+        let points = vec![
+            pos2(x(from), rect.top()),
+            pos2(x(tip), rect.center().y),
+            pos2(x(from), rect.bottom()),
+        ];
+        Shape::convex_polygon(points, color, Stroke::NONE)
+    };
+    let bar = |at: f32| {
+        let x = lerp(rect.x_range(), at);
+        Shape::rect_filled(
+            Rect::from_center_size(pos2(x, rect.center().y), vec2(3.0, rect.height())),
+            1.0,
+            color,
+        )
+    };
+    match icon {
+        Icon::First => painter.extend([bar(0.08), triangle(1.0, 0.2)]),
+        Icon::Back => painter.extend([triangle(0.85, 0.1)]),
+        Icon::Play => painter.extend([triangle(0.0, 1.0)]),
+        Icon::Pause => painter.extend([bar(0.25), bar(0.75)]),
+        Icon::Forward => painter.extend([triangle(0.15, 0.9)]),
+        Icon::Last => painter.extend([triangle(0.0, 0.8), bar(0.92)]),
+    }
+}

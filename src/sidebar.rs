@@ -1,0 +1,124 @@
+//! How the panels are laid out around the space view.
+
+use crate::document::Document;
+use crate::look::Look;
+use crate::panels::{
+    automaton, codes, counters, listing, neighbour, query, ray, region, scene, show, stack, t_rail,
+    variables,
+};
+use crate::space::{self, Layers, Space};
+use crate::view::{PanelKind, Preset, View};
+use eframe::egui::{CentralPanel, Frame, Margin, Panel, ScrollArea, Ui};
+use octoscope_core::explain::{label, listing as listing_of, variables as variables_of};
+use octoscope_core::trace::Counters;
+
+/// Shows the panels on both sides and the space view between them. Returns the
+/// identifier of a built-in scene to open.
+pub fn ui<const D: usize>(
+    ui: &mut Ui,
+    look: &Look,
+    document: &mut Document<D>,
+    view: &mut View,
+    layers: Option<&mut Layers>,
+    status: &mut String,
+) -> Option<&'static str> {
+    let frame = Frame::new().fill(look.palette.panel).inner_margin(Margin::symmetric(14, 12));
+    let mut scene = None;
+    if view.preset != Preset::Lecture {
+        let left =
+            Panel::left("question").frame(frame).default_size(276.0).size_range(220.0..=360.0);
+        left.show(ui, |ui| {
+            ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
+                scene = question(ui, look, document, view, status);
+            });
+        });
+    }
+    let width = if view.preset == Preset::Lecture { 300.0 } else { 390.0 };
+    let right = Panel::right(("explanation", view.preset)).frame(frame).default_size(width);
+    right.size_range(260.0..=620.0).show(ui, |ui| {
+        ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
+            for (n, &kind) in view.preset.panels().iter().enumerate() {
+                if n > 0 {
+                    ui.add_space(6.0);
+                    ui.separator();
+                    ui.add_space(6.0);
+                }
+                ui.push_id(n, |ui| panel(ui, look, document, view, kind));
+            }
+        });
+    });
+    let middle = Frame::new().fill(look.palette.background);
+    CentralPanel::default().frame(middle).show(ui, |ui| {
+        space::ui(ui, look, Space { document, view, layers });
+    });
+    scene
+}
+
+fn question<const D: usize>(
+    ui: &mut Ui,
+    look: &Look,
+    document: &mut Document<D>,
+    view: &mut View,
+    status: &mut String,
+) -> Option<&'static str> {
+    let chosen = scene::ui(ui, look, document);
+    ui.add_space(14.0);
+    let side = document.tree.domain().side();
+    if let Some(refused) = ray::ui(ui, look, &mut document.scenario.ray, side) {
+        *status = refused;
+    }
+    ui.add_space(14.0);
+    query::ui(ui, look, document);
+    ui.add_space(14.0);
+    show::ui(ui, look, &mut view.show, D);
+    chosen
+}
+
+fn panel<const D: usize>(
+    ui: &mut Ui,
+    look: &Look,
+    document: &Document<D>,
+    view: &mut View,
+    kind: PanelKind,
+) {
+    let step = view.playback.step;
+    let (tree, trace) = (&document.tree, &document.trace);
+    let moment = document.moment(step);
+    let event = step.checked_sub(1).and_then(|index| trace.events.get(index));
+    match kind {
+        PanelKind::Codes => codes::ui(ui, look, tree, &moment),
+        PanelKind::Region => region::ui(ui, look, tree, &moment),
+        PanelKind::Neighbour => neighbour::ui(ui, look, tree, &moment),
+        PanelKind::Rail => {
+            let note = moment.current.map_or_else(String::new, |node| {
+                let codes = tree.code(node).map(|c| c.to_string()).join(", ");
+                let level = tree.level(node);
+                look.texts.format("node-note", &[("level", level.into()), ("codes", codes.into())])
+            });
+            if let Some(step) = t_rail::ui(ui, look, trace, &moment, &note) {
+                view.playback.playing = false;
+                view.playback.go_to(step, trace.events.len());
+            }
+        }
+        PanelKind::Automaton => automaton::ui(ui, look, &moment, event),
+        PanelKind::Listing => {
+            let listing = listing_of(&document.scenario.query, view.language);
+            listing::ui(ui, look, &listing, event.map(label), "");
+        }
+        PanelKind::Variables => {
+            let earlier = document.moment(step.saturating_sub(1));
+            let now = variables_of(tree, &moment);
+            let before = if step == 0 { now.clone() } else { variables_of(tree, &earlier) };
+            variables::ui(ui, look, &now, &before);
+        }
+        PanelKind::Stack => stack::ui(ui, look, tree, &moment),
+        PanelKind::Counters => {
+            let mut of_step = Counters::default();
+            if let Some(event) = event {
+                of_step.add(event);
+            }
+            let total = document.total_counters();
+            counters::ui(ui, look, &of_step, &moment.counters, &total);
+        }
+    }
+}

@@ -1,0 +1,179 @@
+//! What lies below the marks: the leaves of the tree, its content and, in
+//! space, the boxes of the marks. Drawn by the graphics adapter.
+
+use crate::document::Document;
+use crate::render::{self, BoxMark, BoxStyle, Cell, Grid, Layer, Line, Picture, Plane};
+use crate::theme::color32;
+use eframe::egui::{Color32, Id, Rect, Ui};
+use glam::Mat4;
+use octoscope_core::scene::{Content, Image, leaf_colours};
+use octoscope_core::tree::{Node, Tree};
+use octoscope_figure::{Camera, Dash, Mark, Palette, Role, Shape, Show, Style, Theme};
+
+/// Layers that are kept as long as what they show stays the same.
+#[derive(Debug, Default)]
+pub struct Layers {
+    tree: Option<(TreeKey, Vec<Layer>)>,
+    marks: Option<(Vec<BoxMark>, Layer)>,
+}
+
+/// What the layers of the tree depend on.
+#[derive(Clone, Debug, PartialEq)]
+struct TreeKey {
+    /// Address of the tree: another tree is another place, while both live.
+    tree: usize,
+    version: u64,
+    content: bool,
+    empty_leaves: bool,
+    theme: Theme,
+}
+
+impl Layers {
+    /// Paints the tree, and the boxes among `marks` if the tree is an octree.
+    pub fn paint<const D: usize>(
+        &mut self,
+        ui: &Ui,
+        rect: Rect,
+        camera: &Camera<D>,
+        document: &Document<D>,
+        (show, theme): (&Show, Theme),
+        marks: &[Mark<D>],
+    ) {
+        let key = TreeKey {
+            tree: std::sync::Arc::as_ptr(&document.tree) as usize,
+            version: document.tree_version,
+            content: show.content,
+            empty_leaves: show.empty_leaves,
+            theme,
+        };
+        if self.tree.as_ref().is_none_or(|(old, _)| *old != key) {
+            let layers = tree_layers(document, show, theme);
+            self.tree = Some((key, layers));
+        }
+        let mut layers = self.tree.as_ref().map(|(_, layers)| layers.clone()).unwrap_or_default();
+        let page = super::page_of(rect);
+        let view = if D == 2 {
+            let centre = [camera.target[0], camera.target[1]];
+            render::View::Plane(Plane { centre, scale: page.height / camera.height })
+        } else {
+            layers.push(self.mark_layer(marks, theme));
+            render::View::Space(Mat4::from_cols_array_2d(&camera.clip_from_world(page)))
+        };
+        let background = color32(Palette::of(theme).background);
+        render::paint(ui, rect, Id::unique("space"), &Picture { view, layers, background });
+    }
+
+    fn mark_layer<const D: usize>(&mut self, marks: &[Mark<D>], theme: Theme) -> Layer {
+        let boxes: Vec<BoxMark> = marks.iter().filter_map(|mark| box_mark(mark, theme)).collect();
+        match &self.marks {
+            Some((old, layer)) if *old == boxes => layer.clone(),
+            Some(_) | None => {
+                let layer = Layer::marks(boxes.clone());
+                self.marks = Some((boxes, layer.clone()));
+                layer
+            }
+        }
+    }
+}
+
+/// Whether the graphics adapter draws a mark, so that the painter need not.
+pub fn draws<const D: usize>(mark: &Mark<D>) -> bool {
+    D == 3 && matches!(mark.shape, Shape::Box(_))
+}
+
+fn box_mark<const D: usize>(mark: &Mark<D>, theme: Theme) -> Option<BoxMark> {
+    let Shape::Box(bounds) = mark.shape else { return None };
+    let style = Style::of(theme, mark.role);
+    let corner = |p: [f64; D]| std::array::from_fn(|e| if e < D { p[e] as f32 } else { 0.0 });
+    Some(BoxMark {
+        min: corner(bounds.min),
+        max: corner(bounds.max),
+        fill: style
+            .fill
+            .map_or(Color32::TRANSPARENT, |fill| color32(fill.faded(fill.opacity * 0.6))),
+        edge: style.stroke.map_or(Color32::TRANSPARENT, color32),
+        width: style.width as f32,
+        line: if style.dash == Dash::Solid { Line::Solid } else { Line::Dashed },
+    })
+}
+
+fn tree_layers<const D: usize>(document: &Document<D>, show: &Show, theme: Theme) -> Vec<Layer> {
+    let tree = &document.tree;
+    let domain = tree.domain();
+    let min = std::array::from_fn(|e| if e < D { domain.min()[e] } else { 0.0 });
+    let grid = Grid { min, cell: domain.cell_side(0), root_level: domain.root_level() };
+    let cell = |leaf: Node, style: u8| {
+        let code = tree.code(leaf.id);
+        let code = std::array::from_fn(|e| if e < D { code[e] } else { 0 });
+        Cell { level: tree.level(leaf.id), style, code }
+    };
+    let styles = [Role::EmptyLeaf, Role::FullLeaf].map(|role| Style::of(theme, role));
+    let color =
+        |colour: Option<octoscope_figure::Colour>| colour.map_or(Color32::TRANSPARENT, color32);
+    let mut layers = Vec::new();
+    if D == 2 {
+        let pictures = match &*document.content {
+            Content::Image(image) => colours_of(image, tree),
+            Content::Points(_)
+            | Content::Cells(_)
+            | Content::Spheres(_)
+            | Content::Boxes(_)
+            | Content::Triangles(_) => None,
+        };
+        let leaves = tree.leaves().filter(|leaf| leaf.is_full() || show.empty_leaves);
+        let cells: Vec<_> = leaves
+            .map(|leaf| {
+                let plain = color(styles[usize::from(leaf.is_full())].fill);
+                let own =
+                    pictures.as_ref().filter(|_| show.content).and_then(|p| p[leaf.id.index()]);
+                let shown = own.map_or(plain, |[r, g, b]| Color32::from_rgb(r, g, b));
+                (cell(leaf, 0), shown)
+            })
+            .collect();
+        layers.push(Layer::cells(grid, &cells, color(styles[0].stroke), styles[0].width as f32));
+    } else {
+        let hint = |style: &Style, strength: f64| BoxStyle {
+            fill: Color32::TRANSPARENT,
+            edge: color(style.stroke.map(|c| c.faded(strength))),
+            width: style.width as f32,
+        };
+        let box_styles = [hint(&styles[0], 0.22), hint(&styles[1], 0.8)];
+        let leaves = tree.leaves().filter(|leaf| leaf.is_full() || show.empty_leaves);
+        let cells: Vec<_> = leaves.map(|leaf| cell(leaf, u8::from(leaf.is_full()))).collect();
+        layers.push(Layer::boxes(grid, &cells, &box_styles));
+        if show.content {
+            layers.extend(content_layer(&document.content, theme));
+        }
+    }
+    layers
+}
+
+/// Mean colours of the leaves by node number; the tree of a picture is a quadtree.
+fn colours_of<const D: usize>(image: &Image, tree: &Tree<D>) -> Option<Vec<Option<[u8; 3]>>> {
+    let any: &dyn std::any::Any = tree;
+    any.downcast_ref::<Tree<2>>().map(|tree| leaf_colours(image, tree))
+}
+
+/// The content of an octree.
+fn content_layer<const D: usize>(content: &Content<D>, theme: Theme) -> Option<Layer> {
+    let colour = color32(Palette::of(theme).quiet_ink);
+    let point = |p: &[f64; D]| std::array::from_fn(|e| if e < D { p[e] as f32 } else { 0.0 });
+    match content {
+        Content::Points(points) => {
+            Some(Layer::points(points.iter().map(point).collect(), colour, 1.8))
+        }
+        Content::Triangles(triangles) => {
+            let triangles: Vec<[[f32; 3]; 3]> =
+                triangles.iter().map(|t| [point(&t[0]), point(&t[1]), point(&t[2])]).collect();
+            Some(Layer::triangles(&triangles, colour))
+        }
+        Content::Spheres(spheres) => {
+            let balls = spheres.iter().map(|sphere| {
+                let [x, y, z]: [f32; 3] = point(&sphere.centre);
+                [x, y, z, sphere.radius as f32]
+            });
+            Some(Layer::spheres(balls.collect(), colour))
+        }
+        Content::Cells(_) | Content::Boxes(_) | Content::Image(_) => None,
+    }
+}

@@ -1,0 +1,380 @@
+//! What the mouse does in the space view.
+//!
+//! Handles of the ray are dragged, its shaft moves it whole. Elsewhere a drag
+//! pans the plane or orbits space, with Shift or in a region query it draws a
+//! box; the wheel zooms to the pointer. A double click locates the point, a
+//! click picks what the present query asks for.
+
+use super::PageInWindow;
+use crate::document::Document;
+use crate::look::Look;
+use eframe::egui::{
+    CursorIcon, Id, Painter, PointerButton, Pos2, Rect, Response, Stroke, StrokeKind, Ui, pos2,
+};
+use octoscope_core::geometry::{Aabb, Ray};
+use octoscope_core::locate::{Direction, Reach, locate_by_codes};
+use octoscope_core::query::{Arithmetic, PointMethod, Query};
+use octoscope_core::trace::record;
+use octoscope_core::traverse::{Algorithm, Options, StopAt};
+use octoscope_core::tree::{NodeId, Tree};
+use octoscope_figure::Camera;
+
+/// Points within which a handle, the shaft or a side is hit.
+const REACH: f32 = 14.0;
+const SHAFT_REACH: f32 = 8.0;
+const SIDE_REACH: f32 = 8.0;
+
+/// What is being dragged.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Grip {
+    Origin,
+    Tip,
+    Shaft,
+    Camera,
+    Region(Pos2),
+}
+
+/// Lets the mouse change the camera, the ray and the query.
+pub fn handle<const D: usize>(
+    ui: &Ui,
+    response: &Response,
+    frame: PageInWindow,
+    camera: &mut Camera<D>,
+    document: &mut Document<D>,
+) {
+    zoom(ui, response, frame, camera, document);
+    let memory = grip_id(response);
+    if response.drag_started() {
+        let pressed = ui.input(|input| input.pointer.press_origin());
+        if let Some(at) = pressed.or_else(|| response.interact_pointer_pos()) {
+            let grip = grip_at(ui, frame, camera, document, at);
+            ui.data_mut(|data| data.insert_temp(memory, grip));
+        }
+    }
+    let grip = ui.data(|data| data.get_temp::<Grip>(memory));
+    if response.dragged()
+        && let (Some(grip), Some(at)) = (grip, response.interact_pointer_pos())
+    {
+        drag(ui, response, frame, camera, document, grip, at);
+    }
+    if response.drag_stopped() {
+        if let (Some(Grip::Region(from)), Some(to)) = (grip, response.interact_pointer_pos()) {
+            ask_region(frame, camera, document, from, to);
+        }
+        ui.data_mut(|data| data.remove::<Grip>(memory));
+    }
+    if response.double_clicked() {
+        if let Some(at) = response.interact_pointer_pos() {
+            ask_point(frame, camera, document, at);
+        }
+    } else if response.clicked()
+        && let Some(at) = response.interact_pointer_pos()
+    {
+        click(frame, camera, document, at);
+    }
+    if let Some(at) = response.hover_pos() {
+        let over = grip.unwrap_or_else(|| grip_at(ui, frame, camera, document, at));
+        ui.set_cursor_icon(match (over, grip) {
+            (Grip::Origin | Grip::Tip | Grip::Shaft, None) => CursorIcon::Grab,
+            (Grip::Origin | Grip::Tip | Grip::Shaft, Some(_)) => CursorIcon::Grabbing,
+            (Grip::Region(_), _) => CursorIcon::Crosshair,
+            (Grip::Camera, _) => CursorIcon::Default,
+        });
+    }
+}
+
+/// Paints the box that is being drawn.
+pub fn paint_region_being_drawn(ui: &Ui, painter: &Painter, look: &Look, response: &Response) {
+    let grip = ui.data(|data| data.get_temp::<Grip>(grip_id(response)));
+    if let (Some(Grip::Region(from)), Some(to)) = (grip, response.interact_pointer_pos()) {
+        let rect = Rect::from_two_pos(from, to);
+        painter.rect_filled(rect, 0.0, look.palette.current_fill);
+        let stroke = Stroke::new(1.5, look.palette.current_line);
+        painter.rect_stroke(rect, 0.0, stroke, StrokeKind::Middle);
+    }
+}
+
+fn grip_id(response: &Response) -> Id {
+    response.id.with("grip")
+}
+
+/// What a press at `at` would take hold of.
+fn grip_at<const D: usize>(
+    ui: &Ui,
+    frame: PageInWindow,
+    camera: &Camera<D>,
+    document: &Document<D>,
+    at: Pos2,
+) -> Grip {
+    let (shift, secondary) = ui.input(|input| {
+        (
+            input.modifiers.shift,
+            !input.pointer.button_down(PointerButton::Primary) && input.pointer.any_down(),
+        )
+    });
+    if secondary {
+        return Grip::Camera;
+    }
+    if matches!(document.scenario.query, Query::Ray { .. }) && !shift {
+        let ray = document.scenario.ray;
+        let [origin, tip] = [ray.origin(), ray.at(1.0)].map(|p| frame.place(camera, p));
+        let within = |place: Option<Pos2>| place.is_some_and(|place| place.distance(at) < REACH);
+        if within(tip) {
+            return Grip::Tip;
+        }
+        if within(origin) {
+            return Grip::Origin;
+        }
+        if let (Some(origin), Some(tip)) = (origin, tip)
+            && distance_to_segment(at, origin, tip) < SHAFT_REACH
+        {
+            return Grip::Shaft;
+        }
+    }
+    if shift || matches!(document.scenario.query, Query::Region { .. }) {
+        return Grip::Region(at);
+    }
+    Grip::Camera
+}
+
+fn drag<const D: usize>(
+    ui: &Ui,
+    response: &Response,
+    frame: PageInWindow,
+    camera: &mut Camera<D>,
+    document: &mut Document<D>,
+    grip: Grip,
+    at: Pos2,
+) {
+    let ray = document.scenario.ray;
+    let moved = |through: [f64; D]| -> [f64; D] {
+        let now = frame.world(camera, at, through);
+        let then = frame.world(camera, at - response.drag_delta(), through);
+        std::array::from_fn(|e| now[e] - then[e])
+    };
+    let ends = match grip {
+        Grip::Origin => Some((frame.world(camera, at, ray.origin()), ray.at(1.0))),
+        Grip::Tip => Some((ray.origin(), frame.world(camera, at, ray.at(1.0)))),
+        Grip::Shaft => {
+            let by = moved(ray.at(0.5));
+            let shifted = |p: [f64; D]| std::array::from_fn(|e| p[e] + by[e]);
+            Some((shifted(ray.origin()), shifted(ray.at(1.0))))
+        }
+        Grip::Camera => {
+            turn(ui, response, frame, camera);
+            None
+        }
+        Grip::Region(_) => None,
+    };
+    if let Some((origin, tip)) = ends {
+        let resolution = camera.unit(frame.page);
+        let [origin, tip] = [origin, tip].map(|p| p.map(|x| rounded(x, resolution)));
+        let direction = match grip {
+            // Moved as a whole it keeps its direction to the last bit.
+            Grip::Shaft => ray.direction(),
+            Grip::Origin | Grip::Tip | Grip::Camera | Grip::Region(_) => {
+                std::array::from_fn(|e| rounded(tip[e] - origin[e], resolution))
+            }
+        };
+        // A ray of no length is refused; the last one stays.
+        if let Ok(ray) = Ray::new(origin, direction) {
+            document.scenario.ray = ray;
+        }
+    }
+}
+
+/// `x` to a power of ten below `resolution`, so that numbers stay short.
+fn rounded(x: f64, resolution: f64) -> f64 {
+    let digits = (-(resolution * 0.5).log10().floor()).clamp(0.0, 12.0) as usize;
+    format!("{x:.digits$}").parse().unwrap_or(x)
+}
+
+/// Pans the plane; orbits space, or pans it with the other buttons or Ctrl.
+fn turn<const D: usize>(ui: &Ui, response: &Response, frame: PageInWindow, camera: &mut Camera<D>) {
+    let pan = response.dragged_by(PointerButton::Secondary)
+        || response.dragged_by(PointerButton::Middle)
+        || ui.input(|input| input.modifiers.command);
+    let [dx, dy] = [f64::from(response.drag_delta().x), f64::from(response.drag_delta().y)];
+    if D == 2 || pan {
+        camera.pan(frame.page, dx, dy);
+    } else {
+        camera.orbit(frame.page, dx, dy);
+    }
+}
+
+/// Zooms with the wheel or two fingers; what is under the pointer stays there.
+fn zoom<const D: usize>(
+    ui: &Ui,
+    response: &Response,
+    frame: PageInWindow,
+    camera: &mut Camera<D>,
+    document: &Document<D>,
+) {
+    let Some(at) = response.hover_pos() else { return };
+    let (scroll, pinch) = ui.input(|input| (input.smooth_scroll_delta().y, input.zoom_delta()));
+    let factor = (f64::from(scroll) * 0.0025).exp() * f64::from(pinch);
+    if factor == 1.0 {
+        return;
+    }
+    camera.zoom(frame.page, frame.on_page(at), factor);
+    let side = document.tree.domain().side();
+    camera.height = camera.height.clamp(side * 1e-6, side * 100.0);
+}
+
+fn click<const D: usize>(
+    frame: PageInWindow,
+    camera: &Camera<D>,
+    document: &mut Document<D>,
+    at: Pos2,
+) {
+    match document.scenario.query {
+        Query::Ray { .. } => {
+            if let Some((leaf, direction)) = side_at(frame, camera, &document.tree, at)
+                && D == 2
+            {
+                ask_neighbour(document, leaf, direction, Reach::default());
+            }
+        }
+        Query::Point { .. } => ask_point(frame, camera, document, at),
+        Query::Region { .. } => {}
+        Query::Neighbour { direction, reach, .. } => {
+            if let Some((leaf, direction)) = side_at(frame, camera, &document.tree, at) {
+                ask_neighbour(document, leaf, direction, reach);
+            } else if let Some((leaf, _)) = leaf_at(frame, camera, &document.tree, at) {
+                ask_neighbour(document, leaf, direction, reach);
+            }
+        }
+    }
+}
+
+fn ask_neighbour<const D: usize>(
+    document: &mut Document<D>,
+    leaf: NodeId,
+    direction: Direction<D>,
+    reach: Reach,
+) {
+    let (level, code) = (document.tree.level(leaf), document.tree.code(leaf));
+    document.scenario.query = Query::Neighbour { level, code, direction, reach };
+}
+
+fn ask_point<const D: usize>(
+    frame: PageInWindow,
+    camera: &Camera<D>,
+    document: &mut Document<D>,
+    at: Pos2,
+) {
+    let Some((_, point)) = leaf_at(frame, camera, &document.tree, at) else { return };
+    let method = match document.scenario.query {
+        Query::Point { method, .. } => method,
+        Query::Ray { .. } | Query::Region { .. } | Query::Neighbour { .. } => {
+            PointMethod::default()
+        }
+    };
+    let resolution = camera.unit(frame.page);
+    document.scenario.query = Query::Point { at: point.map(|x| rounded(x, resolution)), method };
+}
+
+fn ask_region<const D: usize>(
+    frame: PageInWindow,
+    camera: &Camera<D>,
+    document: &mut Document<D>,
+    from: Pos2,
+    to: Pos2,
+) {
+    let corners = if D == 2 {
+        Some([from, to].map(|place| frame.world(camera, place, camera.target)))
+    } else {
+        let picked = [from, to].map(|place| leaf_at(frame, camera, &document.tree, place));
+        match picked {
+            [Some((_, a)), Some((_, b))] => Some([a, b]),
+            _ => None,
+        }
+    };
+    let Some(corners) = corners else { return };
+    let Some(bounds) = Aabb::around(corners) else { return };
+    let resolution = camera.unit(frame.page);
+    let root = document.tree.domain().root_box();
+    // A box that reaches beyond the root is cut there, just inside its upper faces.
+    let smallest = document.tree.domain().cell_side(0);
+    let inside = |p: [f64; D]| {
+        std::array::from_fn(|e| {
+            rounded(p[e], resolution).clamp(root.min[e], root.max[e] - 0.5 * smallest)
+        })
+    };
+    document.scenario.query = Query::Region { min: inside(bounds.min), max: inside(bounds.max) };
+}
+
+/// Leaf under the pointer with a point of it: in the plane the one that owns
+/// the point, in space the first full one on the line of sight, else the first.
+fn leaf_at<const D: usize>(
+    frame: PageInWindow,
+    camera: &Camera<D>,
+    tree: &Tree<D>,
+    at: Pos2,
+) -> Option<(NodeId, [f64; D])> {
+    if D == 2 {
+        let point = frame.world(camera, at, camera.target);
+        let leaf = locate_by_codes(tree, point, &mut ()).node?;
+        return Some((leaf, point));
+    }
+    let sight = line_of_sight(frame, camera, at)?;
+    let query = Query::Ray {
+        algorithm: Algorithm::Parametric,
+        options: Options { stop_at: StopAt::FirstFull },
+        arithmetic: Arithmetic::Doubles,
+    };
+    let leaves: Vec<_> = record(tree, &sight, &query).leaves().collect();
+    let full = leaves.last().filter(|(leaf, _)| tree.node(*leaf).is_full());
+    let (leaf, [enter, exit]) = full.or_else(|| leaves.first())?;
+    Some((*leaf, sight.at(0.5 * (enter + exit))))
+}
+
+/// Ray from the eye through a place in the window.
+fn line_of_sight<const D: usize>(
+    frame: PageInWindow,
+    camera: &Camera<D>,
+    at: Pos2,
+) -> Option<Ray<D>> {
+    camera.sight(frame.page, frame.on_page(at))
+}
+
+/// Leaf and outward direction of the side that the pointer is near.
+fn side_at<const D: usize>(
+    frame: PageInWindow,
+    camera: &Camera<D>,
+    tree: &Tree<D>,
+    at: Pos2,
+) -> Option<(NodeId, Direction<D>)> {
+    let (leaf, point) = leaf_at(frame, camera, tree, at)?;
+    let bounds = tree.node_box(leaf);
+    if D == 2 {
+        let reach = camera.unit(frame.page) * f64::from(SIDE_REACH);
+        let distances = (0..D).flat_map(|e| {
+            [(e, -1i8, point[e] - bounds.min[e]), (e, 1i8, bounds.max[e] - point[e])]
+        });
+        let (axis, sign, distance) = distances.min_by(|a, b| a.2.total_cmp(&b.2))?;
+        let towards = Direction::new(std::array::from_fn(|e| if e == axis { sign } else { 0 }));
+        return towards.ok().filter(|_| distance < reach).map(|direction| (leaf, direction));
+    }
+    // In space the face through which the line of sight enters the leaf.
+    let sight = line_of_sight(frame, camera, at)?;
+    let (origin, along) = (sight.origin(), sight.direction());
+    let entries = (0..D).filter(|&e| along[e] != 0.0).map(|e| {
+        let near = if along[e] > 0.0 { bounds.min[e] } else { bounds.max[e] };
+        (e, (near - origin[e]) / along[e])
+    });
+    let (axis, _) = entries.max_by(|a, b| a.1.total_cmp(&b.1))?;
+    let sign = if along[axis] > 0.0 { -1 } else { 1 };
+    let towards = Direction::new(std::array::from_fn(|e| if e == axis { sign } else { 0 }));
+    towards.ok().map(|direction| (leaf, direction))
+}
+
+fn distance_to_segment(at: Pos2, from: Pos2, to: Pos2) -> f32 {
+    let along = to - from;
+    let length = along.length_sq();
+    if length == 0.0 {
+        return at.distance(from);
+    }
+    let share = ((at - from).dot(along) / length).clamp(0.0, 1.0);
+    at.distance(pos2(from.x + share * along.x, from.y + share * along.y))
+}

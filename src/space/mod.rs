@@ -1,0 +1,121 @@
+//! The view of the tree and the ray, and what the mouse does in it.
+
+mod base;
+mod gesture;
+mod paint;
+
+use crate::document::Document;
+use crate::look::Look;
+use crate::view::View;
+pub use base::Layers;
+use eframe::egui::{Pos2, Rect, Sense, Ui, WidgetInfo, accesskit::Role};
+use octoscope_core::geometry::Aabb;
+use octoscope_figure::{Camera, Page, axes, content, leaves, marks, space_figure};
+
+/// What the view shows and changes.
+pub struct Space<'a, const D: usize> {
+    /// The scenario; handles change its ray and query.
+    pub document: &'a mut Document<D>,
+    /// The camera, what is shown, the playhead.
+    pub view: &'a mut View,
+    /// Layers on the graphics adapter, if there is one.
+    pub layers: Option<&'a mut Layers>,
+}
+
+/// More points or leaves than this are not painted one by one.
+const MOST_PAINTED: usize = 20_000;
+
+/// Shows the space view in all the room there is.
+pub fn ui<const D: usize>(ui: &mut Ui, look: &Look, space: Space<'_, D>) {
+    let Space { document, view, layers } = space;
+    let (rect, response) = ui.allocate_exact_size(ui.available_size(), Sense::click_and_drag());
+    let name = look.text("space-name");
+    response.widget_info(|| WidgetInfo::labeled(Role::Canvas, true, name.as_str()));
+    if rect.width() < 8.0 || rect.height() < 8.0 {
+        return;
+    }
+    let frame = PageInWindow { page: page_of(rect), corner: rect.min };
+    let mut camera: Camera<D> =
+        view.camera().unwrap_or_else(|| Camera::framing(&interesting(document), frame.page));
+    let before = camera;
+    gesture::handle(ui, &response, frame, &mut camera, document);
+    if camera != before {
+        view.set_camera(camera);
+    }
+
+    let step = view.playback.step;
+    let moment = document.moment(step);
+    let event = step.checked_sub(1).and_then(|index| document.trace.events.get(index));
+    let scenario = &document.scenario;
+    let marks = marks(&document.tree, &scenario.ray, &scenario.query, &moment, event, &view.show);
+    let painter = ui.painter_at(rect);
+    painter.rect_filled(rect, 0.0, look.palette.background);
+    let mut painted = axes(document.tree.domain());
+    if D == 2 && view.show.content && document.content.len() <= MOST_PAINTED {
+        painted.extend(content(&document.content));
+    }
+    painted.extend(marks);
+    if let Some(layers) = layers {
+        layers.paint(ui, rect, &camera, document, (&view.show, view.theme), &painted);
+        painted.retain(|mark| !base::draws(mark));
+    } else if document.tree.n_leaves() <= MOST_PAINTED {
+        painted.extend(leaves(&document.tree, &view.show));
+    }
+    painted.sort_by_key(|mark| mark.role.layer());
+    let figure = space_figure(&painted, &camera, frame.page);
+    paint::figure(&painter, look, view.theme, frame, &figure);
+    gesture::paint_region_being_drawn(ui, &painter, look, &response);
+}
+
+/// Where the page of a camera lies in the window.
+#[derive(Clone, Copy, Debug)]
+pub struct PageInWindow {
+    /// Size of the page, in points.
+    pub page: Page,
+    /// Its upper left corner in the window.
+    pub corner: Pos2,
+}
+
+impl PageInWindow {
+    /// Place in the window of a world point, if it is before the eye.
+    pub fn place<const D: usize>(&self, camera: &Camera<D>, world: [f64; D]) -> Option<Pos2> {
+        let at = camera.project(self.page, world)?.at;
+        Some(self.on_screen(at))
+    }
+
+    /// Place in the window of a point of the page.
+    pub fn on_screen(&self, at: [f64; 2]) -> Pos2 {
+        self.corner + eframe::egui::vec2(at[0] as f32, at[1] as f32)
+    }
+
+    /// Point of the page at a place in the window.
+    pub fn on_page(&self, place: Pos2) -> [f64; 2] {
+        let offset = place - self.corner;
+        [f64::from(offset.x), f64::from(offset.y)]
+    }
+
+    /// World point at a place in the window, as far from the eye as `through`.
+    pub fn world<const D: usize>(
+        &self,
+        camera: &Camera<D>,
+        place: Pos2,
+        through: [f64; D],
+    ) -> [f64; D] {
+        camera.unproject(self.page, self.on_page(place), through)
+    }
+}
+
+fn page_of(rect: Rect) -> Page {
+    Page { width: f64::from(rect.width()), height: f64::from(rect.height()) }
+}
+
+/// The root and, where they are near it, both handles of the ray.
+pub fn interesting<const D: usize>(document: &Document<D>) -> Aabb<D> {
+    let root = document.tree.domain().root_box();
+    let side = document.tree.domain().side();
+    let near = |p: &[f64; D]| (0..D).all(|e| (p[e] - root.centre()[e]).abs() < 1.5 * side);
+    let ray = document.scenario.ray;
+    let handles = [ray.origin(), ray.at(1.0)].into_iter().filter(near);
+    let points = [root.min, root.max].into_iter().chain(handles);
+    Aabb::around(points).unwrap_or(root)
+}

@@ -1,0 +1,75 @@
+//! Texts of the window.
+
+use octoscope_core::text::{Language, Texts};
+
+/// Texts of the window in `language`.
+pub fn texts(language: Language) -> Texts {
+    let source = match language {
+        Language::English => include_str!("../assets/texts/en/window.ftl"),
+        Language::German => include_str!("../assets/texts/de/window.ftl"),
+    };
+    Texts::new(language, &[source])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::command::{COMMANDS, Menu};
+    use octoscope_core::scenario::BUILT_IN;
+
+    fn keys(source: &str) -> Vec<&str> {
+        let named = source.lines().filter(|line| !line.starts_with(['#', ' ', '}', '\t']));
+        named.filter_map(|line| line.split_once(" =")).map(|(key, _)| key).collect()
+    }
+
+    #[test]
+    fn both_languages_have_the_same_keys() {
+        let english = keys(include_str!("../assets/texts/en/window.ftl"));
+        let german = keys(include_str!("../assets/texts/de/window.ftl"));
+        assert_eq!(english, german);
+        assert!(english.len() > 100);
+        for language in Language::ALL {
+            let texts = texts(language);
+            assert!(english.iter().all(|key| texts.has(key)), "{language:?}");
+        }
+    }
+
+    #[test]
+    fn commands_menus_and_scenes_have_names() {
+        for language in Language::ALL {
+            let texts = texts(language);
+            let commands = COMMANDS.iter().map(|row| row.id.to_owned());
+            let menus = Menu::ALL.iter().map(|menu| menu.id().to_owned());
+            let scenes = BUILT_IN.iter().map(|scene| format!("scene-{}", scene.id));
+            for key in commands.chain(menus).chain(scenes) {
+                assert!(texts.has(&key), "{key} in {language:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn every_key_that_the_sources_name_exists() {
+        let texts = texts(Language::English);
+        let root = concat!(env!("CARGO_MANIFEST_DIR"), "/src");
+        let mut named = 0;
+        let mut folders = vec![std::path::PathBuf::from(root)];
+        while let Some(folder) = folders.pop() {
+            for entry in std::fs::read_dir(folder).unwrap() {
+                let path = entry.unwrap().path();
+                if path.is_dir() {
+                    folders.push(path);
+                } else if path.extension().is_some_and(|ending| ending == "rs") {
+                    let source = std::fs::read_to_string(&path).unwrap();
+                    for start in ["look.text(\"", "texts.format(\"", "texts.get(\""] {
+                        for rest in source.split(start).skip(1) {
+                            let key = rest.split('"').next().unwrap();
+                            assert!(texts.has(key), "{key} in {}", path.display());
+                            named += 1;
+                        }
+                    }
+                }
+            }
+        }
+        assert!(named > 40, "{named}");
+    }
+}

@@ -1,0 +1,190 @@
+//! What the window remembers that is not part of the scenario.
+
+use crate::command::Command;
+use crate::playback::Playback;
+use octoscope_core::text::Language;
+use octoscope_figure::{Camera, Show, Theme};
+use serde::{Deserialize, Serialize};
+use std::any::Any;
+
+/// State of the window: neither undone nor saved with the scenario.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct View {
+    /// Colours.
+    pub theme: Theme,
+    /// Language of all texts.
+    pub language: Language,
+    /// Panels on the right.
+    pub preset: Preset,
+    /// Factor of type and lines, beside the preset's own.
+    pub scale: f32,
+    /// What the space view shows.
+    pub show: Show,
+    /// The playhead.
+    pub playback: Playback,
+    /// Camera of quadtrees; `None` fits everything.
+    #[serde(skip)]
+    pub plane_camera: Option<Camera<2>>,
+    /// Camera of octrees; `None` fits everything.
+    #[serde(skip)]
+    pub orbit_camera: Option<Camera<3>>,
+    /// Whether the window is blank.
+    #[serde(skip)]
+    pub blank: bool,
+    /// The window that lies over everything else.
+    #[serde(skip)]
+    pub dialog: Option<Dialog>,
+}
+
+/// Window over the window.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Dialog {
+    /// All keys.
+    Keys,
+    /// What this program is.
+    About,
+    /// Something went wrong: the whole message.
+    Error(String),
+    /// Where and how to export.
+    Export,
+    /// A file is opened by typing its path.
+    Path(String),
+}
+
+/// Selection of panels beside the space view.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
+pub enum Preset {
+    /// Codes of nodes and points, bit by bit.
+    Bits,
+    /// Parameters on their common axis.
+    #[default]
+    Rail,
+    /// States and tables.
+    Automaton,
+    /// Listing, variables, stack, counters.
+    Debug,
+    /// Point, region and neighbour queries.
+    Queries,
+    /// Large picture, large sentence, one panel.
+    Lecture,
+}
+
+/// One panel.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum PanelKind {
+    /// Location codes.
+    Codes,
+    /// Region location by XOR.
+    Region,
+    /// Neighbour computation.
+    Neighbour,
+    /// Parameters t.
+    Rail,
+    /// States and tables.
+    Automaton,
+    /// Pseudocode.
+    Listing,
+    /// Variables.
+    Variables,
+    /// Nodes on the stack.
+    Stack,
+    /// Costs.
+    Counters,
+}
+
+impl Preset {
+    /// All presets, in the order of their keys.
+    pub const ALL: [Self; 6] =
+        [Self::Bits, Self::Rail, Self::Automaton, Self::Debug, Self::Queries, Self::Lecture];
+
+    /// The panels from top to bottom.
+    pub fn panels(self) -> &'static [PanelKind] {
+        use PanelKind::{
+            Automaton, Codes, Counters, Listing, Neighbour, Rail, Region, Stack, Variables,
+        };
+        match self {
+            Self::Bits => &[Codes, Region, Neighbour, Counters],
+            Self::Rail => &[Rail, Automaton, Codes, Counters],
+            Self::Automaton => &[Automaton, Rail, Counters],
+            Self::Debug => &[Listing, Variables, Stack, Counters],
+            Self::Queries => &[Codes, Region, Neighbour],
+            Self::Lecture => &[Rail],
+        }
+    }
+
+    /// Factor of type and lines.
+    pub fn scale(self) -> f32 {
+        match self {
+            Self::Lecture => 1.6,
+            Self::Bits | Self::Rail | Self::Automaton | Self::Debug | Self::Queries => 1.0,
+        }
+    }
+}
+
+impl View {
+    /// Smallest and largest factor of type and lines.
+    pub const SCALES: [f32; 2] = [0.7, 2.5];
+
+    /// Obeys a command that is about the view alone; others do nothing.
+    pub fn obey(&mut self, command: Command) {
+        let scaled = |factor: f32| (self.scale * factor).clamp(Self::SCALES[0], Self::SCALES[1]);
+        match command {
+            Command::Preset(index) => {
+                self.preset = Preset::ALL.get(usize::from(index)).copied().unwrap_or_default();
+            }
+            Command::NextTheme => self.theme = following(&Theme::ALL, self.theme),
+            Command::NextLanguage => self.language = following(&Language::ALL, self.language),
+            Command::ScaleUp => self.scale = scaled(1.1),
+            Command::ScaleDown => self.scale = scaled(1.0 / 1.1),
+            Command::ScaleReset => self.scale = 1.0,
+            Command::Blank => self.blank = !self.blank,
+            Command::Keys => self.dialog = Some(Dialog::Keys),
+            Command::About => self.dialog = Some(Dialog::About),
+            _ => {}
+        }
+    }
+
+    /// The camera that is kept for trees of dimension D; `None` fits everything.
+    pub fn camera<const D: usize>(&self) -> Option<Camera<D>> {
+        let any: &dyn Any = if D == 2 { &self.plane_camera } else { &self.orbit_camera };
+        any.downcast_ref::<Option<Camera<D>>>().copied().flatten()
+    }
+
+    /// Keeps the camera for trees of its dimension.
+    pub fn set_camera<const D: usize>(&mut self, camera: Camera<D>) {
+        let any: &mut dyn Any =
+            if D == 2 { &mut self.plane_camera } else { &mut self.orbit_camera };
+        if let Some(slot) = any.downcast_mut::<Option<Camera<D>>>() {
+            *slot = Some(camera);
+        }
+    }
+
+    /// Factor of type and lines, the preset's included.
+    pub fn zoom(&self) -> f32 {
+        self.scale * self.preset.scale()
+    }
+}
+
+impl Default for View {
+    fn default() -> Self {
+        Self {
+            theme: Theme::Light,
+            language: Language::English,
+            preset: Preset::default(),
+            scale: 1.0,
+            show: Show::default(),
+            playback: Playback::default(),
+            plane_camera: None,
+            orbit_camera: None,
+            blank: false,
+            dialog: None,
+        }
+    }
+}
+
+/// The element after `present`, round and round.
+fn following<T: Copy + PartialEq>(all: &[T], present: T) -> T {
+    let index = all.iter().position(|&other| other == present).unwrap_or(0);
+    all[(index + 1) % all.len()]
+}

@@ -1,0 +1,13 @@
+//! Controls and drawings that several panels share.
+
+mod bits;
+mod heading;
+mod number_field;
+mod rich;
+mod segments;
+
+pub use bits::{BitRow, BitTable, bit_table};
+pub use heading::heading;
+pub use number_field::number_field;
+pub use rich::{rich_job, rich_label};
+pub use segments::segments;
