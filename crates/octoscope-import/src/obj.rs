@@ -1,5 +1,5 @@
 //! Meshes in the Wavefront OBJ format: the statements `v` and `f`; all others
-//! are passed over.
+//! are passed over. A `\` at the end of a line joins the next one to it.
 
 use crate::error::{ImportError, Place};
 use crate::shape::{Shape, push_fan};
@@ -13,46 +13,70 @@ use octoscope_core::progress::Progress;
 /// # Errors
 /// Tells line and column of what is wrong.
 pub fn read(bytes: &[u8], progress: &Progress) -> Result<Shape, ImportError> {
-    let mut vertices = Vec::new();
-    let mut triangles = Vec::new();
-    let mut corners = Vec::new();
+    let mut mesh = Mesh::default();
+    let mut words = Vec::new();
+    let mut end = Place::Line { line: 1, column: 1 };
     progress.start(bytes.len() as u64);
     for line in lines(bytes) {
         progress.advance(line.text.len() as u64 + 1)?;
-        let line = line.without_comment();
-        let mut words = line.words();
-        match words.next().map(|word| word.text) {
-            Some(b"v") => vertices.push(vertex(&line, words)?),
-            Some(b"f") => {
-                corners.clear();
-                for word in words {
-                    corners.push(vertices[index(&word, vertices.len())?]);
-                }
-                if corners.len() < 3 {
-                    let fact = format!("the face has {} corners", corners.len());
-                    return Err(ImportError::at(line.end(), fact, "give it at least 3"));
-                }
-                push_fan(&corners, &mut triangles)?;
-            }
-            Some(_) | None => {}
+        let (line, goes_on) = without_continuation(line.without_comment());
+        words.extend(line.words());
+        end = line.end();
+        if !goes_on {
+            mesh.add(&words, end)?;
+            words.clear();
         }
     }
-    Shape::of(triangles, vertices)
+    mesh.add(&words, end)?;
+    Shape::of(mesh.triangles, mesh.vertices)
 }
 
-fn vertex<'a>(
-    line: &Line<'_>,
-    mut words: impl Iterator<Item = Word<'a>>,
-) -> Result<[f64; 3], ImportError> {
-    let mut coordinate = || match words.next() {
-        Some(word) => word.number(),
-        None => Err(ImportError::at(
-            line.end(),
-            "the vertex has too few coordinates",
-            "write “v x y z”",
-        )),
+/// What has been read so far.
+#[derive(Default)]
+struct Mesh {
+    vertices: Vec<[f64; 3]>,
+    triangles: Vec<[[f64; 3]; 3]>,
+}
+
+impl Mesh {
+    /// Takes one statement in, whose last line ends at `end`.
+    fn add(&mut self, words: &[Word<'_>], end: Place) -> Result<(), ImportError> {
+        let Some((keyword, words)) = words.split_first() else { return Ok(()) };
+        match keyword.text {
+            b"v" => self.vertices.push(vertex(words, end)?),
+            b"f" => {
+                let corner = |word| index(word, self.vertices.len()).map(|i| self.vertices[i]);
+                let corners: Vec<_> = words.iter().map(corner).collect::<Result<_, _>>()?;
+                if corners.len() < 3 {
+                    let fact = format!("the face has {} corners", corners.len());
+                    return Err(ImportError::at(end, fact, "give it at least 3"));
+                }
+                push_fan(&corners, &mut self.triangles)?;
+            }
+            _ => {}
+        }
+        Ok(())
+    }
+}
+
+/// The line without a `\` at its end, and whether there was one: then the
+/// statement goes on in the next line.
+fn without_continuation(line: Line<'_>) -> (Line<'_>, bool) {
+    match line.text.trim_ascii_end().strip_suffix(b"\\") {
+        Some(text) => (Line { text, ..line }, true),
+        None => (line, false),
+    }
+}
+
+fn vertex(words: &[Word<'_>], end: Place) -> Result<[f64; 3], ImportError> {
+    let [x, y, z, ..] = words else {
+        for word in words {
+            word.number()?;
+        }
+        let fact = "the vertex has too few coordinates";
+        return Err(ImportError::at(end, fact, "write “v x y z”"));
     };
-    Ok([coordinate()?, coordinate()?, coordinate()?])
+    Ok([x.number()?, y.number()?, z.number()?])
 }
 
 /// Index from 0 of a reference such as `7`, `7/2/5` or `-1` (the last vertex so
@@ -97,6 +121,13 @@ mod tests {
     }
 
     #[test]
+    fn statements_go_on_behind_a_backslash() {
+        let whole = read_text("f 1 2 3 4\nf 1 2 4");
+        assert_eq!(read_text("f 1 2 \\\n  3 4\nf 1 \\\r\n\\\n2\\\n4 \\"), whole);
+        assert_eq!(read_text("f 1 2 3 4 # \\\nf 1 2 4"), whole);
+    }
+
+    #[test]
     fn vertices_without_faces_are_points() {
         assert!(matches!(read_text(""), Ok(Shape::Points(points)) if points.len() == 4));
     }
@@ -126,6 +157,11 @@ mod tests {
         );
         check("f 1 a 2", &format!("line 7, column 5: “a” is not a vertex number; {NUMBER}"));
         check("f 1 2", "line 7, column 6: the face has 2 corners; give it at least 3");
+        check("f 1 \\\n 2", "line 8, column 3: the face has 2 corners; give it at least 3");
+        check(
+            "f 1 2 \\\n 5",
+            &format!("line 8, column 2: vertex 5 is not defined above; {NUMBER}"),
+        );
         check("v 1 2", "line 7, column 6: the vertex has too few coordinates; write “v x y z”");
         check(
             "v 1 nan 3",
