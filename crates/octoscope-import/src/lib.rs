@@ -12,6 +12,7 @@ mod error;
 mod hash;
 mod hexadecimal;
 mod import;
+mod jpeg_end;
 mod kind;
 mod obj;
 mod picture;

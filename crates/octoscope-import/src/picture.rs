@@ -1,6 +1,7 @@
 //! Pictures: PNG and JPEG.
 
 use crate::error::ImportError;
+use crate::jpeg_end::jpeg_is_whole;
 use image::{DynamicImage, ImageDecoder, ImageFormat, ImageReader, Limits};
 use octoscope_core::progress::Progress;
 use octoscope_core::scene::Image;
@@ -14,10 +15,14 @@ pub const MAX_PIXELS: u64 = 1 << 26;
 /// parts laid on white.
 ///
 /// # Errors
-/// Refuses more than [`MAX_PIXELS`], and what the decoder refuses.
+/// Refuses more than [`MAX_PIXELS`], a JPEG that ends too early, and what the
+/// decoder refuses.
 pub fn read(bytes: &[u8], format: ImageFormat, progress: &Progress) -> Result<Image, ImportError> {
     progress.start(0);
     progress.advance(0)?;
+    if format == ImageFormat::Jpeg && !jpeg_is_whole(bytes) {
+        return Err(damaged(&"it ends too early"));
+    }
     // The last resort against a decoder that panics on a damaged file: nothing
     // of it is used afterwards.
     let decoded = catch_unwind(AssertUnwindSafe(|| decode(bytes, format)));
