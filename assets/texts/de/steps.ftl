@@ -65,8 +65,8 @@ first-none = { $comparisons }, also ist kein Bit 1: Der Strahl { $inside ->
 
 step-one = { $child } wird durch die { $axes }-Ebene verlassen: { $exits }, also wird das { $axes }-Bit gesetzt, und der nächste Zustand ist { $next }.
 step-many = { $child } wird durch die Ebenen von { $axes } zugleich verlassen: { $exits }, also werden die Bits von { $axes } zusammen gesetzt, und der nächste Zustand ist { $next }.
-step-end-one = { $child } wird durch die { $axes }-Ebene verlassen: { $exits }. Das Bit von { $done } ist schon 1, also verlässt der Strahl auch den Elternknoten.
-step-end-many = { $child } wird durch die Ebenen von { $axes } zugleich verlassen: { $exits }. Das Bit von { $done } ist schon 1, also verlässt der Strahl auch den Elternknoten.
+step-end-one = { $child } wird durch die { $axes }-Ebene verlassen: { $exits }. In { $done } ist das schon die obere Hälfte, also verlässt der Strahl auch den Elternknoten.
+step-end-many = { $child } wird durch die Ebenen von { $axes } zugleich verlassen: { $exits }. In { $done } ist das schon die obere Hälfte, also verlässt der Strahl auch den Elternknoten.
 child = Kind { $state }
 state = Zustand { $state }
 up = Der Knoten ist erledigt; zurück nach oben: { $node }.

@@ -56,8 +56,8 @@ first-none = { $comparisons }, so no bit is 1: the ray { $inside ->
 
 step-one = { $child } is left through the { $axes } plane: { $exits }, so the { $axes } bit is set and the next state is { $next }.
 step-many = { $child } is left through the { $axes } planes at once: { $exits }, so the { $axes } bits are set together and the next state is { $next }.
-step-end-one = { $child } is left through the { $axes } plane: { $exits }. Its { $done } bit is 1 already, so the ray leaves the parent, too.
-step-end-many = { $child } is left through the { $axes } planes at once: { $exits }. Its { $done } bit is 1 already, so the ray leaves the parent, too.
+step-end-one = { $child } is left through the { $axes } plane: { $exits }. In { $done } that is the upper half already, so the ray leaves the parent, too.
+step-end-many = { $child } is left through the { $axes } planes at once: { $exits }. In { $done } that is the upper half already, so the ray leaves the parent, too.
 child = Child { $state }
 state = State { $state }
 up = The node is done: back up to { $node }.

@@ -8,6 +8,7 @@ mod sentence;
 mod title;
 mod variables;
 mod words;
+mod write;
 
 pub use listing::{Line, Listing, label, listing};
 pub use names::{algorithm_name, counter_name, end_name, query_name, step_texts};
@@ -16,3 +17,7 @@ pub use rich::{RichText, Span};
 pub use sentence::sentence;
 pub use title::short_title;
 pub use variables::{Variable, variables};
+pub use write::{trace_csv, trace_jsonl, trace_text};
+
+#[cfg(test)]
+mod tests;

@@ -25,10 +25,29 @@ pub fn sentence<const D: usize>(
         None => start(&words, ray, trace),
         Some(event) => {
             let before = Moment::after(tree, trace, step - 1);
-            Teller { words, ray, trace, before }.tell(event)
+            Teller { words: &words, ray, trace, before: &before }.tell(event)
         }
     };
     RichText::parse(&marked)
+}
+
+/// All sentences of `trace`, that of step 0 first. O(events) for a ray, unlike
+/// as many calls of [`sentence`].
+pub(super) fn sentences<const D: usize>(
+    tree: &Tree<D>,
+    ray: &Ray<D>,
+    trace: &Trace<D>,
+    language: Language,
+) -> Vec<RichText> {
+    let words = Words::new(tree, language);
+    let mut sentences = vec![RichText::parse(&start(&words, ray, trace))];
+    let mut before = Moment::default();
+    for event in &trace.events {
+        let marked = Teller { words: &words, ray, trace, before: &before }.tell(event);
+        sentences.push(RichText::parse(&marked));
+        before.apply(tree, event);
+    }
+    sentences
 }
 
 /// What is about to happen, as the first events betray it.
@@ -66,15 +85,15 @@ fn start<const D: usize>(words: &Words<D>, ray: &Ray<D>, trace: &Trace<D>) -> St
 
 /// Tells one event, knowing what was before.
 struct Teller<'a, const D: usize> {
-    words: Words<'a, D>,
+    words: &'a Words<'a, D>,
     ray: &'a Ray<D>,
     trace: &'a Trace<D>,
-    before: Moment<D>,
+    before: &'a Moment<D>,
 }
 
 impl<const D: usize> Teller<'_, D> {
     fn tell(&self, event: &Event<D>) -> String {
-        let words = &self.words;
+        let words = self.words;
         match *event {
             Event::Clip { near, far, enter, exit, hit, mirror } => {
                 self.clip(near, far, [enter, exit], hit, mirror)
@@ -252,7 +271,7 @@ impl<const D: usize> Teller<'_, D> {
         hit: bool,
         mirror: Axes<D>,
     ) -> String {
-        let words = &self.words;
+        let words = self.words;
         let beside = Axes::where_true(std::array::from_fn(|e| {
             near[e] == f64::INFINITY || far[e] == f64::NEG_INFINITY
         }));
@@ -289,7 +308,7 @@ impl<const D: usize> Teller<'_, D> {
         compared: Axes<D>,
         state: Child<D>,
     ) -> String {
-        let words = &self.words;
+        let words = self.words;
         let mid = self.before.frame().and_then(|frame| frame.mid).unwrap_or([entry; D]);
         let numbers: Vec<f64> = mid.into_iter().chain([entry]).collect();
         let values = distinct(&numbers);
@@ -330,7 +349,7 @@ impl<const D: usize> Teller<'_, D> {
         axes: Axes<D>,
         next: Option<Child<D>>,
     ) -> String {
-        let words = &self.words;
+        let words = self.words;
         let name = if self.mask().is_empty() { "child" } else { "state" };
         let child = words.say(name, &[("state", state.0.to_string())]);
         let mut arguments =

@@ -165,7 +165,7 @@ impl<const D: usize> Moment<D> {
     }
 
     /// Advances the state by one event.
-    fn apply(&mut self, tree: &Tree<D>, event: &Event<D>) {
+    pub fn apply(&mut self, tree: &Tree<D>, event: &Event<D>) {
         self.step += 1;
         self.counters.add(event);
         match *event {

@@ -1,0 +1,272 @@
+//! Laws and expectations of what is said.
+
+use super::*;
+use crate::geometry::Ray;
+use crate::locate::{Direction, Reach};
+use crate::progress::Progress;
+use crate::query::{Arithmetic, PointMethod, Query};
+use crate::random::Random;
+use crate::text::Language;
+use crate::trace::{Moment, record};
+use crate::traverse::{Algorithm, Options, StopAt};
+use crate::tree::{Cell, Domain, Split, Tree, grow};
+use std::collections::{BTreeMap, BTreeSet};
+
+/// Divides the cells along one diagonal; the last of them is full.
+fn tree<const D: usize>(levels: u8) -> Tree<D> {
+    let split = |cell: Cell<D>, ()| match cell.level {
+        0 if cell.code == [2; D] => Split::Full(vec![0]),
+        0 => Split::Empty,
+        level if cell.code.iter().all(|c| c >> level == 2 >> level) => {
+            Split::Inner(vec![(); 1 << D])
+        }
+        _ => Split::Empty,
+    };
+    grow(Domain::unit(levels), (), &Progress::default(), split).unwrap()
+}
+
+/// Rays that meet the corners of the tree's cells, miss it, or do neither.
+fn rays<const D: usize>() -> Vec<Ray<D>> {
+    let mut rays = vec![
+        ([-0.25; D], [1.0; D]),
+        ([1.25; D], [-1.0; D]),
+        ([0.3; D], [1.0; D]),
+        ([2.0; D], [1.0; D]),
+        (std::array::from_fn(|e| 0.3 * e as f64 + 0.1), std::array::from_fn(|e| (e == 0).into())),
+        ([-1.0; D], std::array::from_fn(|e| (e == 0).into())),
+        (std::array::from_fn(|e| e as f64 - 0.5), std::array::from_fn(|e| 1.0 - e as f64 * 0.9)),
+        // Touches a corner of the tree's cells, from outside their diagonal.
+        (
+            std::array::from_fn(|e| if e == 0 { 0.0 } else { 0.5 }),
+            std::array::from_fn(|e| if e == 0 { 1.0 } else { -1.0 }),
+        ),
+    ];
+    let mut random = Random::new(5);
+    for _ in 0..24 {
+        let origin = std::array::from_fn(|_| random.between(-0.5, 1.5));
+        let direction = std::array::from_fn(|_| random.between(-1.0, 1.0));
+        rays.push((origin, direction));
+    }
+    rays.into_iter().map(|(origin, direction)| Ray::new(origin, direction).unwrap()).collect()
+}
+
+/// Queries of every kind, by the name of their listing.
+fn queries<const D: usize>() -> Vec<(&'static str, Query<D>)> {
+    let mut queries = Vec::new();
+    for algorithm in Algorithm::ALL {
+        for stop_at in [StopAt::End, StopAt::FirstFull] {
+            let arithmetic = Arithmetic::Exact;
+            let options = Options { stop_at };
+            queries.push((algorithm.id(), Query::Ray { algorithm, options, arithmetic }));
+        }
+    }
+    for at in [[0.3; D], [0.5; D], [1.0; D]] {
+        queries.push(("point-codes", Query::Point { at, method: PointMethod::Codes }));
+        queries.push(("point-comparison", Query::Point { at, method: PointMethod::Comparison }));
+    }
+    for max in [0.3, 0.55, 0.9, 1.0] {
+        queries.push(("region", Query::Region { min: [0.26; D], max: [max; D] }));
+    }
+    for direction in Direction::all() {
+        for reach in [Reach::EqualOrLarger, Reach::Leaf] {
+            for (level, code) in [(0, [2; D]), (1, [2; D]), (2, [4; D])] {
+                queries.push(("neighbour", Query::Neighbour { level, code, direction, reach }));
+            }
+        }
+    }
+    queries
+}
+
+/// Calls `check` for every run of every query on sample trees.
+fn for_all_runs<const D: usize>(mut check: impl FnMut(&Tree<D>, &Ray<D>, &str, &Query<D>)) {
+    for levels in [0, 1, 3] {
+        let tree = tree(levels);
+        for (name, query) in queries() {
+            let along_ray = matches!(query, Query::Ray { .. });
+            for ray in rays().iter().take(if along_ray { usize::MAX } else { 1 }) {
+                check(&tree, ray, name, &query);
+            }
+        }
+    }
+}
+
+fn check_sentences<const D: usize>() {
+    for_all_runs::<D>(|tree, ray, _, query| {
+        let trace = record(tree, ray, query);
+        for language in Language::ALL {
+            for step in 0..=trace.events.len() {
+                let text = sentence(tree, ray, &trace, step, language).plain();
+                let whole = text.ends_with('.') && text.len() > 10;
+                let placed = !text.contains(['{', '}', '$', '\n']) && !text.contains("  ");
+                let marks = text.chars().any(|c| ('\u{E000}'..='\u{E0FF}').contains(&c));
+                assert!(whole && placed && !marks, "{query:?}, step {step}: {text}");
+            }
+        }
+    });
+}
+
+#[test]
+fn every_step_has_a_whole_sentence_in_both_languages() {
+    check_sentences::<2>();
+    check_sentences::<3>();
+}
+
+#[test]
+fn every_event_has_a_line_and_every_line_an_event() {
+    let mut reached: BTreeMap<String, BTreeSet<&str>> = BTreeMap::new();
+    fn run<const D: usize>(reached: &mut BTreeMap<String, BTreeSet<&'static str>>) {
+        for_all_runs::<D>(|tree, ray, name, query| {
+            let labels = record(tree, ray, query).events.iter().map(label).collect::<Vec<_>>();
+            reached.entry(name.to_owned()).or_default().extend(labels);
+        });
+    }
+    run::<2>(&mut reached);
+    run::<3>(&mut reached);
+    for (name, query) in queries::<2>() {
+        let lines = listing(&query, Language::English).lines;
+        let labels: BTreeSet<&str> =
+            lines.iter().map(|line| line.label).filter(|label| !label.is_empty()).collect();
+        assert_eq!(labels, reached[name], "{name}");
+    }
+}
+
+#[test]
+fn listings_fit_their_panel_and_are_commented_in_both_languages() {
+    for (name, query) in queries::<2>() {
+        let [english, german] = Language::ALL.map(|language| listing(&query, language).lines);
+        for (line, translated) in english.iter().zip(&german) {
+            let width = line.code.chars().count() + 2 * usize::from(line.indent);
+            assert!(width <= 44, "{name}: {}", line.code);
+            assert_eq!(line.comment.is_empty(), translated.comment.is_empty(), "{}", line.code);
+        }
+    }
+}
+
+fn check_variables<const D: usize>() {
+    for_all_runs::<D>(|tree, ray, _, query| {
+        let trace = record(tree, ray, query);
+        for step in 0..=trace.events.len() {
+            let variables = variables(tree, &Moment::after(tree, &trace, step));
+            let names: BTreeSet<String> = variables.iter().map(|v| v.name.plain()).collect();
+            assert_eq!(names.len(), variables.len(), "{query:?}, step {step}: {variables:?}");
+            assert!(variables.iter().all(|v| !v.value.plain().is_empty()));
+        }
+    });
+}
+
+#[test]
+fn variables_have_a_name_of_their_own_and_a_value() {
+    check_variables::<2>();
+    check_variables::<3>();
+}
+
+/// Checks that a run is told with these words, in English and in German.
+fn check_words<const D: usize>(ray: &Ray<D>, query: &Query<D>, expected: [&str; 2]) {
+    let tree = tree(3);
+    let trace = record(&tree, ray, query);
+    for (language, expected) in Language::ALL.into_iter().zip(expected) {
+        let told: Vec<String> = (0..=trace.events.len())
+            .map(|step| sentence(&tree, ray, &trace, step, language).plain())
+            .collect();
+        assert!(told.iter().any(|text| text == expected), "{}", told.join("\n"));
+    }
+}
+
+fn along(algorithm: Algorithm) -> Query<2> {
+    let (options, arithmetic) = (Options::default(), Arithmetic::Doubles);
+    Query::Ray { algorithm, options, arithmetic }
+}
+
+#[test]
+fn a_ray_is_told_with_its_numbers() {
+    let ray = Ray::new([-0.25, 0.125], [1.0, 0.25]).unwrap();
+    let check =
+        |english, german| check_words(&ray, &along(Algorithm::Parametric), [english, german]);
+    check(
+        "A ray from (−0.25, 0.125) along (1, 0.25) is followed through the quadtree by the parametric algorithm; press → to begin.",
+        "Ein Strahl von (−0.25, 0.125) in Richtung (1, 0.25) wird mit dem parametrischen Verfahren durch den Quadtree verfolgt; → beginnt.",
+    );
+    check(
+        "Child 0 is left through the x plane: t_x1 = 0.625 < t_y1 = 1, so the x bit is set and the next state is 2.",
+        "Kind 0 wird durch die x-Ebene verlassen: t_x1 = 0.625 < t_y1 = 1, also wird das x-Bit gesetzt, und der nächste Zustand ist 2.",
+    );
+    check(
+        "Child 0 is left through the x and y planes at once: t_x1 = 0.5 = t_y1 = 0.5, so the x and y bits are set together and the next state is 3.",
+        "Kind 0 wird durch die Ebenen von x und y zugleich verlassen: t_x1 = 0.5 = t_y1 = 0.5, also werden die Bits von x und y zusammen gesetzt, und der nächste Zustand ist 3.",
+    );
+    check(
+        "Child 2 is left through the x plane: t_x1 = 0.75 < t_y1 = 1. In x that is the upper half already, so the ray leaves the parent, too.",
+        "Kind 2 wird durch die x-Ebene verlassen: t_x1 = 0.75 < t_y1 = 1. In x ist das schon die obere Hälfte, also verlässt der Strahl auch den Elternknoten.",
+    );
+    check(
+        "The ray has left the root: the traversal ends after 4 leaves.",
+        "Der Strahl hat die Wurzel verlassen: Die Traversierung endet nach 4 Blättern.",
+    );
+}
+
+#[test]
+fn an_entry_past_a_mid_plane_is_told_by_its_bit() {
+    // The ray meets x = 0.5 at t = 0.375, but z = 0 only at t = 1.
+    let ray = Ray::new([0.3125, 0.0, -1.0], [0.5, 0.25, 1.0]).unwrap();
+    let query = Query::Ray {
+        algorithm: Algorithm::Parametric,
+        options: Options::default(),
+        arithmetic: Arithmetic::Doubles,
+    };
+    check_words(
+        &ray,
+        &query,
+        [
+            "t_xm = 0.375 < t_z0 = 1, so the x bit is 1: the ray enters in the upper x half, in state 4.",
+            "t_xm = 0.375 < t_z0 = 1, also ist das x-Bit 1: Der Strahl tritt in der oberen x-Hälfte ein, im Zustand 4.",
+        ],
+    );
+}
+
+#[test]
+fn a_mirrored_state_is_told_with_its_child() {
+    let ray = Ray::new([1.25, 0.125], [-1.0, 0.0]).unwrap();
+    check_words(
+        &ray,
+        &along(Algorithm::Parametric),
+        [
+            "State 2 is child 0 of the tree, as f(2) = 2 xor 2; it is visited: the node (0, 0) of level 2.",
+            "Zustand 2 ist Kind 0 des Baumes, denn f(2) = 2 xor 2; es wird besucht: Knoten (0, 0) auf Ebene 2.",
+        ],
+    );
+}
+
+#[test]
+fn codes_are_told_by_their_bits() {
+    let ray = Ray::new([-0.25, 0.3], [1.0, 0.0]).unwrap();
+    check_words(
+        &ray,
+        &along(Algorithm::Codes),
+        [
+            "The codes differ first in bit 2, so the common ancestor has level 3.",
+            "Die Codes unterscheiden sich zuerst in Bit 2, also liegt der gemeinsame Vorfahr auf Ebene 3.",
+        ],
+    );
+}
+
+#[test]
+fn a_miss_beside_the_root_and_a_touch_are_told() {
+    let beside = Ray::new([0.0, 2.0], [1.0, 0.0]).unwrap();
+    check_words(
+        &beside,
+        &along(Algorithm::Parametric),
+        [
+            "The ray misses the root: it does not move along y, and its origin lies outside there.",
+            "Der Strahl verfehlt die Wurzel: Entlang y bewegt er sich nicht, und sein Startpunkt liegt dort außerhalb.",
+        ],
+    );
+    let diagonal = Ray::new([-0.25, -0.25], [1.0, 1.0]).unwrap();
+    check_words(
+        &diagonal,
+        &along(Algorithm::ParametricTable),
+        [
+            "Leaf (0, 4) of level 2 is only touched, in one point at t = 0.75.",
+            "Blatt (0, 4) auf Ebene 2 wird nur berührt, in einem Punkt bei t = 0.75.",
+        ],
+    );
+}
