@@ -395,7 +395,9 @@ impl App {
         let step = self.view.playback.step;
         let bar = |fill| Frame::new().fill(fill).inner_margin(Margin::symmetric(12, 6));
         let palette = self.look.palette;
-        let title = with_document!(&self.document, d => short_title(&d.scenario, d.tree.n_leaves(), self.view.language));
+        let title = with_document!(&self.document, d => {
+            short_title(&d.scenario, d.tree.n_leaves(), self.view.language)
+        });
         Panel::top("menu").frame(bar(palette.panel)).show(ui, |ui| {
             let mut language = self.view.language;
             menu::ui(ui, &self.look, &title, &mut language, |c| self.is_enabled(c), commands);

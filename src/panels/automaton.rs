@@ -150,25 +150,28 @@ fn exit_table<const D: usize>(
 ) {
     let key = if D == 2 { "automaton-table-1" } else { "automaton-table-3" };
     ui.label(RichText::new(look.text(key)).size(13.0).color(look.palette.quiet));
-    Grid::new("exit-table").num_columns(D + 1).spacing([10.0, 2.0]).show(ui, |ui| {
-        ui.label(RichText::new(look.text("automaton-state-column")).size(13.0));
-        for axis in 0..D {
-            let text = RichText::new(AXIS_NAMES[axis]).strong().color(look.palette.axes[axis]);
-            ui.label(text);
-        }
-        ui.end_row();
-        for row in Child::<D>::all() {
-            let in_row = state == Some(row);
-            ui.label(cell_text(look, row.0.to_string(), in_row, in_row));
+    Grid::new("exit-table").num_columns(D + 1).spacing([10.0, 2.0]).min_row_height(20.0).show(
+        ui,
+        |ui| {
+            ui.label(RichText::new(look.text("automaton-state-column")).size(13.0));
             for axis in 0..D {
-                let used = in_row && lit.is_some_and(|(axes, _)| axes.contains(axis));
-                let text = transition(row, axis)
-                    .map_or_else(|| look.text("automaton-end"), |next| next.0.to_string());
-                ui.label(cell_text(look, text, in_row, used));
+                let text = RichText::new(AXIS_NAMES[axis]).strong().color(look.palette.axes[axis]);
+                ui.label(text);
             }
             ui.end_row();
-        }
-    });
+            for row in Child::<D>::all() {
+                let in_row = state == Some(row);
+                ui.label(cell_text(look, row.0.to_string(), in_row, in_row));
+                for axis in 0..D {
+                    let used = in_row && lit.is_some_and(|(axes, _)| axes.contains(axis));
+                    let text = transition(row, axis)
+                        .map_or_else(|| look.text("automaton-end"), |next| next.0.to_string());
+                    ui.label(cell_text(look, text, in_row, used));
+                }
+                ui.end_row();
+            }
+        },
+    );
 }
 
 fn cell_text(look: &Look, text: String, in_row: bool, used: bool) -> RichText {
@@ -187,18 +190,21 @@ fn entry_table<const D: usize>(ui: &mut Ui, look: &Look, event: Option<&Event<D>
         _ => None,
     };
     ui.label(RichText::new(look.text("automaton-table-2")).size(13.0).color(look.palette.quiet));
-    Grid::new("entry-table").num_columns(3).spacing([12.0, 2.0]).show(ui, |ui| {
-        for axis in 0..D {
-            let plane: String =
-                (0..D).filter(|&e| e != axis).map(|e| AXIS_NAMES[e].to_uppercase()).collect();
-            let used = entered == Some(axis);
-            ui.label(cell_text(look, plane, used, used));
-            for other in entry_axes::<D>(axis).iter() {
-                let bit = Axes::<D>::one(other).0;
-                let [o, e] = [AXIS_NAMES[other], AXIS_NAMES[axis]];
-                ui.label(cell_text(look, format!("t{o}m < t{e}0 → {bit}"), used, false));
+    Grid::new("entry-table").num_columns(3).spacing([12.0, 2.0]).min_row_height(20.0).show(
+        ui,
+        |ui| {
+            for axis in 0..D {
+                let plane: String =
+                    (0..D).filter(|&e| e != axis).map(|e| AXIS_NAMES[e].to_uppercase()).collect();
+                let used = entered == Some(axis);
+                ui.label(cell_text(look, plane, used, used));
+                for other in entry_axes::<D>(axis).iter() {
+                    let bit = Axes::<D>::one(other).0;
+                    let [o, e] = [AXIS_NAMES[other], AXIS_NAMES[axis]];
+                    ui.label(cell_text(look, format!("t{o}m < t{e}0 → {bit}"), used, false));
+                }
+                ui.end_row();
             }
-            ui.end_row();
-        }
-    });
+        },
+    );
 }

@@ -2,8 +2,9 @@
 
 use crate::look::Look;
 use crate::widgets::heading;
+use eframe::egui::text::{LayoutJob, TextFormat};
 use eframe::egui::{
-    Align2, FontFamily, FontId, Painter, Rect, Sense, Stroke, Ui, WidgetInfo, accesskit::Role,
+    Align, Align2, Color32, FontId, Painter, Rect, Sense, Stroke, Ui, WidgetInfo, accesskit::Role,
     pos2, vec2,
 };
 use octoscope_core::event::Event;
@@ -174,24 +175,34 @@ fn paint_axis<const D: usize>(
             painter.arrow(pos2(x - tip, y), vec2(tip, 0.0), Stroke::new(2.0, color));
         }
         // t with its subscript, and the value where there is room.
-        let value = approx(t);
-        let font = FontId::new(12.0, FontFamily::Proportional);
-        let text = format!("t{}{which} {value}", AXIS_NAMES[axis]);
-        let galley = painter.layout_no_wrap(text, font.clone(), color);
-        let wide = galley.size().x;
-        let start = (x - wide / 2.0).clamp(left + 18.0, painter.clip_rect().right() - wide - 2.0);
-        let galley = if start > labels_end + 6.0 {
-            galley
-        } else {
-            painter.layout_no_wrap(format!("t{}{which}", AXIS_NAMES[axis]), font, color)
-        };
-        let wide = galley.size().x;
-        let start = (x - wide / 2.0).clamp(left + 18.0, painter.clip_rect().right() - wide - 2.0);
-        if start > labels_end + 4.0 {
-            labels_end = start + wide;
-            painter.galley(pos2(start, y + 9.0), galley, color);
+        let name = format!("{}{which}", AXIS_NAMES[axis]);
+        for value in [format!(" {}", approx(t)), String::new()] {
+            let galley = painter.layout_job(parameter_job(&name, &value, color));
+            let wide = galley.size().x;
+            let start =
+                (x - wide / 2.0).clamp(left + 18.0, painter.clip_rect().right() - wide - 2.0);
+            if start > labels_end + 6.0 {
+                labels_end = start + wide;
+                let at = pos2(start, y + 9.0);
+                let behind = Rect::from_min_size(at, galley.size()).expand2(vec2(2.0, 0.0));
+                painter.rect_filled(behind, 2.0, look.palette.panel.gamma_multiply(0.8));
+                painter.galley(at, galley, color);
+                break;
+            }
         }
     }
+}
+
+/// t with a subscript, and a value after it.
+fn parameter_job(name: &str, value: &str, color: Color32) -> LayoutJob {
+    let mut job = LayoutJob::default();
+    for (text, size, valign) in
+        [("t", 13.0, Align::Center), (name, 10.0, Align::BOTTOM), (value, 12.0, Align::Center)]
+    {
+        let font_id = FontId::proportional(size);
+        job.append(text, 0.0, TextFormat { font_id, color, valign, ..TextFormat::default() });
+    }
+    job
 }
 
 /// Number of events until the leaf in which the ray is at parameter `t`.
