@@ -369,7 +369,11 @@ impl eframe::App for App {
         for command in commands {
             self.obey(&context, command);
         }
-        with_document!(&mut self.document, document => document.refresh());
+        let step = self.view.playback.step;
+        let step_now = with_document!(&mut self.document, document => document.refresh(step));
+        if step_now != step {
+            self.go_to(step_now);
+        }
         self.rebuild_if_needed(&context);
         self.settle(&context);
 

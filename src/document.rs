@@ -63,13 +63,19 @@ impl<const D: usize> Document<D> {
         self.built != (self.scenario.domain, self.scenario.recipe)
     }
 
-    /// Runs the query again if it or the ray has changed.
-    pub fn refresh(&mut self) {
+    /// Runs the query again if it or the ray has changed. Returns where the
+    /// playhead, now at `step`, belongs: at the end it stays at the end, and
+    /// another point, region or neighbour shows its answer at once.
+    pub fn refresh(&mut self, step: usize) -> usize {
         let wanted = (self.scenario.ray, self.scenario.query);
-        if self.traced != wanted {
-            self.trace = Arc::new(record(&self.tree, &wanted.0, &wanted.1));
-            self.traced = wanted;
+        if self.traced == wanted {
+            return step;
         }
+        let was_at_end = step > 0 && step >= self.trace.events.len();
+        let asked_anew = self.traced.1 != wanted.1 && !matches!(wanted.1, Query::Ray { .. });
+        self.trace = Arc::new(record(&self.tree, &wanted.0, &wanted.1));
+        self.traced = wanted;
+        if was_at_end || asked_anew { self.trace.events.len() } else { step }
     }
 
     /// Takes over the tree of `rebuilt`, made meanwhile from an earlier state of

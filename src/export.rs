@@ -3,7 +3,6 @@
 use crate::document::{AnyDocument, Document};
 use crate::files;
 use crate::view::View;
-use crate::with_document;
 use anyhow::bail;
 use octoscope_core::scenario::AnyScenario;
 use octoscope_figure::{
@@ -100,9 +99,14 @@ pub fn space_view(
         );
     };
     let step = view.playback.step;
-    let figure = with_document!(document, document => {
-        space(document, view.camera(), PAGE, &view.show, step)
-    });
+    let figure = match document {
+        AnyDocument::Plane(document) => {
+            space(document, view.camera(), PAGE, &view.plane_show, step)
+        }
+        AnyDocument::Space(document) => {
+            space(document, view.camera(), PAGE, &view.space_show, step)
+        }
+    };
     let width = (figure.page.width * 2.0).round() as u32;
     files::write(path, &bytes(&figure, format, view.theme, scenario, width)?)
 }

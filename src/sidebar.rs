@@ -37,7 +37,8 @@ pub fn ui<const D: usize>(
     let right = Panel::right(("explanation", view.preset)).frame(frame).default_size(width);
     right.size_range(260.0..=620.0).show(ui, |ui| {
         ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
-            for (n, &kind) in view.preset.panels().iter().enumerate() {
+            let panels = view.preset.panels(&document.scenario.query);
+            for (n, kind) in panels.into_iter().enumerate() {
                 if n > 0 {
                     ui.add_space(6.0);
                     ui.separator();
@@ -70,7 +71,7 @@ fn question<const D: usize>(
     ui.add_space(14.0);
     query::ui(ui, look, document);
     ui.add_space(14.0);
-    show::ui(ui, look, &mut view.show, D);
+    show::ui(ui, look, view.show_mut::<D>(), D);
     chosen
 }
 

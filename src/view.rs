@@ -2,7 +2,9 @@
 
 use crate::command::Command;
 use crate::playback::Playback;
+use octoscope_core::query::Query;
 use octoscope_core::text::Language;
+use octoscope_core::traverse::Algorithm;
 use octoscope_figure::{Camera, Show, Theme};
 use serde::{Deserialize, Serialize};
 use std::any::Any;
@@ -19,8 +21,10 @@ pub struct View {
     pub preset: Preset,
     /// Factor of type and lines, beside the preset's own.
     pub scale: f32,
-    /// What the space view shows.
-    pub show: Show,
+    /// What the space view shows of quadtrees.
+    pub plane_show: Show,
+    /// What it shows of octrees.
+    pub space_show: Show,
     /// The playhead.
     pub playback: Playback,
     /// Camera of quadtrees; `None` fits everything.
@@ -98,19 +102,45 @@ impl Preset {
     pub const ALL: [Self; 6] =
         [Self::Bits, Self::Rail, Self::Automaton, Self::Debug, Self::Queries, Self::Lecture];
 
-    /// The panels from top to bottom.
-    pub fn panels(self) -> &'static [PanelKind] {
+    /// The panels from top to bottom, for a query: those that have nothing to
+    /// say about it give way to the one that explains it.
+    pub fn panels<const D: usize>(self, query: &Query<D>) -> Vec<PanelKind> {
         use PanelKind::{
             Automaton, Codes, Counters, Listing, Neighbour, Rail, Region, Stack, Variables,
         };
-        match self {
-            Self::Bits => &[Codes, Region, Neighbour, Counters],
+        let chosen: &[PanelKind] = match self {
+            Self::Bits => &[Codes, Neighbour, Counters],
             Self::Rail => &[Rail, Automaton, Codes, Counters],
             Self::Automaton => &[Automaton, Rail, Counters],
             Self::Debug => &[Listing, Variables, Stack, Counters],
-            Self::Queries => &[Codes, Region, Neighbour],
+            Self::Queries => &[Codes, Region, Neighbour, Counters],
             Self::Lecture => &[Rail],
+        };
+        let own = match query {
+            Query::Ray { algorithm: Algorithm::Codes, .. } => Some(Neighbour),
+            Query::Ray { .. } => None,
+            Query::Point { .. } => Some(Codes),
+            Query::Region { .. } => Some(Region),
+            Query::Neighbour { .. } => Some(Neighbour),
+        };
+        let about_rays = matches!(query, Query::Ray { .. });
+        let has_states = matches!(
+            query,
+            Query::Ray { algorithm: Algorithm::Parametric | Algorithm::ParametricTable, .. }
+        );
+        let says_something = |kind: &PanelKind| match kind {
+            Rail => about_rays,
+            Automaton | Stack => has_states,
+            Region | Neighbour => own == Some(*kind),
+            Codes | Listing | Variables | Counters => true,
+        };
+        let mut panels: Vec<_> = chosen.iter().copied().filter(says_something).collect();
+        if let Some(own) = own.filter(|own| !panels.contains(own))
+            && self != Self::Debug
+        {
+            panels.insert(usize::from(about_rays).min(panels.len()), own);
         }
+        panels
     }
 
     /// Factor of type and lines.
@@ -145,6 +175,16 @@ impl View {
         }
     }
 
+    /// What the space view shows of trees of dimension D.
+    pub fn show<const D: usize>(&self) -> &Show {
+        if D == 2 { &self.plane_show } else { &self.space_show }
+    }
+
+    /// The same, to be changed.
+    pub fn show_mut<const D: usize>(&mut self) -> &mut Show {
+        if D == 2 { &mut self.plane_show } else { &mut self.space_show }
+    }
+
     /// The camera that is kept for trees of dimension D; `None` fits everything.
     pub fn camera<const D: usize>(&self) -> Option<Camera<D>> {
         let any: &dyn Any = if D == 2 { &self.plane_camera } else { &self.orbit_camera };
@@ -173,7 +213,8 @@ impl Default for View {
             language: Language::English,
             preset: Preset::default(),
             scale: 1.0,
-            show: Show::default(),
+            plane_show: Show::at_first::<2>(),
+            space_show: Show::at_first::<3>(),
             playback: Playback::default(),
             plane_camera: None,
             orbit_camera: None,

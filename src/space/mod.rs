@@ -47,19 +47,20 @@ pub fn ui<const D: usize>(ui: &mut Ui, look: &Look, space: Space<'_, D>) {
     let moment = document.moment(step);
     let event = step.checked_sub(1).and_then(|index| document.trace.events.get(index));
     let scenario = &document.scenario;
-    let marks = marks(&document.tree, &scenario.ray, &scenario.query, &moment, event, &view.show);
+    let marks =
+        marks(&document.tree, &scenario.ray, &scenario.query, &moment, event, view.show::<D>());
     let painter = ui.painter_at(rect);
     painter.rect_filled(rect, 0.0, look.palette.background);
     let mut painted = axes(document.tree.domain());
-    if D == 2 && view.show.content && document.content.len() <= MOST_PAINTED {
+    if D == 2 && view.show::<D>().content && document.content.len() <= MOST_PAINTED {
         painted.extend(content(&document.content));
     }
     painted.extend(marks);
     if let Some(layers) = layers {
-        layers.paint(ui, rect, &camera, document, (&view.show, view.theme), &painted);
+        layers.paint(ui, rect, &camera, document, (view.show::<D>(), view.theme), &painted);
         painted.retain(|mark| !base::draws(mark));
     } else if document.tree.n_leaves() <= MOST_PAINTED {
-        painted.extend(leaves(&document.tree, &view.show));
+        painted.extend(leaves(&document.tree, view.show::<D>()));
     }
     painted.sort_by_key(|mark| mark.role.layer());
     let figure = space_figure(&painted, &camera, frame.page);
