@@ -66,8 +66,13 @@ impl App {
 
     /// Window on the first scene, whatever was open last.
     pub fn first(creation: &eframe::CreationContext<'_>) -> Self {
+        Self::on(creation, first_scene())
+    }
+
+    /// Window on `document`, as at a first start.
+    pub fn on(creation: &eframe::CreationContext<'_>, document: AnyDocument) -> Self {
         theme::install_fonts(&creation.egui_ctx);
-        Self::with_document(first_scene(), View::default(), layers(creation))
+        Self::with_document(document, View::default(), layers(creation))
     }
 
     fn with_document(document: AnyDocument, view: View, layers: Option<Layers>) -> Self {
@@ -91,6 +96,11 @@ impl App {
     /// What is open.
     pub fn document(&self) -> &AnyDocument {
         &self.document
+    }
+
+    /// What is open, to be changed as panels and handles do.
+    pub fn document_mut(&mut self) -> &mut AnyDocument {
+        &mut self.document
     }
 
     /// Moves the playhead to where the scenario wants it.

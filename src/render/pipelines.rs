@@ -120,7 +120,17 @@ fn pipeline(
         depth_stencil: Some(wgpu::DepthStencilState {
             format: DEPTH,
             depth_write_enabled: Some(hides),
-            depth_compare: Some(wgpu::CompareFunction::LessEqual),
+            depth_compare: Some(match kind {
+                // The path shines through whatever lies before it.
+                Kind::Marks => wgpu::CompareFunction::Always,
+                Kind::Cells
+                | Kind::OpaqueFaces
+                | Kind::ClearFaces
+                | Kind::Edges
+                | Kind::Points
+                | Kind::Triangles
+                | Kind::Spheres => wgpu::CompareFunction::LessEqual,
+            }),
             stencil: Default::default(),
             bias: Default::default(),
         }),
