@@ -3,7 +3,7 @@
 use crate::document::{AnyDocument, Document};
 use crate::{files, with_document};
 use anyhow::{Context, anyhow, bail};
-use octoscope_core::progress::Progress;
+use octoscope_core::progress::{Cancelled, Progress};
 use octoscope_core::scenario::{AnyScenario, Scenario, Source, built_in};
 use octoscope_core::scene::Content;
 use octoscope_import::{Imported, hash, import};
@@ -19,8 +19,8 @@ pub fn open_path(path: &Path, progress: &Progress) -> anyhow::Result<AnyDocument
     let name = path.file_name().map(|name| name.to_string_lossy().into_owned());
     let name = name.unwrap_or_else(|| path.display().to_string());
     let folder = path.parent().unwrap_or(Path::new("."));
-    let mut document = open_bytes(&name, &bytes, folder, progress)
-        .with_context(|| format!("cannot open {}", path.display()))?;
+    let mut document =
+        open_bytes(&name, &bytes, folder, progress).map_err(|error| with_path(error, path))?;
     let is_scenario = is_scenario(&name);
     with_document!(&mut document, document => {
         document.path = is_scenario.then(|| path.to_owned());
@@ -98,6 +98,14 @@ pub fn open_built_in(id: &str, progress: &Progress) -> anyhow::Result<AnyDocumen
     open_scenario(scenario, Path::new("."), progress)
 }
 
+/// The same error with the path at its end; of a cancelled work nothing is said.
+fn with_path(error: anyhow::Error, path: &Path) -> anyhow::Error {
+    if error.root_cause().is::<Cancelled>() {
+        return error;
+    }
+    anyhow!("{error:#}: {}", path.display())
+}
+
 /// Whether a file of this name holds a scenario.
 fn is_scenario(name: &str) -> bool {
     Path::new(name).extension().is_some_and(|ending| ending.eq_ignore_ascii_case("octo"))
@@ -121,8 +129,8 @@ fn content<const D: usize>(
             full.display()
         );
     }
-    let imported = import(path, &bytes, progress)
-        .with_context(|| format!("cannot open the scenario's data file {}", full.display()))?;
+    let imported =
+        import(path, &bytes, progress).map_err(|error| with_path(error.into(), &full))?;
     of_dimension(imported)
         .ok_or_else(|| anyhow!("the data file has another dimension than the scenario: {path}"))
 }

@@ -29,7 +29,8 @@ pub fn ui(
     let shown = dialog.as_mut()?;
     let mut answer = None;
     let mut close = false;
-    let response = Modal::new(Id::unique("dialog")).show(context, |ui| {
+    let frame = Frame::popup(&context.global_style()).inner_margin(20.0);
+    let response = Modal::new(Id::unique("dialog")).frame(frame).show(context, |ui| {
         ui.set_max_width(480.0);
         match shown {
             Dialog::Keys => keys(ui, look),

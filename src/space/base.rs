@@ -156,7 +156,8 @@ fn colours_of<const D: usize>(image: &Image, tree: &Tree<D>) -> Option<Vec<Optio
 
 /// The content of an octree.
 fn content_layer<const D: usize>(content: &Content<D>, theme: Theme) -> Option<Layer> {
-    let colour = color32(Palette::of(theme).quiet_ink);
+    let palette = Palette::of(theme);
+    let (colour, surface) = (color32(palette.quiet_ink), color32(palette.grid));
     let point = |p: &[f64; D]| std::array::from_fn(|e| if e < D { p[e] as f32 } else { 0.0 });
     match content {
         Content::Points(points) => {
@@ -165,14 +166,14 @@ fn content_layer<const D: usize>(content: &Content<D>, theme: Theme) -> Option<L
         Content::Triangles(triangles) => {
             let triangles: Vec<[[f32; 3]; 3]> =
                 triangles.iter().map(|t| [point(&t[0]), point(&t[1]), point(&t[2])]).collect();
-            Some(Layer::triangles(&triangles, colour))
+            Some(Layer::triangles(&triangles, surface))
         }
         Content::Spheres(spheres) => {
             let balls = spheres.iter().map(|sphere| {
                 let [x, y, z]: [f32; 3] = point(&sphere.centre);
                 [x, y, z, sphere.radius as f32]
             });
-            Some(Layer::spheres(balls.collect(), colour))
+            Some(Layer::spheres(balls.collect(), surface))
         }
         Content::Cells(_) | Content::Boxes(_) | Content::Image(_) => None,
     }

@@ -106,7 +106,7 @@ fn paint_cell(painter: &eframe::egui::Painter, look: &Look, place: Rect, marked:
         painter.rect_stroke(place, corners, stroke, StrokeKind::Inside);
     } else {
         painter.rect_filled(place, corners, palette.field);
-        let stroke = Stroke::new(1.0, Color32::from(palette.grid));
+        let stroke = Stroke::new(1.0, palette.grid);
         painter.rect_stroke(place.shrink2(Vec2::ZERO), corners, stroke, StrokeKind::Inside);
     }
 }
