@@ -152,10 +152,22 @@ impl App {
         self.job = Some((Job::start(title, context, work), Purpose::Rebuild));
     }
 
+    /// Waits until what is being opened or built is there; without work, not at all.
+    pub fn finish_work(&mut self) {
+        if let Some((job, purpose)) = &self.job {
+            self.conclude(job.wait(), *purpose);
+        }
+    }
+
     fn poll_job(&mut self) {
-        let Some((job, purpose)) = &self.job else { return };
-        let purpose = *purpose;
-        let result = match job.poll() {
+        if let Some((job, purpose)) = &self.job {
+            self.conclude(job.poll(), *purpose);
+        }
+    }
+
+    /// Takes what a job has come to.
+    fn conclude(&mut self, poll: Poll<anyhow::Result<AnyDocument>>, purpose: Purpose) {
+        let result = match poll {
             Poll::Running => return,
             Poll::Done(result) => result,
             Poll::Broken => Err(anyhow!(self.look.text("job-broken"))),

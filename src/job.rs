@@ -60,6 +60,11 @@ impl<T: Send + 'static> Job<T> {
         }
     }
 
+    /// Waits until the work is done.
+    pub fn wait(&self) -> Poll<T> {
+        self.receiver.recv().map_or(Poll::Broken, Poll::Done)
+    }
+
     /// Whether it has lasted long enough to be shown.
     pub fn is_shown(&self) -> bool {
         self.started.elapsed() >= Self::SHOWN_AFTER

@@ -1,0 +1,147 @@
+//! What a screen reader finds, in both languages.
+
+use crate::desk::{Desk, spoken};
+use eframe::egui::{Key, accesskit::Role};
+use egui_kittest::kittest::{NodeT, Queryable};
+use octoscope::command::Menu;
+use octoscope::text::texts;
+use octoscope::view::Preset;
+use octoscope_core::text::Language;
+use std::collections::HashSet;
+
+const PRESETS: [Key; 6] = [Key::Num1, Key::Num2, Key::Num3, Key::Num4, Key::Num5, Key::Num6];
+const OPERATED: [Role; 8] = [
+    Role::Button,
+    Role::CheckBox,
+    Role::ComboBox,
+    Role::RadioButton,
+    Role::Slider,
+    Role::SpinButton,
+    Role::TextInput,
+    Role::Canvas,
+];
+
+/// Text of a key, in English.
+fn english(key: &str) -> String {
+    texts(Language::English).get(key)
+}
+
+#[test]
+fn every_preset_opens_by_its_key_with_its_panels() {
+    let mut desk = Desk::new();
+    let titles = [
+        &["panel-codes", "panel-counters"][..],
+        &["panel-t-rail", "panel-automaton"],
+        &["panel-automaton", "panel-t-rail"],
+        &["panel-listing", "panel-variables", "panel-stack", "panel-counters"],
+        &["panel-codes"],
+        &["panel-t-rail"],
+    ];
+    for ((key, preset), titles) in PRESETS.into_iter().zip(Preset::ALL).zip(titles) {
+        desk.press(key);
+        assert_eq!(desk.state().view.preset, preset);
+        let shown = desk.texts();
+        for title in titles {
+            assert!(shown.contains(&english(title)), "{title} in {preset:?}");
+        }
+        let left = shown.contains(&english("panel-scene"));
+        assert_eq!(left, preset != Preset::Lecture, "{preset:?}");
+    }
+}
+
+#[test]
+fn a_query_brings_the_panel_that_explains_it() {
+    let mut desk = Desk::new();
+    desk.press(Key::Num5);
+    for (query, title) in
+        [("Point", "panel-codes"), ("Region", "panel-region"), ("Neighbour", "panel-neighbour")]
+    {
+        desk.click(Role::Button, query);
+        assert!(desk.texts().contains(&english(title)), "{title}");
+    }
+}
+
+#[test]
+fn everything_that_can_be_operated_has_a_name() {
+    let mut desk = Desk::new();
+    for query in ["Ray", "Point", "Region", "Neighbour"] {
+        desk.press(Key::Num1);
+        if query == "Ray" {
+            desk.press(Key::End);
+        } else {
+            desk.click(Role::Button, query);
+        }
+        for key in PRESETS {
+            desk.press(key);
+            let nodes = desk.nodes();
+            let operated =
+                nodes.iter().filter(|node| OPERATED.contains(&node.accesskit_node().role()));
+            let mut n = 0;
+            for node in operated {
+                let node = node.accesskit_node();
+                let name = node.label().unwrap_or_default();
+                assert!(!name.trim().is_empty(), "{:?} {:?}", node.role(), node.bounding_box());
+                n += 1;
+            }
+            assert!(n >= 10, "{n} for {query} and {key:?}");
+        }
+    }
+}
+
+#[test]
+fn menus_list_their_commands_and_obey() {
+    let mut desk = Desk::new();
+    for menu in Menu::ALL {
+        let name = english(menu.id());
+        let bar = desk.get_all_by_role_and_label(Role::Button, &name).next().unwrap();
+        bar.click();
+        desk.run();
+        for row in octoscope::command::COMMANDS.iter().filter(|row| row.menu == menu) {
+            assert!(desk.says(&english(row.id)), "{}", row.id);
+        }
+        desk.press(Key::Escape);
+    }
+}
+
+#[test]
+fn in_german_no_english_is_left() {
+    let mut desk = Desk::new();
+    desk.press(Key::Home);
+    desk.press(Key::ArrowRight);
+    let sentence = desk.sentence();
+    desk.click(Role::Button, "DE");
+    assert_ne!(desk.sentence(), sentence);
+    assert!(desk.sentence().contains("Strahl"), "{}", desk.sentence());
+    let foreign = only_english();
+    assert!(foreign.len() > 60, "{}", foreign.len());
+    for key in PRESETS {
+        desk.press(key);
+        for text in desk.nodes().iter().map(spoken) {
+            assert!(!foreign.contains(&text), "{text} with {key:?}");
+        }
+    }
+    desk.press(Key::Num1);
+    desk.click(Role::Button, "EN");
+    assert_eq!(desk.sentence(), sentence);
+}
+
+/// Texts that are said in another way in German.
+fn only_english() -> HashSet<String> {
+    let source = include_str!("../../assets/texts/en/window.ftl");
+    let keys = source.lines().filter_map(|line| line.split_once(" = ")).map(|(key, _)| key);
+    // Listings say “end” in every language.
+    let keys = keys.filter(|key| !key.starts_with([' ', '#']) && *key != "automaton-end");
+    let both = keys.map(|key| Language::ALL.map(|language| texts(language).get(key)));
+    both.filter(|[one, other]| one != other).map(|[english, _]| english).collect()
+}
+
+#[test]
+fn larger_type_is_larger_and_goes_back() {
+    let mut desk = Desk::new();
+    let width = |desk: &Desk| desk.ctx.content_rect().width();
+    let usual = width(&desk);
+    desk.press(Key::Plus);
+    assert!(width(&desk) < usual);
+    desk.press(Key::Num0);
+    assert_eq!(width(&desk), usual);
+}

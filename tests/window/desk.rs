@@ -1,0 +1,193 @@
+//! The program with a user before it.
+
+use eframe::egui::{Event, Key, Modifiers, PointerButton, Pos2, accesskit::Role};
+use egui_kittest::kittest::{NodeT, Queryable};
+use egui_kittest::{Harness, HarnessBuilder, Node};
+use octoscope::app::App;
+use octoscope::document::{AnyDocument, Document};
+use octoscope::space::{PageInWindow, interesting};
+use octoscope_figure::{Camera, Page};
+use std::ops::{Deref, DerefMut};
+use std::path::{Path, PathBuf};
+
+/// The window in a test; it has all that [`Harness`] has.
+pub struct Desk(Harness<'static, App>);
+
+impl Deref for Desk {
+    type Target = Harness<'static, App>;
+
+    fn deref(&self) -> &Self::Target {
+        &self.0
+    }
+}
+
+impl DerefMut for Desk {
+    fn deref_mut(&mut self) -> &mut Self::Target {
+        &mut self.0
+    }
+}
+
+impl Desk {
+    /// The window on the first scene, without a graphics adapter.
+    pub fn new() -> Self {
+        Self::of(Harness::builder(), [1280.0, 800.0])
+    }
+
+    /// The window on the first scene, as `builder` wants it, of `size` points.
+    pub fn of(builder: HarnessBuilder<App>, size: [f32; 2]) -> Self {
+        let builder = builder.with_size(size).with_step_dt(1.0 / 60.0).with_max_steps(60);
+        let mut desk = Self(builder.build_eframe(|creation| App::first(creation)));
+        desk.run();
+        desk
+    }
+
+    /// The window on a file.
+    pub fn with_file(path: impl AsRef<Path>) -> Self {
+        let mut desk = Self::new();
+        desk.open(path);
+        desk
+    }
+
+    /// Opens a file and waits until it is there, or refused.
+    pub fn open(&mut self, path: impl AsRef<Path>) {
+        let context = self.ctx.clone();
+        self.state_mut().open(&context, path.as_ref().to_owned());
+        self.state_mut().finish_work();
+        self.run();
+    }
+
+    /// Presses and releases a key.
+    pub fn press(&mut self, key: Key) {
+        self.key_press(key);
+        self.run();
+    }
+
+    /// Presses and releases a key in two frames, settled or not.
+    pub fn tap(&mut self, key: Key) {
+        self.key_press(key);
+        self.step();
+    }
+
+    /// Presses and releases a key together with others.
+    pub fn press_with(&mut self, modifiers: Modifiers, key: Key) {
+        self.key_press_modifiers(modifiers, key);
+        self.run();
+    }
+
+    /// Clicks the only control of this role and name.
+    pub fn click(&mut self, role: Role, name: &str) {
+        self.get_by_role_and_label(role, name).click();
+        self.run();
+    }
+
+    /// Types into the field of this name and confirms.
+    pub fn type_into(&mut self, name: &str, text: &str) {
+        self.click(Role::SpinButton, name);
+        self.event(Event::Text(text.to_owned()));
+        self.press(Key::Enter);
+    }
+
+    /// Drags from one place to the other, with `modifiers` held.
+    pub fn drag(&mut self, [from, to]: [Pos2; 2], modifiers: Modifiers) {
+        self.event(Event::ModifiersChanged(modifiers));
+        self.hover_at(from);
+        self.button(from, modifiers, Button::Down);
+        for share in [0.25, 0.5, 0.75, 1.0] {
+            self.hover_at(from + (to - from) * share);
+        }
+        self.button(to, modifiers, Button::Up);
+        self.event(Event::ModifiersChanged(Modifiers::NONE));
+        self.run();
+    }
+
+    /// Clicks a place once or several times.
+    pub fn click_at(&mut self, place: Pos2, times: usize) {
+        self.hover_at(place);
+        for _ in 0..times {
+            self.button(place, Modifiers::NONE, Button::Down);
+            self.button(place, Modifiers::NONE, Button::Up);
+        }
+        self.run();
+    }
+
+    fn button(&self, pos: Pos2, modifiers: Modifiers, button: Button) {
+        let pressed = matches!(button, Button::Down);
+        self.event(Event::PointerButton {
+            pos,
+            button: PointerButton::Primary,
+            pressed,
+            modifiers,
+        });
+    }
+
+    /// Place in the window of a point of the open quadtree.
+    pub fn place(&self, point: [f64; 2]) -> Pos2 {
+        let rect = self.get_by_role_and_label(Role::Canvas, "Space view").rect();
+        let page = Page { width: f64::from(rect.width()), height: f64::from(rect.height()) };
+        let view = PageInWindow { page, corner: rect.min };
+        let framed = || Camera::framing(&interesting(self.plane()), page);
+        let camera = self.state().view.plane_camera.unwrap_or_else(framed);
+        view.place(&camera, point).unwrap()
+    }
+
+    /// The open document, which is a quadtree.
+    #[track_caller]
+    pub fn plane(&self) -> &Document<2> {
+        match self.state().document() {
+            AnyDocument::Plane(document) => document,
+            AnyDocument::Space(_) => panic!("an octree is open"),
+        }
+    }
+
+    /// The open document, which is an octree.
+    #[track_caller]
+    pub fn space(&self) -> &Document<3> {
+        match self.state().document() {
+            AnyDocument::Space(document) => document,
+            AnyDocument::Plane(_) => panic!("a quadtree is open"),
+        }
+    }
+
+    /// Number of events before the playhead.
+    pub fn step_number(&self) -> usize {
+        self.state().view.playback.step
+    }
+
+    /// The sentence of the step.
+    pub fn sentence(&self) -> String {
+        let is_sentence = |node: &Node<'_>| node.accesskit_node().author_id() == Some("sentence");
+        let node = self.nodes().into_iter().find(is_sentence).unwrap();
+        spoken(&node)
+    }
+
+    /// All nodes of the accessibility tree.
+    pub fn nodes(&self) -> Vec<Node<'_>> {
+        self.root().children_recursive().collect()
+    }
+
+    /// All texts on the screen, as a screen reader says them.
+    pub fn texts(&self) -> Vec<String> {
+        self.nodes().iter().map(spoken).filter(|text| !text.is_empty()).collect()
+    }
+
+    /// Whether this text is on the screen.
+    pub fn says(&self, text: &str) -> bool {
+        self.texts().iter().any(|other| other.contains(text))
+    }
+}
+
+enum Button {
+    Down,
+    Up,
+}
+
+/// What a screen reader says of a node: its name, else its value.
+pub fn spoken(node: &Node<'_>) -> String {
+    let node = node.accesskit_node();
+    node.label().or_else(|| node.value()).unwrap_or_default()
+}
+
+/// A sample file of the program.
+pub fn sample(name: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("assets/scenes").join(name)
+}

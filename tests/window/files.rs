@@ -1,0 +1,129 @@
+//! Files, opened as a user opens them.
+
+use crate::desk::{Desk, sample};
+use eframe::egui::{self, Key, Modifiers};
+use octoscope::view::Dialog;
+use octoscope_core::scene::Content;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use tempfile::tempdir;
+
+#[test]
+fn a_picture_opens_as_a_quadtree_and_is_traced() {
+    let desk = Desk::with_file(sample("landscape.png"));
+    assert_eq!(desk.state().view.dialog, None);
+    assert!(matches!(*desk.plane().content, Content::Image(_)));
+    assert!(desk.plane().tree.n_leaves() > 100);
+    assert!(desk.plane().trace.leaves().count() > 4);
+    assert!(desk.says("landscape.png"));
+}
+
+#[test]
+fn a_mesh_opens_as_an_octree_and_is_traced() {
+    let mut desk = Desk::with_file(sample("knot.obj"));
+    assert_eq!(desk.state().view.dialog, None);
+    assert!(matches!(*desk.space().content, Content::Triangles(_)));
+    assert!(desk.space().tree.n_leaves() > 100);
+    desk.press(Key::Home);
+    let sentence = desk.sentence();
+    desk.press(Key::End);
+    assert_ne!(desk.sentence(), sentence);
+}
+
+#[test]
+fn every_sample_opens() {
+    let mut desk = Desk::new();
+    let folder = sample("");
+    let mut opened = 0;
+    for entry in fs::read_dir(folder).unwrap() {
+        let path = entry.unwrap().path();
+        let ending = path.extension().unwrap().to_str().unwrap().to_owned();
+        // Cells and rays are for the command line.
+        if ["md", "cells", "rays"].contains(&ending.as_str()) {
+            continue;
+        }
+        desk.open(&path);
+        assert_eq!(desk.state().view.dialog, None, "{}", path.display());
+        opened += 1;
+    }
+    assert!(opened > 5, "{opened}");
+}
+
+#[test]
+fn an_opened_file_is_undone_like_any_change() {
+    let mut desk = Desk::new();
+    let leaves = desk.plane().tree.n_leaves();
+    desk.open(sample("knot.obj"));
+    desk.press_with(Modifiers::COMMAND, Key::Z);
+    assert_eq!(desk.plane().tree.n_leaves(), leaves);
+    desk.press_with(Modifiers::COMMAND, Key::Y);
+    assert!(desk.space().tree.n_leaves() > 100);
+}
+
+#[test]
+fn a_broken_file_is_one_message_and_the_old_scene_stays() {
+    let folder = tempdir().unwrap();
+    let picture = fs::read(sample("landscape.png")).unwrap();
+    let files: [(&str, &[u8]); 6] = [
+        ("empty.png", b""),
+        ("cut.png", &picture[..picture.len() / 2]),
+        ("other.png", b"v 0 0 0\nv 1 0 0\nf 1 2 3\n"),
+        ("empty.obj", b""),
+        ("hole.obj", b"v 0 0 0\nf 1 2 3\n"),
+        ("unknown.ending", b"?"),
+    ];
+    let mut desk = Desk::new();
+    let (scene, texts) = (desk.plane().scenario.clone(), desk.texts());
+    for (name, bytes) in files {
+        let path = folder.path().join(name);
+        fs::write(&path, bytes).unwrap();
+        desk.open(&path);
+        let Some(Dialog::Error(message)) = desk.state().view.dialog.clone() else {
+            panic!("{name} was not refused");
+        };
+        assert!(message.contains(name), "{message}");
+        assert!(desk.says(&message));
+        assert_eq!(desk.plane().scenario, scene, "{name}");
+        desk.press(Key::Escape);
+        assert_eq!(desk.state().view.dialog, None);
+        assert_eq!(desk.texts(), texts, "{name}");
+    }
+    desk.open(folder.path().join("missing.png"));
+    assert!(matches!(desk.state().view.dialog, Some(Dialog::Error(_))));
+}
+
+#[test]
+fn keys_do_nothing_behind_a_message() {
+    let mut desk = Desk::new();
+    desk.press(Key::Home);
+    desk.state_mut().view.dialog = Some(Dialog::Keys);
+    desk.press(Key::ArrowRight);
+    assert_eq!(desk.step_number(), 0);
+    desk.press(Key::Escape);
+    desk.press(Key::ArrowRight);
+    assert_eq!(desk.step_number(), 1);
+}
+
+#[test]
+fn a_file_dropped_on_the_window_opens() {
+    let mut desk = Desk::new();
+    desk.input_mut().dropped_files.push(Arc::new(Dropped(sample("knot.obj"))));
+    desk.step();
+    desk.state_mut().finish_work();
+    desk.run();
+    assert!(desk.space().tree.n_leaves() > 100);
+}
+
+#[derive(Debug)]
+struct Dropped(PathBuf);
+
+impl egui::DroppedFile for Dropped {
+    fn path(&self) -> &Path {
+        &self.0
+    }
+
+    fn bytes(&self) -> Result<Vec<u8>, String> {
+        fs::read(&self.0).map_err(|error| error.to_string())
+    }
+}

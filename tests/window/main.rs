@@ -1,0 +1,11 @@
+//! The window as its users meet it: the real program, operated by mouse and
+//! keyboard through the accessibility tree.
+
+#![allow(clippy::unwrap_used, reason = "a test may panic")]
+
+mod controls;
+mod desk;
+mod files;
+mod queries;
+mod ray;
+mod steps;

@@ -1,0 +1,85 @@
+//! Questions that are asked by the mouse in the picture.
+
+use crate::desk::Desk;
+use eframe::egui::{Key, Modifiers, accesskit::Role};
+use octoscope_core::query::Query;
+use octoscope_core::tree::Node;
+
+/// A leaf whose sides are far enough apart to be told apart by the mouse, away
+/// from the ray.
+fn large_leaf(desk: &Desk) -> Node {
+    let tree = &desk.plane().tree;
+    let upper_left = |leaf: &Node| {
+        let middle = tree.node_box(leaf.id).centre();
+        middle[0] < 0.5 && middle[1] > 0.7
+    };
+    tree.leaves().filter(upper_left).max_by_key(|leaf| tree.level(leaf.id)).unwrap()
+}
+
+#[test]
+fn a_double_click_locates_the_point() {
+    let mut desk = Desk::new();
+    let leaf = large_leaf(&desk);
+    let bounds = desk.plane().tree.node_box(leaf.id);
+    let point = [0, 1].map(|e| 0.4 * bounds.min[e] + 0.6 * bounds.max[e]);
+    desk.click_at(desk.place(point), 2);
+    let Query::Point { at, .. } = desk.plane().scenario.query else { panic!("no point query") };
+    assert!(bounds.owns(at), "{at:?} in {bounds:?}");
+    desk.press(Key::End);
+    assert_eq!(desk.plane().moment(desk.step_number()).current, Some(leaf.id));
+}
+
+#[test]
+fn a_drag_with_shift_locates_the_region() {
+    let mut desk = Desk::new();
+    let corners = [[0.3, 0.8], [0.45, 0.6]];
+    desk.drag(corners.map(|corner| desk.place(corner)), Modifiers::SHIFT);
+    let Query::Region { min, max } = desk.plane().scenario.query else { panic!("no region") };
+    for (was, wanted) in [(min, [0.3, 0.6]), (max, [0.45, 0.8])] {
+        for axis in 0..2 {
+            assert!((was[axis] - wanted[axis]).abs() < 4e-3, "{was:?} {wanted:?}");
+        }
+    }
+    desk.press(Key::End);
+    let moment = desk.plane().moment(desk.step_number());
+    let bounds = desk.plane().tree.node_box(moment.current.unwrap());
+    assert!((0..2).all(|e| bounds.min[e] <= min[e] && max[e] < bounds.max[e]), "{bounds:?}");
+}
+
+#[test]
+fn a_click_on_a_side_asks_for_the_neighbour() {
+    let mut desk = Desk::new();
+    let leaf = large_leaf(&desk);
+    let bounds = desk.plane().tree.node_box(leaf.id);
+    let middle = bounds.centre();
+    let unit = bounds.size()[0] / f64::from(desk.place(bounds.max).x - desk.place(bounds.min).x);
+    let inside = 3.0 * unit;
+    for (axis, sign, side) in [
+        (0, 1, [bounds.max[0] - inside, middle[1]]),
+        (0, -1, [bounds.min[0] + inside, middle[1]]),
+        (1, 1, [middle[0], bounds.max[1] - inside]),
+        (1, -1, [middle[0], bounds.min[1] + inside]),
+    ] {
+        desk.click_at(desk.place(side), 1);
+        let Query::Neighbour { level, code, direction, .. } = desk.plane().scenario.query else {
+            panic!("no neighbour query")
+        };
+        let tree = &desk.plane().tree;
+        assert_eq!((level, code), (tree.level(leaf.id), tree.code(leaf.id)));
+        let mut expected = [0; 2];
+        expected[axis] = sign;
+        assert_eq!(direction.components(), expected);
+        // Two clicks that follow at once are a double click.
+        desk.run_steps(40);
+    }
+}
+
+#[test]
+fn the_kind_of_query_is_chosen_by_a_button_and_undone() {
+    let mut desk = Desk::new();
+    let before = desk.plane().scenario.query;
+    desk.click(Role::Button, "Region");
+    assert!(matches!(desk.plane().scenario.query, Query::Region { .. }));
+    desk.press_with(Modifiers::COMMAND, Key::Z);
+    assert_eq!(desk.plane().scenario.query, before);
+}

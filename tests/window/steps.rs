@@ -1,0 +1,125 @@
+//! Stepping, playing and the presenter's keys.
+
+use crate::desk::Desk;
+use eframe::egui::{Key, accesskit::Role};
+use egui_kittest::kittest::Queryable;
+
+#[test]
+fn stepping_to_the_end_and_back_shows_the_same_sentences() {
+    let mut desk = Desk::new();
+    desk.press(Key::Num6);
+    desk.press(Key::Home);
+    let length = desk.plane().trace.events.len();
+    assert!(length > 20, "{length}");
+    let mut forward = vec![desk.sentence()];
+    while desk.step_number() < length {
+        desk.tap(Key::ArrowRight);
+        forward.push(desk.sentence());
+        assert_eq!(desk.step_number() + 1, forward.len());
+    }
+    desk.tap(Key::ArrowRight);
+    assert_eq!(desk.step_number(), length, "there is nothing after the end");
+    for expected in forward.iter().rev().skip(1) {
+        desk.tap(Key::ArrowLeft);
+        assert_eq!(desk.sentence(), *expected);
+    }
+    assert_eq!(desk.step_number(), 0);
+    desk.tap(Key::ArrowLeft);
+    assert_eq!(desk.step_number(), 0, "there is nothing before the start");
+}
+
+#[test]
+fn home_and_end_reach_both_ends_and_the_presenters_keys_step() {
+    let mut desk = Desk::new();
+    desk.press(Key::End);
+    assert_eq!(desk.step_number(), desk.plane().trace.events.len());
+    desk.press(Key::Home);
+    assert_eq!(desk.step_number(), 0);
+    desk.press(Key::PageDown);
+    desk.press(Key::PageDown);
+    assert_eq!(desk.step_number(), 2);
+    desk.press(Key::PageUp);
+    assert_eq!(desk.step_number(), 1);
+}
+
+#[test]
+fn down_and_up_visit_the_leaves_in_order() {
+    let mut desk = Desk::new();
+    desk.press(Key::Home);
+    let leaves: Vec<_> = desk.plane().trace.leaves().map(|(leaf, _)| leaf).collect();
+    for leaf in &leaves {
+        desk.press(Key::ArrowDown);
+        let moment = desk.plane().moment(desk.step_number());
+        assert_eq!(moment.leaves.last().map(|on_ray| on_ray.node), Some(*leaf));
+    }
+    let last = desk.step_number();
+    desk.press(Key::ArrowUp);
+    assert!(desk.step_number() < last);
+    let moment = desk.plane().moment(desk.step_number());
+    assert_eq!(moment.leaves.len(), leaves.len() - 1);
+}
+
+#[test]
+fn the_keyboard_alone_starts_and_stops_playing() {
+    let mut desk = Desk::new();
+    desk.press(Key::Home);
+    let is_play = |desk: &Desk| {
+        desk.query_by_role_and_label(Role::Button, "Play or pause")
+            .is_some_and(|button| button.is_focused())
+    };
+    let n_nodes = desk.nodes().len();
+    let tabs = (0..n_nodes).find(|_| {
+        desk.tap(Key::Tab);
+        is_play(&desk)
+    });
+    assert!(tabs.is_some(), "Tab reaches the button");
+    for key in [Key::Space, Key::Enter] {
+        desk.tap(key);
+        assert!(desk.state().view.playback.playing, "{key:?}");
+        desk.tap(key);
+        assert!(!desk.state().view.playback.playing, "{key:?}");
+    }
+}
+
+#[test]
+fn space_plays_to_the_end_by_itself() {
+    let mut desk = Desk::new();
+    desk.press(Key::Num6);
+    desk.press(Key::End);
+    for _ in 0..6 {
+        desk.tap(Key::CloseBracket);
+    }
+    desk.tap(Key::Space);
+    let length = desk.plane().trace.events.len();
+    assert!(desk.state().view.playback.playing);
+    assert!(desk.step_number() < length, "it starts over from the end");
+    let frames = length * 2;
+    let stopped = (0..frames).find(|_| {
+        desk.step();
+        !desk.state().view.playback.playing
+    });
+    assert!(stopped.is_some());
+    assert_eq!(desk.step_number(), length);
+}
+
+#[test]
+fn a_blank_screen_shows_nothing_and_comes_back() {
+    let mut desk = Desk::new();
+    let before = desk.texts();
+    for wake in [Key::B, Key::Period, Key::Escape] {
+        desk.press(Key::B);
+        assert!(desk.texts().is_empty(), "{:?}", desk.texts());
+        desk.press(wake);
+        assert_eq!(desk.texts(), before, "{wake:?}");
+    }
+}
+
+#[test]
+fn dragging_the_timeline_moves_the_playhead() {
+    let mut desk = Desk::new();
+    let ruler = desk.get_by_role_and_label(Role::Slider, "Step of the trace").rect();
+    desk.click_at(ruler.left_center(), 1);
+    assert_eq!(desk.step_number(), 0);
+    desk.drag([ruler.left_center(), ruler.right_center()], Default::default());
+    assert_eq!(desk.step_number(), desk.plane().trace.events.len());
+}
