@@ -12,6 +12,9 @@ use eframe::egui::{CentralPanel, Frame, Margin, Panel, ScrollArea, Ui};
 use octoscope_core::explain::{label, listing as listing_of, variables as variables_of};
 use octoscope_core::trace::Counters;
 
+/// Windows of less than this, in points, have panels on one side only.
+const NARROW: f32 = 900.0;
+
 /// Shows the panels on both sides and the space view between them. Returns the
 /// identifier of a built-in scene to open.
 pub fn ui<const D: usize>(
@@ -24,7 +27,10 @@ pub fn ui<const D: usize>(
 ) -> Option<&'static str> {
     let frame = Frame::new().fill(look.palette.panel).inner_margin(Margin::symmetric(14, 12));
     let mut scene = None;
-    if view.preset != Preset::Lecture {
+    let lecture = view.preset == Preset::Lecture;
+    // In a narrow window the question stands below its explanation.
+    let narrow = ui.available_width() < NARROW;
+    if !lecture && !narrow {
         let left =
             Panel::left("question").frame(frame).default_size(276.0).size_range(220.0..=360.0);
         left.show(ui, |ui| {
@@ -33,8 +39,8 @@ pub fn ui<const D: usize>(
             });
         });
     }
-    let width = if view.preset == Preset::Lecture { 300.0 } else { 390.0 };
-    let right = Panel::right(("explanation", view.preset)).frame(frame).default_size(width);
+    let width = if lecture || narrow { 300.0 } else { 390.0 };
+    let right = Panel::right(("explanation", view.preset, narrow)).frame(frame).default_size(width);
     right.size_range(260.0..=620.0).show(ui, |ui| {
         ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
             let panels = view.preset.panels(&document.scenario.query);
@@ -45,6 +51,12 @@ pub fn ui<const D: usize>(
                     ui.add_space(6.0);
                 }
                 ui.push_id(n, |ui| panel(ui, look, document, view, kind));
+            }
+            if narrow && !lecture {
+                ui.add_space(6.0);
+                ui.separator();
+                ui.add_space(6.0);
+                scene = question(ui, look, document, view, status);
             }
         });
     });

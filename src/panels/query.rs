@@ -136,7 +136,10 @@ fn fields<const D: usize>(
             ui.label(RichText::new(AXIS_NAMES[axis]).strong().color(color));
             for (n, point) in points.iter_mut().enumerate() {
                 let name = format!("{} {}{}", look.text(key), AXIS_NAMES[axis], n);
-                number_field(ui, &name, &mut point[axis], side / 256.0, color);
+                ui.scope(|ui| {
+                    ui.set_max_width(84.0);
+                    number_field(ui, &name, &mut point[axis], side / 256.0, color);
+                });
             }
             ui.end_row();
         }

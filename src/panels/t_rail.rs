@@ -103,10 +103,6 @@ pub fn ui<const D: usize>(
         let inside = Rect::from_x_y_ranges(x_of(enter)..=x_of(exit), bars.y_range());
         painter.rect_filled(inside, 0.0, look.palette.current_fill);
     }
-    for axis in 0..D {
-        let y = rect.top() + row * axis as f32 + 15.0;
-        paint_axis(&painter, look, &rail, axis, y, &x_of, rect.left());
-    }
     for (t, key, align) in
         [(enter, "t-rail-enter", Align2::LEFT_TOP), (exit, "t-rail-exit", Align2::RIGHT_TOP)]
     {
@@ -123,8 +119,13 @@ pub fn ui<const D: usize>(
         painter.extend(dashes);
         let side = if align == Align2::LEFT_TOP { track.left() } else { track.right() };
         let text = format!("{} {}", look.text(key), approx(t));
-        let at = pos2(side, bars.bottom() + 12.0);
+        let at = pos2(side, bars.bottom() + 18.0);
         painter.text(at, align, text, FontId::monospace(12.0), look.palette.quiet);
+    }
+    // After the dashed lines, which would cross the labels.
+    for axis in 0..D {
+        let y = rect.top() + row * axis as f32 + 15.0;
+        paint_axis(&painter, look, &rail, axis, y, &x_of, rect.left());
     }
     let ground = bars.bottom() + 3.0;
     painter.hline(track.x_range(), ground, Stroke::new(1.0, look.palette.grid));
@@ -132,8 +133,8 @@ pub fn ui<const D: usize>(
         painter.circle_filled(pos2(x_of(0.0), ground), 3.5, look.palette.ray);
         let font = FontId::monospace(11.0);
         painter.text(
-            pos2(x_of(0.0), ground - 3.0),
-            Align2::CENTER_BOTTOM,
+            pos2(x_of(0.0), ground + 4.0),
+            Align2::CENTER_TOP,
             "0",
             font,
             look.palette.ray,
@@ -185,7 +186,7 @@ fn paint_axis<const D: usize>(
                 labels_end = start + wide;
                 let at = pos2(start, y + 9.0);
                 let behind = Rect::from_min_size(at, galley.size()).expand2(vec2(2.0, 0.0));
-                painter.rect_filled(behind, 2.0, look.palette.panel.gamma_multiply(0.8));
+                painter.rect_filled(behind, 2.0, look.palette.panel);
                 painter.galley(at, galley, color);
                 break;
             }
