@@ -6,6 +6,7 @@
 mod controls;
 mod desk;
 mod files;
+mod pictures;
 mod queries;
 mod ray;
 mod steps;

@@ -1,0 +1,237 @@
+//! The pictures in `screenshots/`: the real window, drawn by the software
+//! driver and compared pixel by pixel. `UPDATE_SNAPSHOTS=1` draws them anew;
+//! without the driver (`mesa-vulkan-drivers`) nothing is compared, which
+//! `TEST_GPU=require` does not accept.
+
+use crate::desk::{Desk, sample};
+use eframe::egui::Key;
+use eframe::egui_wgpu::WgpuSetup;
+use eframe::wgpu::{Backends, DeviceType};
+use egui_kittest::wgpu::default_wgpu_setup;
+use egui_kittest::{Harness, SnapshotOptions};
+use octoscope::view::Preset;
+use octoscope::with_document;
+use octoscope_core::event::Event;
+use octoscope_core::locate::{Direction, Reach};
+use octoscope_core::query::Query;
+use octoscope_core::scenario::{AnyScenario, Scenario, built_in};
+use octoscope_core::text::Language;
+use octoscope_core::traverse::Algorithm;
+use octoscope_figure::Theme;
+use std::sync::OnceLock;
+
+/// Where the playhead is.
+enum At {
+    /// Just after the n-th event of a kind, given by its Debug name.
+    Nth(usize, &'static str),
+    /// After this share of the events.
+    Share(f64),
+}
+
+#[test]
+fn the_plane_in_light_colours() {
+    compare("window-plane-light", |desk| {
+        desk.open_scenario(&plane("quadtree-82", |_| ()));
+        desk.go_to(&At::Nth(6, "First"));
+    });
+}
+
+#[test]
+fn the_plane_in_dark_colours() {
+    compare("window-plane-dark", |desk| {
+        desk.open(sample("lecture.octo"));
+        desk.state_mut().view.theme = Theme::Dark;
+        desk.go_to(&At::Nth(50, "First"));
+    });
+}
+
+#[test]
+fn space_in_light_colours() {
+    compare("window-space-light", |desk| {
+        desk.open(sample("knot.octo"));
+        desk.go_to(&At::Nth(16, "First"));
+    });
+}
+
+#[test]
+fn space_in_dark_colours() {
+    compare("window-space-dark", |desk| {
+        desk.open_scenario(&built_in("sphere-grid").unwrap());
+        desk.state_mut().view.theme = Theme::Dark;
+        desk.go_to(&At::Share(0.55));
+    });
+}
+
+#[test]
+fn the_lecture() {
+    compare("window-lecture", |desk| {
+        desk.open_scenario(&plane("quadtree-82", |_| ()));
+        desk.state_mut().view.preset = Preset::Lecture;
+        desk.go_to(&At::Nth(7, "First"));
+    });
+}
+
+#[test]
+fn the_preset_of_bits() {
+    compare("preset-bits", |desk| {
+        desk.open_scenario(&plane("quadtree-82", |scenario| {
+            scenario.query = asked(Algorithm::Codes);
+        }));
+        desk.state_mut().view.preset = Preset::Bits;
+        desk.go_to(&At::Nth(5, "Target"));
+    });
+}
+
+#[test]
+fn the_preset_of_the_t_rail() {
+    compare("preset-rail", |desk| {
+        desk.open_scenario(&built_in("points-3d").unwrap());
+        desk.go_to(&At::Nth(4, "First"));
+    });
+}
+
+#[test]
+fn the_preset_of_the_automaton() {
+    compare("preset-automaton", |desk| {
+        desk.open_scenario(&built_in("figure-7").unwrap());
+        desk.state_mut().view.preset = Preset::Automaton;
+        desk.go_to(&At::Nth(1, "Step"));
+    });
+}
+
+#[test]
+fn the_preset_for_debugging() {
+    compare("preset-debug", |desk| {
+        desk.open_scenario(&plane("quadtree-82", |_| ()));
+        desk.state_mut().view.preset = Preset::Debug;
+        desk.go_to(&At::Nth(5, "Step"));
+    });
+}
+
+#[test]
+fn a_region_and_its_bits() {
+    compare("preset-queries-region", |desk| {
+        desk.open_scenario(&plane("quadtree-82", |scenario| {
+            scenario.query = Query::Region { min: [0.52, 0.66], max: [0.68, 0.72] };
+        }));
+        desk.state_mut().view.preset = Preset::Queries;
+        desk.press(Key::End);
+    });
+}
+
+#[test]
+fn a_neighbour_and_its_bits() {
+    compare("preset-queries-neighbour", |desk| {
+        desk.open_scenario(&plane("quadtree-82", |scenario| {
+            let direction = Direction::new([1, 0]).unwrap();
+            let (level, code) = (1, [14, 22]);
+            scenario.query = Query::Neighbour { level, code, direction, reach: Reach::Leaf };
+        }));
+        desk.state_mut().view.preset = Preset::Queries;
+        desk.press(Key::End);
+    });
+}
+
+#[test]
+fn the_window_in_german() {
+    compare("german", |desk| {
+        desk.open_scenario(&plane("rings", |_| ()));
+        desk.state_mut().view.language = Language::German;
+        desk.go_to(&At::Share(0.5));
+    });
+}
+
+#[test]
+fn a_small_window_with_large_type() {
+    compare_sized("small-large-type", [1024.0, 768.0], |desk| {
+        desk.open_scenario(&plane("quadtree-82", |_| ()));
+        desk.state_mut().view.scale = 1.4;
+        desk.go_to(&At::Nth(6, "First"));
+    });
+}
+
+fn compare(name: &str, show: impl FnOnce(&mut Desk)) {
+    compare_sized(name, [1280.0, 800.0], show);
+}
+
+/// Compares the window, in the state that `show` brings it to, with its picture.
+fn compare_sized(name: &str, size: [f32; 2], show: impl FnOnce(&mut Desk)) {
+    if !has_driver() {
+        return;
+    }
+    let builder = Harness::builder().with_render_cursor(false).wgpu_setup(software_setup());
+    let mut desk = Desk::of(builder, size);
+    show(&mut desk);
+    desk.remove_cursor();
+    desk.run();
+    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/screenshots");
+    desk.snapshot_options(name, &SnapshotOptions::new().output_path(folder));
+}
+
+/// The software driver alone: others draw lines and letters a little differently.
+fn software_setup() -> WgpuSetup {
+    let mut setup = default_wgpu_setup();
+    if let WgpuSetup::CreateNew(new) = &mut setup {
+        new.instance_descriptor.backends = Backends::VULKAN;
+    }
+    setup
+}
+
+fn has_driver() -> bool {
+    static FOUND: OnceLock<bool> = OnceLock::new();
+    *FOUND.get_or_init(|| {
+        let instance = pollster::block_on(software_setup().new_instance());
+        let adapters = pollster::block_on(instance.enumerate_adapters(Backends::VULKAN));
+        let found = adapters.iter().any(|a| a.get_info().device_type == DeviceType::Cpu);
+        let required = std::env::var("TEST_GPU").is_ok_and(|wish| wish == "require");
+        assert!(found || !required, "there is no software driver for Vulkan");
+        if !found {
+            println!("SKIPPED: no software driver for Vulkan; apt-get install mesa-vulkan-drivers");
+        }
+        found
+    })
+}
+
+/// A built-in scene of the plane, changed by `change`.
+fn plane(id: &str, change: impl FnOnce(&mut Scenario<2>)) -> AnyScenario {
+    let Some(AnyScenario::Quadtree(mut scenario)) = built_in(id) else { panic!("{id}") };
+    change(&mut scenario);
+    AnyScenario::Quadtree(scenario)
+}
+
+fn asked(algorithm: Algorithm) -> Query<2> {
+    let Query::Ray { options, arithmetic, .. } = Query::<2>::default() else {
+        panic!("the first query is about a ray")
+    };
+    Query::Ray { algorithm, options, arithmetic }
+}
+
+impl Desk {
+    /// Opens a scenario from a file, as a user would.
+    fn open_scenario(&mut self, scenario: &AnyScenario) {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("scene.octo");
+        std::fs::write(&path, scenario.print()).unwrap();
+        self.open(&path);
+        assert_eq!(self.state().view.dialog, None);
+    }
+
+    fn go_to(&mut self, at: &At) {
+        let document = self.state().document().clone();
+        let length = document.n_events();
+        let step = match at {
+            At::Share(share) => (length as f64 * share).round() as usize,
+            At::Nth(n, kind) => with_document!(&document, d => nth(&d.trace.events, *n, kind)),
+        };
+        self.state_mut().view.playback.go_to(step, length);
+        self.run();
+    }
+}
+
+/// Number of events up to the n-th of a kind, itself included.
+fn nth<const D: usize>(events: &[Event<D>], n: usize, kind: &str) -> usize {
+    let is_kind = |event: &Event<D>| format!("{event:?}").starts_with(kind);
+    let mut found = events.iter().enumerate().filter(|(_, event)| is_kind(event));
+    let (index, _) = found.nth(n - 1).unwrap();
+    index + 1
+}
