@@ -6,7 +6,7 @@ use crate::files::{self, Chosen};
 use crate::history::History;
 use crate::job::{Job, Poll};
 use crate::look::Look;
-use crate::open::{open_built_in, open_path};
+use crate::open::{open, open_built_in};
 use crate::panels::{dialogs, menu, sentence, timeline};
 use crate::space::Layers;
 use crate::view::{Dialog, View};
@@ -115,7 +115,7 @@ impl App {
     /// Opens a file on another thread.
     pub fn open(&mut self, context: &Context, path: PathBuf) {
         let title = self.look.texts.format("job-open", &[("name", file_name(&path).into())]);
-        let work = move |progress: &Progress| open_path(&path, progress);
+        let work = move |progress: &Progress| open(&path, progress);
         self.job = Some((Job::start(title, context, work), Purpose::Open));
     }
 
@@ -292,13 +292,7 @@ impl App {
 
     /// The scenario with the playhead where it is.
     fn scenario_now(&self) -> AnyScenario {
-        let mut scenario = self.document.scenario();
-        let step = StepAt::At(self.view.playback.step);
-        match &mut scenario {
-            AnyScenario::Quadtree(scenario) => scenario.step = step,
-            AnyScenario::Octree(scenario) => scenario.step = step,
-        }
-        scenario
+        self.document.scenario_at(self.view.playback.step)
     }
 
     fn save(&mut self, context: &Context, ask: bool) {

@@ -3,7 +3,7 @@
 use octoscope_core::geometry::Ray;
 use octoscope_core::progress::Progress;
 use octoscope_core::query::Query;
-use octoscope_core::scenario::{AnyScenario, Scenario};
+use octoscope_core::scenario::{AnyScenario, Scenario, StepAt};
 use octoscope_core::scene::{Content, Cube};
 use octoscope_core::trace::{Counters, Moment, Trace, record};
 use octoscope_core::tree::{BuildError, Recipe, Tree, build};
@@ -138,6 +138,16 @@ impl AnyDocument {
             Self::Plane(document) => AnyScenario::Quadtree(document.scenario.clone()),
             Self::Space(document) => AnyScenario::Octree(document.scenario.clone()),
         }
+    }
+
+    /// The scenario with the playhead after `step` events.
+    pub fn scenario_at(&self, step: usize) -> AnyScenario {
+        let mut scenario = self.scenario();
+        match &mut scenario {
+            AnyScenario::Quadtree(scenario) => scenario.step = StepAt::At(step),
+            AnyScenario::Octree(scenario) => scenario.step = StepAt::At(step),
+        }
+        scenario
     }
 
     /// Number of events in the trace.

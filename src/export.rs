@@ -2,12 +2,14 @@
 
 use crate::document::{AnyDocument, Document};
 use crate::files;
+use crate::space::interesting;
 use crate::view::View;
 use anyhow::bail;
 use octoscope_core::scenario::AnyScenario;
+use octoscope_core::scene::Content;
 use octoscope_figure::{
     Background, Camera, Figure, Page, Show, SvgOptions, Theme, axes, content, leaves, marks, png,
-    space_figure, svg,
+    space_figure, svg, svg_scaled,
 };
 use std::path::Path;
 
@@ -31,7 +33,11 @@ impl Format {
     }
 }
 
-/// Figure of the space view of `document` after `step` events.
+/// Room around a figure that is cropped, in page units.
+pub const MARGIN: f64 = 6.0;
+
+/// Figure of the space view of `document` after `step` events, on the whole of
+/// `page`. Without a camera, the tree and the ray fill it.
 pub fn space<const D: usize>(
     document: &Document<D>,
     camera: Option<Camera<D>>,
@@ -39,43 +45,92 @@ pub fn space<const D: usize>(
     show: &Show,
     step: usize,
 ) -> Figure {
-    let bounds = crate::space::interesting(document);
-    let camera = camera.unwrap_or_else(|| Camera::framing(&bounds, page));
+    let camera = camera.unwrap_or_else(|| Camera::framing(&interesting(document), page));
     let scenario = &document.scenario;
     let moment = document.moment(step);
     let event = step.checked_sub(1).and_then(|index| document.trace.events.get(index));
-    let mut all = leaves(&document.tree, show);
-    if show.content {
+    let mut all = Vec::new();
+    if n_leaves_shown(document, show) <= most_leaves::<D>() {
+        all.extend(leaves(&document.tree, show));
+    }
+    if n_primitives_shown(document, show) <= MOST_PRIMITIVES {
         all.extend(content(&document.content));
     }
     all.extend(axes(document.tree.domain()));
     all.extend(marks(&document.tree, &scenario.ray, &scenario.query, &moment, event, show));
     all.sort_by_key(|mark| mark.role.layer());
-    space_figure(&all, &camera, page).cropped(6.0)
+    space_figure(&all, &camera, page)
 }
 
-/// Bytes of `figure` in `format`; `width` in pixels is for pixels only.
+/// More points or solids than this are left out of figures: nobody could tell
+/// them apart, and the files would be huge.
+const MOST_PRIMITIVES: usize = 200_000;
+
+/// The same for leaves; in space, each is a dozen shapes.
+fn most_leaves<const D: usize>() -> usize {
+    if D == 2 { 200_000 } else { 20_000 }
+}
+
+fn n_leaves_shown<const D: usize>(document: &Document<D>, show: &Show) -> usize {
+    document.tree.leaves().filter(|leaf| leaf.is_full() || show.empty_leaves).count()
+}
+
+fn n_primitives_shown<const D: usize>(document: &Document<D>, show: &Show) -> usize {
+    match &*document.content {
+        Content::Cells(_) | Content::Image(_) => 0,
+        Content::Points(_) | Content::Spheres(_) | Content::Boxes(_) | Content::Triangles(_) => {
+            if show.content {
+                document.content.len()
+            } else {
+                0
+            }
+        }
+    }
+}
+
+/// What the figure of the space view leaves out, in words, if anything.
+pub fn left_out<const D: usize>(document: &Document<D>, show: &Show) -> Option<String> {
+    let too_many = |n: usize, most: usize, what: &str| {
+        (n > most).then(|| format!("{n} {what} are left out; figures show at most {most}"))
+    };
+    let left_out = [
+        too_many(n_leaves_shown(document, show), most_leaves::<D>(), "leaves beside the ray"),
+        too_many(n_primitives_shown(document, show), MOST_PRIMITIVES, "points or solids"),
+    ];
+    left_out.into_iter().flatten().reduce(|a, b| format!("{a}; {b}"))
+}
+
+/// How a figure becomes a file.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Style<'a> {
+    /// Vectors or pixels.
+    pub format: Format,
+    /// Colours and lines.
+    pub theme: Theme,
+    /// Pixels per page unit; vectors are shown larger by it.
+    pub scale: f64,
+    /// Title for readers that cannot see the figure.
+    pub title: &'a str,
+}
+
+/// Bytes of `figure`, with `scenario` inside if it is of vectors.
 ///
 /// # Errors
 /// Says why it cannot be drawn in pixels.
-pub fn bytes(
-    figure: &Figure,
-    format: Format,
-    theme: Theme,
-    scenario: &AnyScenario,
-    width: u32,
-) -> anyhow::Result<Vec<u8>> {
+pub fn bytes(figure: &Figure, style: Style, scenario: &AnyScenario) -> anyhow::Result<Vec<u8>> {
     let scenario = scenario.print();
     let options = SvgOptions {
-        theme,
+        theme: style.theme,
         background: Background::Filled,
-        title: "Octoscope",
+        title: style.title,
         scenario: &scenario,
     };
-    let text = svg(figure, &options);
-    Ok(match format {
-        Format::Svg => text.into_bytes(),
-        Format::Png => png(&text, width)?,
+    Ok(match style.format {
+        Format::Svg => svg_scaled(figure, &options, style.scale).into_bytes(),
+        Format::Png => {
+            let width = (figure.page.width * style.scale).round() as u32;
+            png(&svg(figure, &options), width)?
+        }
     })
 }
 
@@ -107,6 +162,10 @@ pub fn space_view(
             space(document, view.camera(), PAGE, &view.space_show, step)
         }
     };
-    let width = (figure.page.width * 2.0).round() as u32;
-    files::write(path, &bytes(&figure, format, view.theme, scenario, width)?)
+    let scale = match format {
+        Format::Svg => 1.0,
+        Format::Png => 2.0,
+    };
+    let style = Style { format, theme: view.theme, scale, title: "Octoscope" };
+    files::write(path, &bytes(&figure.cropped(MARGIN), style, scenario)?)
 }

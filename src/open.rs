@@ -4,11 +4,23 @@ use crate::document::{AnyDocument, Document};
 use crate::{files, with_document};
 use anyhow::{Context, anyhow, bail};
 use octoscope_core::progress::{Cancelled, Progress};
-use octoscope_core::scenario::{AnyScenario, Scenario, Source, built_in};
+use octoscope_core::scenario::{AnyScenario, BUILT_IN, Scenario, Source, built_in};
 use octoscope_core::scene::Content;
 use octoscope_import::{Imported, hash, import};
 use std::path::Path;
 use std::sync::Arc;
+
+/// Document of what a user names: a built-in scene as `scene:NAME`, or else a
+/// path.
+///
+/// # Errors
+/// Says what is wrong, where, and the path.
+pub fn open(name: &Path, progress: &Progress) -> anyhow::Result<AnyDocument> {
+    match name.to_str().and_then(|name| name.strip_prefix("scene:")) {
+        Some(id) => open_built_in(id, progress),
+        None => open_path(name, progress),
+    }
+}
 
 /// Document of a scenario file or of any data file that can be imported.
 ///
@@ -94,7 +106,10 @@ pub fn open_scenario(
 /// # Errors
 /// Refuses unknown identifiers.
 pub fn open_built_in(id: &str, progress: &Progress) -> anyhow::Result<AnyDocument> {
-    let scenario = built_in(id).ok_or_else(|| anyhow!("there is no built-in scene ‘{id}’"))?;
+    let scenario = built_in(id).ok_or_else(|| {
+        let known = BUILT_IN.map(|scene| scene.id).join(", ");
+        anyhow!("there is no built-in scene ‘{id}’; there are {known}")
+    })?;
     open_scenario(scenario, Path::new("."), progress)
 }
 

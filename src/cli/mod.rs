@@ -4,7 +4,11 @@
 //! command answers [`Answer::Done`] or [`Answer::No`], or fails; these are the
 //! exit statuses 0, 1 and 2.
 
+mod check;
+mod export;
 mod scenes;
+mod trace;
+mod values;
 mod visit;
 
 use clap::{Parser, Subcommand};
@@ -22,6 +26,10 @@ use std::process::ExitCode;
     version,
     args_conflicts_with_subcommands = true,
     after_long_help = "Examples:\n  \
+        octoscope scene:cloud\n  \
+        octoscope lecture.octo\n  \
+        octoscope trace scene:quadtree-82 --lang de\n  \
+        octoscope export scene:quadtree-82 --view space --step last -o figure.svg\n  \
         octoscope scenes\n  \
         octoscope visit --cells a.cells --depth 6 --rays a.rays --algorithm all"
 )]
@@ -47,10 +55,12 @@ impl Arguments {
 
 /// What can be done without a window.
 #[derive(Debug, Subcommand)]
+#[expect(missing_docs, reason = "what stands at the arguments of each is its help text")]
 pub enum Command {
-    /// Prints the leaves on many rays through one tree.
+    Trace(trace::Trace),
+    Export(export::Export),
+    Check(check::Check),
     Visit(visit::Visit),
-    /// Lists the built-in scenes and the algorithms.
     Scenes(scenes::Scenes),
 }
 
@@ -67,6 +77,9 @@ pub enum Answer {
 /// broken pipe ends it quietly.
 pub fn run(command: &Command) -> ExitCode {
     let answer = match command {
+        Command::Trace(arguments) => trace::trace(arguments),
+        Command::Export(arguments) => export::export(arguments),
+        Command::Check(arguments) => check::check(arguments),
         Command::Visit(arguments) => visit::visit(arguments),
         Command::Scenes(arguments) => scenes::scenes(arguments),
     };

@@ -28,4 +28,4 @@ pub use png::{PngError, png, png_of_pixels};
 pub use role::Role;
 pub use space::space_figure;
 pub use style::{Dash, Lettering, Style, Weight};
-pub use svg::{Background, SvgOptions, svg};
+pub use svg::{Background, SvgOptions, svg, svg_scaled};

@@ -30,9 +30,17 @@ pub enum Background {
 /// Text of an SVG document: a class for every role in one style sheet, text as
 /// text, coordinates with two digits after the point.
 pub fn svg(figure: &Figure, options: &SvgOptions) -> String {
-    let [width, height] = [figure.page.width, figure.page.height].map(number);
+    svg_scaled(figure, options, 1.0)
+}
+
+/// The same drawing, shown `scale` times as large with its type and lines.
+pub fn svg_scaled(figure: &Figure, options: &SvgOptions, scale: f64) -> String {
+    let page = [figure.page.width, figure.page.height];
+    let [width, height] = page.map(number);
+    let [shown_width, shown_height] = page.map(|length| number(length * scale));
     let mut out = format!(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}\" height=\"{height}\" \
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{shown_width}\" \
+         height=\"{shown_height}\" \
          viewBox=\"0 0 {width} {height}\">\n"
     );
     for (element, text) in [("title", options.title), ("metadata", options.scenario)] {
