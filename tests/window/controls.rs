@@ -1,7 +1,7 @@
 //! What a screen reader finds, in both languages.
 
 use crate::desk::{Desk, spoken};
-use eframe::egui::{Key, accesskit::Role};
+use eframe::egui::{Key, Modifiers, accesskit::Role};
 use egui_kittest::kittest::{NodeT, Queryable};
 use octoscope::command::Menu;
 use octoscope::text::texts;
@@ -144,4 +144,20 @@ fn larger_type_is_larger_and_goes_back() {
     assert!(width(&desk) < usual);
     desk.press(Key::Num0);
     assert_eq!(width(&desk), usual);
+}
+
+#[test]
+fn another_depth_builds_another_tree_and_is_undone() {
+    let mut desk = Desk::new();
+    let (depth, leaves) = (desk.plane().scenario.recipe.depth, desk.plane().tree.n_leaves());
+    desk.get_by_role_and_label(Role::Slider, "depth").set_value_accesskit(f64::from(depth - 2));
+    desk.step();
+    desk.state_mut().finish_work();
+    desk.run();
+    assert_eq!(desk.plane().scenario.recipe.depth, depth - 2);
+    assert!(desk.plane().tree.n_leaves() < leaves);
+    desk.press_with(Modifiers::COMMAND, Key::Z);
+    desk.state_mut().finish_work();
+    desk.run();
+    assert_eq!(desk.plane().tree.n_leaves(), leaves);
 }
