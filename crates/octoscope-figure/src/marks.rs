@@ -343,10 +343,11 @@ impl<const D: usize> Scene<'_, D> {
 /// Where the arrow of the ray ends: a little beyond the root and its handle.
 fn far_end<const D: usize>(tree: &Tree<D>, ray: &Ray<D>) -> [f64; D] {
     const BEYOND: f64 = 0.06;
-    let length = ray.direction().iter().map(|d| d * d).sum::<f64>().sqrt();
+    // Squares of small components would vanish; an infinite t times 0 is no place.
+    let length = ray.direction().into_iter().fold(0.0, f64::hypot);
     let beyond = BEYOND * tree.domain().side() / length;
     let exit = interval(ray, &tree.domain().root_box()).map_or(1.0, |[_, exit]| exit + beyond);
-    ray.at(exit.max(1.0 + beyond))
+    ray.at(exit.max(1.0 + beyond).min(f64::MAX))
 }
 
 /// Parameters at which the ray's line enters and leaves a box, for showing;

@@ -153,3 +153,17 @@ fn the_marks_of_a_moment_follow_the_path_not_the_tree() {
     assert_eq!(visited, trace.leaves().count());
     assert!(all.iter().all(|mark| mark.role != Role::Current), "nothing stays lit at the end");
 }
+
+#[test]
+fn marks_of_the_slowest_ray_have_places() {
+    let (tree, query) = (corner_tree::<2>(), along_the_ray());
+    for speed in [1e-200, 5e-324] {
+        let ray = Ray::new([0.5, 0.25], [speed, 0.0]).expect("the direction is not zero");
+        let trace = record(&tree, &ray, &query);
+        let moment = Moment::after(&tree, &trace, 0);
+        let marks = marks(&tree, &ray, &query, &moment, None, &Show::default());
+        let shaft = marks.iter().find(|mark| mark.role == Role::Ray).expect("the ray is shown");
+        let Shape::Arrow(ends) = shaft.shape else { panic!("the ray is an arrow") };
+        assert!(ends.iter().flatten().all(|x| x.is_finite()), "{speed}: {ends:?}");
+    }
+}
