@@ -180,8 +180,9 @@ fn paint_axis<const D: usize>(
         for value in [format!(" {}", approx(t)), String::new()] {
             let galley = painter.layout_job(parameter_job(&name, &value, color));
             let wide = galley.size().x;
-            let start =
-                (x - wide / 2.0).clamp(left + 18.0, painter.clip_rect().right() - wide - 2.0);
+            // In a panel too narrow for it, the label begins at the left all the same.
+            let last = painter.clip_rect().right() - wide - 2.0;
+            let start = (x - wide / 2.0).min(last).max(left + 18.0);
             if start > labels_end + 6.0 {
                 labels_end = start + wide;
                 let at = pos2(start, y + 9.0);
