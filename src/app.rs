@@ -188,7 +188,7 @@ impl App {
             },
             (Err(error), _) => {
                 if purpose == Purpose::Rebuild {
-                    self.document = self.settled.clone();
+                    with_document!(&mut self.document, document => document.keep_tree());
                 }
                 if !error.root_cause().is::<octoscope_core::progress::Cancelled>() {
                     self.view.dialog = Some(Dialog::Error(format!("{error:#}")));
@@ -200,7 +200,13 @@ impl App {
     /// Remembers the state for undo once no gesture is going on.
     fn settle(&mut self, context: &Context) {
         let busy = context.input(|input| input.pointer.any_down()) || self.job.is_some();
-        if !busy && !self.document.is_same_state(&self.settled) {
+        if !busy {
+            self.settle_now();
+        }
+    }
+
+    fn settle_now(&mut self) {
+        if !self.document.is_same_state(&self.settled) {
             self.history.record(std::mem::replace(&mut self.settled, self.document.clone()));
         }
     }
@@ -284,7 +290,14 @@ impl App {
         &mut self,
         direction: impl FnOnce(&mut History<AnyDocument>, AnyDocument) -> Option<AnyDocument>,
     ) {
+        // What is being changed right now is a state of its own, and a tree
+        // that is being built for it belongs to no other document.
+        self.settle_now();
+        self.job.take_if(|(_, purpose)| *purpose == Purpose::Rebuild);
         if let Some(document) = direction(&mut self.history, self.document.clone()) {
+            if !document.is_same_place(&self.document) {
+                (self.view.plane_camera, self.view.orbit_camera) = (None, None);
+            }
             self.document = document;
             self.settled = self.document.clone();
         }

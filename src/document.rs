@@ -89,6 +89,12 @@ impl<const D: usize> Document<D> {
         self.traced = (ray, query);
     }
 
+    /// Goes back to the recipe and domain of the tree there is, because the
+    /// tree that is wanted cannot be built.
+    pub fn keep_tree(&mut self) {
+        (self.scenario.domain, self.scenario.recipe) = self.built;
+    }
+
     /// Turns the ray round: its tip becomes its origin.
     pub fn reverse_ray(&mut self) {
         let ray = self.scenario.ray;
@@ -162,5 +168,34 @@ impl AnyDocument {
             (Self::Space(a), Self::Space(b)) => a.scenario == b.scenario,
             (Self::Plane(_), Self::Space(_)) | (Self::Space(_), Self::Plane(_)) => false,
         }
+    }
+
+    /// Whether both lie in the same cube of the same dimension.
+    pub fn is_same_place(&self, other: &Self) -> bool {
+        match (self, other) {
+            (Self::Plane(a), Self::Plane(b)) => a.scenario.domain == b.scenario.domain,
+            (Self::Space(a), Self::Space(b)) => a.scenario.domain == b.scenario.domain,
+            (Self::Plane(_), Self::Space(_)) | (Self::Space(_), Self::Plane(_)) => false,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::open::open_built_in;
+    use octoscope_core::scenario::BUILT_IN;
+
+    #[test]
+    fn a_tree_that_cannot_be_built_is_not_wanted_any_more() {
+        let mut any = open_built_in(BUILT_IN[0].id, &Progress::default()).unwrap();
+        let before = any.clone();
+        with_document!(&mut any, document => {
+            document.scenario.recipe.depth += 1;
+            assert!(document.needs_building());
+            document.keep_tree();
+            assert!(!document.needs_building());
+        });
+        assert!(any.is_same_state(&before) && any.is_same_place(&before));
     }
 }
