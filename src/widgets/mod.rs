@@ -9,5 +9,5 @@ mod segments;
 pub use bits::{BitRow, BitTable, bit_table};
 pub use heading::heading;
 pub use number_field::number_field;
-pub use rich::{rich_job, rich_label};
+pub use rich::rich_job;
 pub use segments::segments;

@@ -2,7 +2,7 @@
 
 use crate::look::Look;
 use eframe::egui::text::{LayoutJob, TextFormat};
-use eframe::egui::{Align, FontFamily, FontId, Label, Response, Ui};
+use eframe::egui::{Align, FontFamily, FontId};
 use octoscope_core::explain::RichText;
 
 /// Layout of `text` in type of `size` points; wraps at `width`.
@@ -22,10 +22,4 @@ pub fn rich_job(text: &RichText, look: &Look, size: f32, width: f32) -> LayoutJo
         job.append(&span.text, 0.0, TextFormat { font_id, color, valign, ..TextFormat::default() });
     }
     job
-}
-
-/// Label of `text` in type of `size` points.
-pub fn rich_label(ui: &mut Ui, look: &Look, text: &RichText, size: f32) -> Response {
-    let job = rich_job(text, look, size, ui.available_width());
-    ui.add(Label::new(job))
 }
