@@ -175,6 +175,7 @@ impl App {
         self.job = None;
         match (result, purpose) {
             (Ok(document), Purpose::Open) => {
+                self.settle_now();
                 self.history.record(std::mem::replace(&mut self.document, document));
                 self.settled = self.document.clone();
                 self.status.clear();
