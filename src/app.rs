@@ -6,7 +6,7 @@ use crate::files::{self, Chosen};
 use crate::history::History;
 use crate::job::{Job, Poll};
 use crate::look::Look;
-use crate::open::{open, open_built_in};
+use crate::open::{open, open_built_in, open_scenario};
 use crate::panels::{dialogs, menu, sentence, timeline};
 use crate::space::Layers;
 use crate::view::{Dialog, View};
@@ -15,6 +15,7 @@ use anyhow::anyhow;
 use eframe::egui::{CentralPanel, Context, Frame, Key, Margin, Panel, Ui, ViewportCommand, vec2};
 use octoscope_core::explain::{sentence as sentence_of, short_title};
 use octoscope_core::progress::Progress;
+use octoscope_core::query::Query;
 use octoscope_core::scenario::{AnyScenario, BUILT_IN, StepAt};
 use std::path::{Path, PathBuf};
 use std::time::Duration;
@@ -42,6 +43,8 @@ pub struct App {
 enum Purpose {
     /// It is shown instead of the present document.
     Open,
+    /// It is what was open last; if it cannot be opened any more, nothing is said.
+    Restore,
     /// Its tree is taken into the present document.
     Rebuild,
 }
@@ -54,12 +57,12 @@ impl App {
             .and_then(|storage| storage.get_string(save::VIEW_KEY))
             .and_then(|json| serde_json::from_str(&json).ok())
             .unwrap_or_default();
-        let last = creation.storage.and_then(save::restore);
-        let document = last.filter(|_| start.is_none()).unwrap_or_else(first_scene);
-        let mut app = Self::with_document(document, view, layers(creation));
+        let mut app = Self::with_document(first_scene(), view, layers(creation));
         theme::install_fonts(&creation.egui_ctx);
         if let Some(path) = start {
             app.open(&creation.egui_ctx, path);
+        } else if let Some(last) = creation.storage.and_then(save::remembered) {
+            app.restore(&creation.egui_ctx, last);
         }
         app
     }
@@ -117,6 +120,17 @@ impl App {
         let title = self.look.texts.format("job-open", &[("name", file_name(&path).into())]);
         let work = move |progress: &Progress| open(&path, progress);
         self.job = Some((Job::start(title, context, work), Purpose::Open));
+    }
+
+    /// Opens what was open last, on another thread as well.
+    fn restore(&mut self, context: &Context, (scenario, folder): (AnyScenario, PathBuf)) {
+        let title = self.look.text("job-restore");
+        let work = move |progress: &Progress| {
+            let mut document = open_scenario(scenario, &folder, progress)?;
+            with_document!(&mut document, document => document.folder = folder);
+            Ok(document)
+        };
+        self.job = Some((Job::start(title, context, work), Purpose::Restore));
     }
 
     fn open_scene(&mut self, context: &Context, id: &'static str) {
@@ -181,13 +195,19 @@ impl App {
                 self.status.clear();
                 self.go_to_start();
             }
+            (Ok(document), Purpose::Restore) => {
+                self.document = document;
+                self.settled = self.document.clone();
+                self.go_to_start();
+            }
+            (Err(_), Purpose::Restore) => {}
             (Ok(rebuilt), Purpose::Rebuild) => match (&mut self.document, rebuilt) {
                 (AnyDocument::Plane(now), AnyDocument::Plane(rebuilt)) => now.adopt(&rebuilt),
                 (AnyDocument::Space(now), AnyDocument::Space(rebuilt)) => now.adopt(&rebuilt),
                 (AnyDocument::Plane(_), AnyDocument::Space(_))
                 | (AnyDocument::Space(_), AnyDocument::Plane(_)) => {}
             },
-            (Err(error), _) => {
+            (Err(error), Purpose::Open | Purpose::Rebuild) => {
                 if purpose == Purpose::Rebuild {
                     with_document!(&mut self.document, document => document.keep_tree());
                 }
@@ -233,10 +253,34 @@ impl App {
     }
 
     fn is_enabled(&self, command: Command) -> bool {
+        let (step, length) = (self.view.playback.step, self.document.n_events());
         match command {
             Command::Undo => self.history.can_undo(),
             Command::Redo => self.history.can_redo(),
-            _ => true,
+            Command::StepForward | Command::NextLeaf | Command::Last => step < length,
+            Command::StepBack | Command::PreviousLeaf | Command::First => step > 0,
+            Command::ReverseRay => with_document!(&self.document, d => {
+                matches!(d.scenario.query, Query::Ray { .. })
+            }),
+            Command::Open
+            | Command::Save
+            | Command::SaveAs
+            | Command::Export
+            | Command::Quit
+            | Command::Play
+            | Command::Faster
+            | Command::Slower
+            | Command::Preset(_)
+            | Command::FrameAll
+            | Command::NextTheme
+            | Command::NextLanguage
+            | Command::ScaleUp
+            | Command::ScaleDown
+            | Command::ScaleReset
+            | Command::FullScreen
+            | Command::Blank
+            | Command::Keys
+            | Command::About => true,
         }
     }
 

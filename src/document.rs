@@ -25,8 +25,8 @@ pub struct Document<const D: usize> {
     pub path: Option<PathBuf>,
     /// Folder from which the data file is named.
     pub folder: PathBuf,
-    /// Counts the trees, so that pictures of an earlier one are not kept.
-    pub tree_version: u64,
+    /// What the whole run costs.
+    pub total: Counters,
     traced: (Ray<D>, Query<D>),
     built: (Cube<D>, Recipe),
 }
@@ -45,6 +45,7 @@ impl<const D: usize> Document<D> {
         let trace = Arc::new(record(&tree, &scenario.ray, &scenario.query));
         let traced = (scenario.ray, scenario.query);
         let built = (scenario.domain, scenario.recipe);
+        let total = costs(&trace);
         Ok(Self {
             scenario,
             content,
@@ -52,7 +53,7 @@ impl<const D: usize> Document<D> {
             trace,
             path: None,
             folder: PathBuf::new(),
-            tree_version: 0,
+            total,
             traced,
             built,
         })
@@ -73,8 +74,7 @@ impl<const D: usize> Document<D> {
         }
         let was_at_end = step > 0 && step >= self.trace.events.len();
         let asked_anew = self.traced.1 != wanted.1 && !matches!(wanted.1, Query::Ray { .. });
-        self.trace = Arc::new(record(&self.tree, &wanted.0, &wanted.1));
-        self.traced = wanted;
+        self.run();
         if was_at_end || asked_anew { self.trace.events.len() } else { step }
     }
 
@@ -83,10 +83,7 @@ impl<const D: usize> Document<D> {
     pub fn adopt(&mut self, rebuilt: &Self) {
         self.tree = Arc::clone(&rebuilt.tree);
         self.built = rebuilt.built;
-        self.tree_version += 1;
-        let (ray, query) = (self.scenario.ray, self.scenario.query);
-        self.trace = Arc::new(record(&self.tree, &ray, &query));
-        self.traced = (ray, query);
+        self.run();
     }
 
     /// Goes back to the recipe and domain of the tree there is, because the
@@ -104,17 +101,23 @@ impl<const D: usize> Document<D> {
         }
     }
 
-    /// What the whole run costs.
-    pub fn total_counters(&self) -> Counters {
-        let mut counters = Counters::default();
-        self.trace.events.iter().for_each(|event| counters.add(event));
-        counters
+    fn run(&mut self) {
+        let (ray, query) = (self.scenario.ray, self.scenario.query);
+        self.trace = Arc::new(record(&self.tree, &ray, &query));
+        self.total = costs(&self.trace);
+        self.traced = (ray, query);
     }
 
     /// State of the algorithm after `step` events.
     pub fn moment(&self, step: usize) -> Moment<D> {
         Moment::after(&self.tree, &self.trace, step)
     }
+}
+
+fn costs<const D: usize>(trace: &Trace<D>) -> Counters {
+    let mut counters = Counters::default();
+    trace.events.iter().for_each(|event| counters.add(event));
+    counters
 }
 
 /// Document of either dimension.

@@ -15,7 +15,7 @@ impl<T> Default for History<T> {
 
 impl<T> History<T> {
     /// Number of states that are kept.
-    const LIMIT: usize = 200;
+    const LIMIT: usize = 50;
 
     /// Remembers `before`, which has just been replaced by something new.
     pub fn record(&mut self, before: T) {

@@ -2,9 +2,7 @@
 
 use crate::document::AnyDocument;
 use crate::files;
-use crate::open::open_scenario;
 use crate::with_document;
-use octoscope_core::progress::Progress;
 use octoscope_core::scenario::{AnyScenario, Scenario, Source};
 use std::path::{Path, PathBuf};
 
@@ -35,12 +33,12 @@ pub fn remember(storage: &mut dyn eframe::Storage, document: &AnyDocument, scena
     storage.set_string(FOLDER_KEY, folder.to_string_lossy().into_owned());
 }
 
-/// The scenario of the last time; `None` if there is none or it cannot be
-/// opened any more.
-pub fn restore(storage: &dyn eframe::Storage) -> Option<AnyDocument> {
+/// The scenario of the last time, and the folder of its data file; `None` if
+/// there is none or it cannot be read any more.
+pub fn remembered(storage: &dyn eframe::Storage) -> Option<(AnyScenario, PathBuf)> {
     let scenario = AnyScenario::parse(&storage.get_string(SCENARIO_KEY)?).ok()?;
     let folder = PathBuf::from(storage.get_string(FOLDER_KEY).unwrap_or_default());
-    open_scenario(scenario, &folder, &Progress::default()).ok()
+    Some((scenario, folder))
 }
 
 fn moved<const D: usize>(mut scenario: Scenario<D>, from: &Path, to: &Path) -> Scenario<D> {

@@ -10,7 +10,7 @@ use crate::space::{self, Layers, Space};
 use crate::view::{PanelKind, Preset, View};
 use eframe::egui::{CentralPanel, Frame, Margin, Panel, ScrollArea, Ui};
 use octoscope_core::explain::{label, listing as listing_of, variables as variables_of};
-use octoscope_core::trace::Counters;
+use octoscope_core::trace::{Counters, Moment};
 
 /// Windows of less than this, in points, have panels on one side only.
 const NARROW: f32 = 900.0;
@@ -25,6 +25,7 @@ pub fn ui<const D: usize>(
     layers: Option<&mut Layers>,
     status: &mut String,
 ) -> Option<&'static str> {
+    let moment = document.moment(view.playback.step);
     let frame = Frame::new().fill(look.palette.panel).inner_margin(Margin::symmetric(14, 12));
     let mut scene = None;
     let lecture = view.preset == Preset::Lecture;
@@ -50,7 +51,7 @@ pub fn ui<const D: usize>(
                     ui.separator();
                     ui.add_space(6.0);
                 }
-                ui.push_id(n, |ui| panel(ui, look, document, view, kind));
+                ui.push_id(n, |ui| panel(ui, look, document, &moment, view, kind));
             }
             if narrow && !lecture {
                 ui.add_space(6.0);
@@ -62,7 +63,7 @@ pub fn ui<const D: usize>(
     });
     let middle = Frame::new().fill(look.palette.background);
     CentralPanel::default().frame(middle).show(ui, |ui| {
-        space::ui(ui, look, Space { document, view, layers });
+        space::ui(ui, look, Space { document, moment: &moment, view, layers });
     });
     scene
 }
@@ -91,47 +92,47 @@ fn panel<const D: usize>(
     ui: &mut Ui,
     look: &Look,
     document: &Document<D>,
+    moment: &Moment<D>,
     view: &mut View,
     kind: PanelKind,
 ) {
-    let step = view.playback.step;
     let (tree, trace) = (&document.tree, &document.trace);
-    let moment = document.moment(step);
-    let event = step.checked_sub(1).and_then(|index| trace.events.get(index));
+    let event = moment.step.checked_sub(1).and_then(|index| trace.events.get(index));
     match kind {
-        PanelKind::Codes => codes::ui(ui, look, tree, &moment),
-        PanelKind::Region => region::ui(ui, look, tree, &moment),
-        PanelKind::Neighbour => neighbour::ui(ui, look, tree, &moment),
+        PanelKind::Codes => codes::ui(ui, look, tree, moment),
+        PanelKind::Region => region::ui(ui, look, tree, moment),
+        PanelKind::Neighbour => neighbour::ui(ui, look, tree, moment),
         PanelKind::Rail => {
             let note = moment.current.map_or_else(String::new, |node| {
                 let codes = tree.code(node).map(|c| c.to_string()).join(", ");
                 let level = tree.level(node);
                 look.texts.format("node-note", &[("level", level.into()), ("codes", codes.into())])
             });
-            if let Some(step) = t_rail::ui(ui, look, trace, &moment, &note) {
+            if let Some(step) = t_rail::ui(ui, look, trace, moment, &note) {
                 view.playback.playing = false;
                 view.playback.go_to(step, trace.events.len());
             }
         }
-        PanelKind::Automaton => automaton::ui(ui, look, &moment, event),
+        PanelKind::Automaton => automaton::ui(ui, look, moment, event),
         PanelKind::Listing => {
             let listing = listing_of(&document.scenario.query, view.language);
             listing::ui(ui, look, &listing, event.map(label), "");
         }
         PanelKind::Variables => {
-            let earlier = document.moment(step.saturating_sub(1));
-            let now = variables_of(tree, &moment);
-            let before = if step == 0 { now.clone() } else { variables_of(tree, &earlier) };
+            let now = variables_of(tree, moment);
+            let before = match moment.step.checked_sub(1) {
+                Some(step) => variables_of(tree, &document.moment(step)),
+                None => now.clone(),
+            };
             variables::ui(ui, look, &now, &before);
         }
-        PanelKind::Stack => stack::ui(ui, look, tree, &moment),
+        PanelKind::Stack => stack::ui(ui, look, tree, moment),
         PanelKind::Counters => {
             let mut of_step = Counters::default();
             if let Some(event) = event {
                 of_step.add(event);
             }
-            let total = document.total_counters();
-            counters::ui(ui, look, &of_step, &moment.counters, &total);
+            counters::ui(ui, look, &of_step, &moment.counters, &document.total);
         }
     }
 }

@@ -9,20 +9,23 @@ use glam::Mat4;
 use octoscope_core::scene::{Content, Image, leaf_colours};
 use octoscope_core::tree::{Node, Tree};
 use octoscope_figure::{Camera, Dash, Mark, Palette, Role, Shape, Show, Style, Theme};
+use std::any::Any;
+use std::sync::Arc;
 
 /// Layers that are kept as long as what they show stays the same.
 #[derive(Debug, Default)]
 pub struct Layers {
     tree: Option<(TreeKey, Vec<Layer>)>,
+    /// Keeps the shown tree alive, so that no other one takes its address.
+    shown: Option<Arc<dyn Any>>,
     marks: Option<(Vec<BoxMark>, Layer)>,
 }
 
 /// What the layers of the tree depend on.
 #[derive(Clone, Debug, PartialEq)]
 struct TreeKey {
-    /// Address of the tree: another tree is another place, while both live.
+    /// Address of the tree, which is kept as long as it is the key.
     tree: usize,
-    version: u64,
     content: bool,
     empty_leaves: bool,
     theme: Theme,
@@ -40,8 +43,7 @@ impl Layers {
         marks: &[Mark<D>],
     ) {
         let key = TreeKey {
-            tree: std::sync::Arc::as_ptr(&document.tree) as usize,
-            version: document.tree_version,
+            tree: Arc::as_ptr(&document.tree) as usize,
             content: show.content,
             empty_leaves: show.empty_leaves,
             theme,
@@ -49,6 +51,7 @@ impl Layers {
         if self.tree.as_ref().is_none_or(|(old, _)| *old != key) {
             let layers = tree_layers(document, show, theme);
             self.tree = Some((key, layers));
+            self.shown = Some(Arc::clone(&document.tree) as Arc<dyn Any>);
         }
         let mut layers = self.tree.as_ref().map(|(_, layers)| layers.clone()).unwrap_or_default();
         let page = super::page_of(rect);

@@ -10,13 +10,16 @@ use crate::view::View;
 pub use base::Layers;
 use eframe::egui::{Pos2, Rect, Sense, Ui, WidgetInfo, accesskit::Role};
 use octoscope_core::geometry::Aabb;
+use octoscope_core::trace::Moment;
 use octoscope_figure::{Camera, Page, axes, content, leaves, marks, space_figure};
 
 /// What the view shows and changes.
 pub struct Space<'a, const D: usize> {
     /// The scenario; handles change its ray and query.
     pub document: &'a mut Document<D>,
-    /// The camera, what is shown, the playhead.
+    /// State of the algorithm at the playhead.
+    pub moment: &'a Moment<D>,
+    /// The camera, what is shown.
     pub view: &'a mut View,
     /// Layers on the graphics adapter, if there is one.
     pub layers: Option<&'a mut Layers>,
@@ -27,7 +30,7 @@ const MOST_PAINTED: usize = 20_000;
 
 /// Shows the space view in all the room there is.
 pub fn ui<const D: usize>(ui: &mut Ui, look: &Look, space: Space<'_, D>) {
-    let Space { document, view, layers } = space;
+    let Space { document, moment, view, layers } = space;
     let (rect, response) = ui.allocate_exact_size(ui.available_size(), Sense::click_and_drag());
     let name = look.text("space-name");
     response.widget_info(|| WidgetInfo::labeled(Role::Canvas, true, name.as_str()));
@@ -43,12 +46,10 @@ pub fn ui<const D: usize>(ui: &mut Ui, look: &Look, space: Space<'_, D>) {
         view.set_camera(camera);
     }
 
-    let step = view.playback.step;
-    let moment = document.moment(step);
-    let event = step.checked_sub(1).and_then(|index| document.trace.events.get(index));
+    let event = moment.step.checked_sub(1).and_then(|index| document.trace.events.get(index));
     let scenario = &document.scenario;
     let marks =
-        marks(&document.tree, &scenario.ray, &scenario.query, &moment, event, view.show::<D>());
+        marks(&document.tree, &scenario.ray, &scenario.query, moment, event, view.show::<D>());
     let painter = ui.painter_at(rect);
     painter.rect_filled(rect, 0.0, look.palette.background);
     let mut painted = axes(document.tree.domain());

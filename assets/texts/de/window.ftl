@@ -182,6 +182,7 @@ timeline-name = Schritt der Aufzeichnung
 timeline-speed = Geschwindigkeit
 
 job-open = { $name } wird geöffnet
+job-restore = Das zuletzt Geöffnete wird geöffnet
 job-build = Der Baum wird gebaut
 job-broken = Die Arbeit endete ohne Ergebnis. Versuchen Sie es noch einmal; geschieht es wieder, melden Sie es bitte.
 job-cancel = Abbrechen

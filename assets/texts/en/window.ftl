@@ -182,6 +182,7 @@ timeline-name = Step of the trace
 timeline-speed = Speed
 
 job-open = Opening { $name }
+job-restore = Opening what was open last
 job-build = Building the tree
 job-broken = The work stopped without a result. Try again; if it happens again, please report it.
 job-cancel = Cancel
