@@ -34,11 +34,11 @@ fn main() {
     for (name, json) in [
         (
             "quadtree of 100000 points",
-            r#"{"octoscope":1,"dimension":2,"scene":{"built-in":"quadtree-82","n":100000},"build":{"depth":8,"capacity":4}}"#,
+            r#"{"octoscope":1,"dimension":2,"scene":{"built-in":"quadtree-82","parameters":{"n":100000}},"build":{"depth":8,"capacity":4}}"#,
         ),
         (
             "octree of 32768 spheres",
-            r#"{"octoscope":1,"dimension":3,"scene":{"built-in":"sphere-grid","n":5},"build":{"depth":8}}"#,
+            r#"{"octoscope":1,"dimension":3,"scene":{"built-in":"sphere-grid","parameters":{"n":5}},"build":{"depth":8}}"#,
         ),
     ] {
         let scenario = AnyScenario::parse(json).expect("the scenario is sound");

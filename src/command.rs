@@ -146,7 +146,7 @@ pub const COMMANDS: &[Row] = &[
     row(Command::Preset(1), "command-preset-rail", Menu::View, &[key(Key::Num2)]),
     row(Command::Preset(2), "command-preset-automaton", Menu::View, &[key(Key::Num3)]),
     row(Command::Preset(3), "command-preset-debug", Menu::View, &[key(Key::Num4)]),
-    row(Command::Preset(4), "command-preset-queries", Menu::View, &[key(Key::Num5)]),
+    row(Command::Preset(4), "command-preset-compare", Menu::View, &[key(Key::Num5)]),
     row(Command::Preset(5), "command-preset-lecture", Menu::View, &[key(Key::Num6)]),
     row(Command::FrameAll, "command-frame-all", Menu::View, &[key(Key::F)]),
     row(Command::NextTheme, "command-next-theme", Menu::View, &[key(Key::T)]),

@@ -1,11 +1,13 @@
 //! The open scenario with all that is derived from it.
 
+use crate::comparison::{Run, compare};
 use octoscope_core::geometry::Ray;
 use octoscope_core::progress::Progress;
 use octoscope_core::query::Query;
 use octoscope_core::scenario::{AnyScenario, Scenario, StepAt};
 use octoscope_core::scene::{Content, Cube};
 use octoscope_core::trace::{Counters, Moment, Trace, record};
+use octoscope_core::traverse::Options;
 use octoscope_core::tree::{BuildError, Recipe, Tree, build};
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -27,6 +29,8 @@ pub struct Document<const D: usize> {
     pub folder: PathBuf,
     /// What the whole run costs.
     pub total: Counters,
+    /// All algorithms on the ray, once they are asked for.
+    comparison: Option<Arc<Vec<Run>>>,
     traced: (Ray<D>, Query<D>),
     built: (Cube<D>, Recipe),
 }
@@ -54,6 +58,7 @@ impl<const D: usize> Document<D> {
             path: None,
             folder: PathBuf::new(),
             total,
+            comparison: None,
             traced,
             built,
         })
@@ -105,7 +110,21 @@ impl<const D: usize> Document<D> {
         let (ray, query) = (self.scenario.ray, self.scenario.query);
         self.trace = Arc::new(record(&self.tree, &ray, &query));
         self.total = costs(&self.trace);
+        self.comparison = None;
         self.traced = (ray, query);
+    }
+
+    /// All algorithms on the ray; computed once for every ray and tree.
+    pub fn comparison(&mut self) -> Arc<Vec<Run>> {
+        let options = match self.traced.1 {
+            Query::Ray { options, .. } => options,
+            Query::Point { .. } | Query::Region { .. } | Query::Neighbour { .. } => {
+                Options::default()
+            }
+        };
+        let (tree, ray) = (&self.tree, &self.traced.0);
+        let runs = self.comparison.get_or_insert_with(|| Arc::new(compare(tree, ray, options)));
+        Arc::clone(runs)
     }
 
     /// State of the algorithm after `step` events.

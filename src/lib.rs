@@ -4,6 +4,7 @@
 pub mod app;
 pub mod cli;
 pub mod command;
+pub mod comparison;
 pub mod document;
 pub mod export;
 pub mod files;

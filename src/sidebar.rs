@@ -3,13 +3,14 @@
 use crate::document::Document;
 use crate::look::Look;
 use crate::panels::{
-    automaton, codes, counters, listing, neighbour, query, ray, region, scene, show, stack, t_rail,
-    variables,
+    automaton, codes, compare, counters, listing, neighbour, query, ray, region, scene, show,
+    stack, t_rail, variables,
 };
 use crate::space::{self, Layers, Space};
 use crate::view::{PanelKind, Preset, View};
 use eframe::egui::{CentralPanel, Frame, Margin, Panel, ScrollArea, Ui};
 use octoscope_core::explain::{label, listing as listing_of, variables as variables_of};
+use octoscope_core::query::Query;
 use octoscope_core::trace::{Counters, Moment};
 
 /// Windows of less than this, in points, have panels on one side only.
@@ -91,11 +92,15 @@ fn question<const D: usize>(
 fn panel<const D: usize>(
     ui: &mut Ui,
     look: &Look,
-    document: &Document<D>,
+    document: &mut Document<D>,
     moment: &Moment<D>,
     view: &mut View,
     kind: PanelKind,
 ) {
+    if kind == PanelKind::Compare {
+        compare_panel(ui, look, document);
+        return;
+    }
     let (tree, trace) = (&document.tree, &document.trace);
     let event = moment.step.checked_sub(1).and_then(|index| trace.events.get(index));
     match kind {
@@ -126,6 +131,7 @@ fn panel<const D: usize>(
             };
             variables::ui(ui, look, &now, &before);
         }
+        PanelKind::Compare => {}
         PanelKind::Stack => stack::ui(ui, look, tree, moment),
         PanelKind::Counters => {
             let mut of_step = Counters::default();
@@ -134,5 +140,13 @@ fn panel<const D: usize>(
             }
             counters::ui(ui, look, &of_step, &moment.counters, &document.total);
         }
+    }
+}
+
+fn compare_panel<const D: usize>(ui: &mut Ui, look: &Look, document: &mut Document<D>) {
+    let runs = document.comparison();
+    let Query::Ray { algorithm, .. } = &mut document.scenario.query else { return };
+    if let Some(chosen) = compare::ui(ui, look, &runs, Some(*algorithm)) {
+        *algorithm = chosen;
     }
 }

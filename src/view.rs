@@ -68,8 +68,8 @@ pub enum Preset {
     Automaton,
     /// Listing, variables, stack, counters.
     Debug,
-    /// Point, region and neighbour queries.
-    Queries,
+    /// All algorithms on the same ray.
+    Compare,
     /// Large picture, large sentence, one panel.
     Lecture,
 }
@@ -95,25 +95,27 @@ pub enum PanelKind {
     Stack,
     /// Costs.
     Counters,
+    /// All algorithms side by side.
+    Compare,
 }
 
 impl Preset {
     /// All presets, in the order of their keys.
     pub const ALL: [Self; 6] =
-        [Self::Bits, Self::Rail, Self::Automaton, Self::Debug, Self::Queries, Self::Lecture];
+        [Self::Bits, Self::Rail, Self::Automaton, Self::Debug, Self::Compare, Self::Lecture];
 
     /// The panels from top to bottom, for a query: those that have nothing to
     /// say about it give way to the one that explains it.
     pub fn panels<const D: usize>(self, query: &Query<D>) -> Vec<PanelKind> {
         use PanelKind::{
-            Automaton, Codes, Counters, Listing, Neighbour, Rail, Region, Stack, Variables,
+            Automaton, Codes, Compare, Counters, Listing, Neighbour, Rail, Region, Stack, Variables,
         };
         let chosen: &[PanelKind] = match self {
             Self::Bits => &[Codes, Neighbour, Counters],
             Self::Rail => &[Rail, Automaton, Codes, Counters],
             Self::Automaton => &[Automaton, Rail, Counters],
             Self::Debug => &[Listing, Variables, Stack, Counters],
-            Self::Queries => &[Codes, Region, Neighbour, Counters],
+            Self::Compare => &[Compare, Codes, Counters],
             Self::Lecture => &[Rail],
         };
         let own = match query {
@@ -129,7 +131,7 @@ impl Preset {
             Query::Ray { algorithm: Algorithm::Parametric | Algorithm::ParametricTable, .. }
         );
         let says_something = |kind: &PanelKind| match kind {
-            Rail => about_rays,
+            Rail | Compare => about_rays,
             Automaton | Stack => has_states,
             Region | Neighbour => own == Some(*kind),
             Codes | Listing | Variables | Counters => true,
@@ -147,7 +149,7 @@ impl Preset {
     pub fn scale(self) -> f32 {
         match self {
             Self::Lecture => 1.6,
-            Self::Bits | Self::Rail | Self::Automaton | Self::Debug | Self::Queries => 1.0,
+            Self::Bits | Self::Rail | Self::Automaton | Self::Debug | Self::Compare => 1.0,
         }
     }
 }

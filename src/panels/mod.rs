@@ -2,6 +2,7 @@
 
 pub mod automaton;
 pub mod codes;
+pub mod compare;
 pub mod counters;
 pub mod dialogs;
 pub mod listing;

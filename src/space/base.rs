@@ -157,6 +157,9 @@ fn colours_of<const D: usize>(image: &Image, tree: &Tree<D>) -> Option<Vec<Optio
     any.downcast_ref::<Tree<2>>().map(|tree| leaf_colours(image, tree))
 }
 
+/// More points of a cloud than this are not drawn at once.
+const MOST_POINTS: usize = 200_000;
+
 /// The content of an octree.
 fn content_layer<const D: usize>(content: &Content<D>, theme: Theme) -> Option<Layer> {
     let palette = Palette::of(theme);
@@ -164,7 +167,10 @@ fn content_layer<const D: usize>(content: &Content<D>, theme: Theme) -> Option<L
     let point = |p: &[f64; D]| std::array::from_fn(|e| if e < D { p[e] as f32 } else { 0.0 });
     match content {
         Content::Points(points) => {
-            Some(Layer::points(points.iter().map(point).collect(), colour, 1.8))
+            // An even choice of a large cloud shows its shape as well.
+            let every = points.len().div_ceil(MOST_POINTS).max(1);
+            let shown = points.iter().step_by(every).map(point);
+            Some(Layer::points(shown.collect(), colour, 1.8))
         }
         Content::Triangles(triangles) => {
             let triangles: Vec<[[f32; 3]; 3]> =

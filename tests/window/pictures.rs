@@ -109,25 +109,34 @@ fn the_preset_for_debugging() {
 }
 
 #[test]
+fn the_preset_to_compare() {
+    compare("preset-compare", |desk| {
+        desk.open_scenario(&plane("quadtree-82", |_| ()));
+        desk.state_mut().view.preset = Preset::Compare;
+        desk.press(Key::End);
+    });
+}
+
+#[test]
 fn a_region_and_its_bits() {
-    compare("preset-queries-region", |desk| {
+    compare("panel-region", |desk| {
         desk.open_scenario(&plane("quadtree-82", |scenario| {
             scenario.query = Query::Region { min: [0.52, 0.66], max: [0.68, 0.72] };
         }));
-        desk.state_mut().view.preset = Preset::Queries;
+        desk.state_mut().view.preset = Preset::Bits;
         desk.press(Key::End);
     });
 }
 
 #[test]
 fn a_neighbour_and_its_bits() {
-    compare("preset-queries-neighbour", |desk| {
+    compare("panel-neighbour", |desk| {
         desk.open_scenario(&plane("quadtree-82", |scenario| {
             let direction = Direction::new([1, 0]).unwrap();
             let (level, code) = (1, [14, 22]);
             scenario.query = Query::Neighbour { level, code, direction, reach: Reach::Leaf };
         }));
-        desk.state_mut().view.preset = Preset::Queries;
+        desk.state_mut().view.preset = Preset::Bits;
         desk.press(Key::End);
     });
 }

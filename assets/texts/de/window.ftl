@@ -18,7 +18,7 @@ command-preset-bits = Geometrie und Bits
 command-preset-rail = Geometrie und t-Leiste
 command-preset-automaton = Geometrie und Automat
 command-preset-debug = Fehlersuche
-command-preset-queries = Punkt, Bereich, Nachbar
+command-preset-compare = Verfahren vergleichen
 command-preset-lecture = Vorlesung
 command-frame-all = Alles zeigen
 command-next-theme = Nächstes Farbschema
@@ -54,6 +54,7 @@ panel-listing = Programm
 panel-variables = Variablen
 panel-stack = Stapel
 panel-counters = Zähler
+panel-compare = Vergleich
 space-name = Raumansicht
 
 scene-source = Woraus der Baum gebaut ist
@@ -178,6 +179,10 @@ stack-interval = t
 counters-step = Schritt
 counters-so-far = bisher
 counters-total = gesamt
+compare-agrees = { $steps } Schritte, die richtigen Blätter
+compare-differs = { $steps } Schritte, andere Blätter als die Referenz
+compare-comparisons = Vergleiche insgesamt
+compare-too-many = Der Baum hat zu viele Blätter, um jedes bei jeder Bewegung zu prüfen.
 timeline-name = Schritt der Aufzeichnung
 timeline-speed = Geschwindigkeit
 

@@ -18,7 +18,7 @@ command-preset-bits = Geometry and bits
 command-preset-rail = Geometry and t-rail
 command-preset-automaton = Geometry and automaton
 command-preset-debug = Debug
-command-preset-queries = Point, region, neighbour
+command-preset-compare = Compare the algorithms
 command-preset-lecture = Lecture
 command-frame-all = Show everything
 command-next-theme = Next theme
@@ -54,6 +54,7 @@ panel-listing = Listing
 panel-variables = Variables
 panel-stack = Stack
 panel-counters = Counters
+panel-compare = Comparison
 space-name = Space view
 
 scene-source = What the tree is built from
@@ -178,6 +179,10 @@ stack-interval = t
 counters-step = step
 counters-so-far = so far
 counters-total = total
+compare-agrees = { $steps } steps, the right leaves
+compare-differs = { $steps } steps, other leaves than the reference
+compare-comparisons = Comparisons in all
+compare-too-many = The tree has too many leaves to test each of them for every movement.
 timeline-name = Step of the trace
 timeline-speed = Speed
 

@@ -1,0 +1,93 @@
+//! All algorithms on the same ray.
+
+use octoscope_core::event::{Event, Observer};
+use octoscope_core::geometry::Ray;
+use octoscope_core::query::{Arithmetic, Query};
+use octoscope_core::trace::Counters;
+use octoscope_core::traverse::{Algorithm, Options, Slivers, first_difference};
+use octoscope_core::tree::{NodeId, Tree};
+
+/// What one algorithm did on the ray.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Run {
+    /// The algorithm.
+    pub algorithm: Algorithm,
+    /// Number of its steps.
+    pub n_steps: usize,
+    /// What it cost.
+    pub counters: Counters,
+    /// Visited leaves, in order.
+    leaves: Vec<NodeId>,
+    /// Whether they are the leaves of the oracle, or of the reference where
+    /// the tree is too large for the oracle; slivers left out.
+    pub agrees: bool,
+}
+
+/// More leaves than this are not tested one by one for every movement.
+const MOST_LEAVES: usize = 100_000;
+
+/// Runs every algorithm on `ray`, in doubles; the oracle only if the tree has at
+/// most 100 000 leaves.
+pub fn compare<const D: usize>(tree: &Tree<D>, ray: &Ray<D>, options: Options) -> Vec<Run> {
+    let wanted = Algorithm::ALL
+        .into_iter()
+        .filter(|&algorithm| algorithm != Algorithm::Exhaustive || tree.n_leaves() <= MOST_LEAVES);
+    let mut runs: Vec<Run> = wanted.map(|algorithm| run(tree, ray, algorithm, options)).collect();
+    let reference = runs.iter().find(|run| run.algorithm == Algorithm::Exhaustive);
+    let expected = reference.or(runs.first()).map(|run| run.leaves.clone()).unwrap_or_default();
+    for run in &mut runs {
+        let difference = first_difference(tree, ray, &expected, &run.leaves, Slivers::Ignore);
+        run.agrees = difference.is_none();
+    }
+    runs
+}
+
+fn run<const D: usize>(
+    tree: &Tree<D>,
+    ray: &Ray<D>,
+    algorithm: Algorithm,
+    options: Options,
+) -> Run {
+    let mut tally = Tally::default();
+    let query = Query::Ray { algorithm, options, arithmetic: Arithmetic::Doubles };
+    query.run(tree, ray, &mut tally);
+    let Tally { n_steps, counters, leaves } = tally;
+    Run { algorithm, n_steps, counters, leaves, agrees: false }
+}
+
+/// Counts events and keeps the visited leaves.
+#[derive(Default)]
+struct Tally {
+    n_steps: usize,
+    counters: Counters,
+    leaves: Vec<NodeId>,
+}
+
+impl<const D: usize> Observer<D> for Tally {
+    fn observe(&mut self, event: Event<D>) {
+        self.n_steps += 1;
+        self.counters.add(&event);
+        if let Event::Leaf { node, .. } = event {
+            self.leaves.push(node);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use octoscope_core::progress::Progress;
+    use octoscope_core::tree::{Domain, Split, grow};
+
+    #[test]
+    fn all_algorithms_agree_through_the_centre_and_only_the_tables_touch() {
+        let tree = grow(Domain::<3>::unit(1), (), &Progress::default(), |cell, ()| {
+            if cell.level > 0 { Split::Inner(vec![(); 8]) } else { Split::Empty }
+        });
+        let tree = tree.unwrap();
+        let ray = Ray::new([-1.0; 3], [1.0; 3]).unwrap();
+        let runs = compare(&tree, &ray, Options::default());
+        assert!(runs.iter().all(|run| run.agrees && run.leaves.len() == 2));
+        assert_eq!(runs.len(), Algorithm::ALL.len());
+    }
+}
