@@ -5,10 +5,11 @@ use octoscope_core::geometry::Ray;
 use octoscope_core::progress::Progress;
 use octoscope_core::query::Query;
 use octoscope_core::scenario::{AnyScenario, Scenario, StepAt};
-use octoscope_core::scene::{Content, Cube};
+use octoscope_core::scene::{Content, Cube, leaf_colours};
 use octoscope_core::trace::{Counters, Moment, Trace, record};
 use octoscope_core::traverse::Options;
 use octoscope_core::tree::{BuildError, Recipe, Tree, build};
+use std::any::Any;
 use std::path::PathBuf;
 use std::sync::Arc;
 
@@ -125,6 +126,14 @@ impl<const D: usize> Document<D> {
         let (tree, ray) = (&self.tree, &self.traced.0);
         let runs = self.comparison.get_or_insert_with(|| Arc::new(compare(tree, ray, options)));
         Arc::clone(runs)
+    }
+
+    /// Mean colours of the leaves by node number, if the tree is of a picture.
+    pub fn leaf_colours(&self) -> Option<Vec<Option<[u8; 3]>>> {
+        let Content::Image(image) = &*self.content else { return None };
+        // The tree of a picture is a quadtree.
+        let tree: &dyn Any = &*self.tree;
+        tree.downcast_ref::<Tree<2>>().map(|tree| leaf_colours(image, tree))
     }
 
     /// State of the algorithm after `step` events.

@@ -8,8 +8,8 @@ use anyhow::bail;
 use octoscope_core::scenario::AnyScenario;
 use octoscope_core::scene::Content;
 use octoscope_figure::{
-    Background, Camera, Figure, Page, Show, SvgOptions, Theme, axes, content, leaves, marks, png,
-    space_figure, svg, svg_scaled,
+    Background, Camera, Figure, Mark, Page, Role, Shape, Show, SvgOptions, Theme, axes, content,
+    leaves, marks, png, space_figure, svg, svg_scaled,
 };
 use std::path::Path;
 
@@ -52,6 +52,7 @@ pub fn space<const D: usize>(
     let mut all = Vec::new();
     if n_leaves_shown(document, show) <= most_leaves::<D>() {
         all.extend(leaves(&document.tree, show));
+        all.extend(pixels(document, show));
     }
     if n_primitives_shown(document, show) <= MOST_PRIMITIVES {
         all.extend(content(&document.content));
@@ -60,6 +61,17 @@ pub fn space<const D: usize>(
     all.extend(marks(&document.tree, &scenario.ray, &scenario.query, &moment, event, show));
     all.sort_by_key(|mark| mark.role.layer());
     space_figure(&all, &camera, page)
+}
+
+/// Leaves of a picture in their mean colours.
+fn pixels<const D: usize>(document: &Document<D>, show: &Show) -> Vec<Mark<D>> {
+    let colours = document.leaf_colours().filter(|_| show.content).unwrap_or_default();
+    let tree = &document.tree;
+    let coloured = tree.leaves().filter_map(|leaf| {
+        let colour = *colours.get(leaf.id.index())?;
+        Some(Mark::new(Shape::Box(tree.node_box(leaf.id)), Role::Pixel(colour?)))
+    });
+    coloured.collect()
 }
 
 /// More points or solids than this are left out of figures: nobody could tell

@@ -39,8 +39,12 @@ pub fn run(opening: Opening) -> anyhow::Result<()> {
         }),
     );
     result.map_err(|error| {
+        // Some causes begin with a place in a source file, which helps nobody.
+        let cause = error.to_string();
+        let cause = cause.rsplit(".rs:").next().unwrap_or_default();
+        let cause = cause.trim_start_matches(|c: char| c.is_ascii_digit() || ": ".contains(c));
         anyhow!(
-            "no window can be opened: {error}\n\
+            "no window can be opened: {cause}\n\
              On Debian or Ubuntu, `cargo xtask run` installs what is missing. \
              The commands of `octoscope help` need no window."
         )

@@ -6,8 +6,8 @@ use crate::render::{self, BoxMark, BoxStyle, Cell, Grid, Layer, Line, Picture, P
 use crate::theme::color32;
 use eframe::egui::{Color32, Id, Rect, Ui};
 use glam::Mat4;
-use octoscope_core::scene::{Content, Image, leaf_colours};
-use octoscope_core::tree::{Node, Tree};
+use octoscope_core::scene::Content;
+use octoscope_core::tree::Node;
 use octoscope_figure::{Camera, Dash, Mark, Palette, Role, Shape, Show, Style, Theme};
 use std::any::Any;
 use std::sync::Arc;
@@ -115,14 +115,7 @@ fn tree_layers<const D: usize>(document: &Document<D>, show: &Show, theme: Theme
         |colour: Option<octoscope_figure::Colour>| colour.map_or(Color32::TRANSPARENT, color32);
     let mut layers = Vec::new();
     if D == 2 {
-        let pictures = match &*document.content {
-            Content::Image(image) => colours_of(image, tree),
-            Content::Points(_)
-            | Content::Cells(_)
-            | Content::Spheres(_)
-            | Content::Boxes(_)
-            | Content::Triangles(_) => None,
-        };
+        let pictures = document.leaf_colours();
         let leaves = tree.leaves().filter(|leaf| leaf.is_full() || show.empty_leaves);
         let cells: Vec<_> = leaves
             .map(|leaf| {
@@ -149,12 +142,6 @@ fn tree_layers<const D: usize>(document: &Document<D>, show: &Show, theme: Theme
         }
     }
     layers
-}
-
-/// Mean colours of the leaves by node number; the tree of a picture is a quadtree.
-fn colours_of<const D: usize>(image: &Image, tree: &Tree<D>) -> Option<Vec<Option<[u8; 3]>>> {
-    let any: &dyn std::any::Any = tree;
-    any.downcast_ref::<Tree<2>>().map(|tree| leaf_colours(image, tree))
 }
 
 /// More points of a cloud than this are not drawn at once.
