@@ -62,7 +62,11 @@ impl<const D: usize> Scenario<D> {
     /// Scenario with a fitting domain, a ray that crosses it, and defaults for
     /// the rest. `content` is what `source` stands for.
     pub fn of(source: Source<D>, content: &Content<D>) -> Self {
-        let domain = content.fit();
+        Self::with_defaults(source, content.fit())
+    }
+
+    /// Scenario in `domain` with a ray that crosses it, and defaults for the rest.
+    fn with_defaults(source: Source<D>, domain: Cube<D>) -> Self {
         Self {
             domain,
             source,

@@ -2,7 +2,7 @@
 
 use super::fields::{File, Head, Picture, QueryField, Scene, Vector};
 use super::{
-    AnyScenario, BUILT_IN, Parameters, Scenario, Source, SourceError, StepAt, built_in, default_ray,
+    AnyScenario, BUILT_IN, Parameters, Scenario, Source, SourceError, built_in, default_ray,
 };
 use crate::geometry::Aabb;
 use crate::query::Query;
@@ -101,9 +101,9 @@ fn scenario<const D: usize>(file: File<D>) -> Result<Scenario<D>, ScenarioError>
             if let Some(item) = content.first_unusable() {
                 return Err(ScenarioError::Unusable(item));
             }
-            blank(source.clone(), content.fit())
+            Scenario::with_defaults(source.clone(), content.fit())
         }
-        Source::File { .. } => blank(source.clone(), Cube::UNIT),
+        Source::File { .. } => Scenario::with_defaults(source.clone(), Cube::UNIT),
     };
     if let Source::File { fit, .. } = &mut source {
         *fit = file.domain.is_none();
@@ -146,18 +146,6 @@ fn scenario<const D: usize>(file: File<D>) -> Result<Scenario<D>, ScenarioError>
     scenario.view = file.view;
     scenario.grid()?;
     Ok(scenario)
-}
-
-fn blank<const D: usize>(source: Source<D>, domain: Cube<D>) -> Scenario<D> {
-    Scenario {
-        domain,
-        source,
-        recipe: Recipe::default(),
-        ray: default_ray(&domain),
-        query: Query::default(),
-        step: StepAt::First,
-        view: super::View::new(),
-    }
 }
 
 fn source<const D: usize>(scene: Scene<D>) -> Result<Source<D>, ScenarioError> {
