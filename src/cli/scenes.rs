@@ -4,8 +4,9 @@ use super::Answer;
 use crate::files::Output;
 use clap::Args;
 use octoscope_core::scenario::BUILT_IN;
-use octoscope_core::traverse::Algorithm;
+use octoscope_core::traverse::{Algorithm, Variant};
 use serde_json::json;
+use std::collections::BTreeMap;
 use std::io::Write;
 
 /// Lists the built-in scenes and the algorithms, with their identifiers.
@@ -37,7 +38,10 @@ fn as_text() -> String {
         let n = scene.n.map_or(String::new(), |[n, most]| format!(", n {n} (1 … {most})"));
         format!("  {:<24}{kind}{seed}{n}\n", format!("scene:{}", scene.id))
     });
-    let algorithms = Algorithm::ALL.map(|algorithm| format!("  {}\n", algorithm.id()));
+    let algorithms = Algorithm::ALL.map(|algorithm| {
+        let methods = variants(algorithm).map(|variant| format!(" @{}", variant.id()));
+        format!("  {}{}\n", algorithm.id(), methods.collect::<String>())
+    });
     format!("Scenes\n{}\nAlgorithms\n{}", scenes.collect::<String>(), algorithms.concat())
 }
 
@@ -53,8 +57,16 @@ fn as_json() -> String {
     let list = json!({
         "scenes": scenes.collect::<Vec<_>>(),
         "algorithms": Algorithm::ALL.map(Algorithm::id),
+        "variants": Algorithm::ALL
+            .map(|algorithm| (algorithm.id(), variants(algorithm).map(Variant::id).collect()))
+            .into_iter()
+            .collect::<BTreeMap<_, Vec<_>>>(),
     });
     format!("{list:#}\n")
+}
+
+fn variants(algorithm: Algorithm) -> impl Iterator<Item = Variant> {
+    Variant::ALL.into_iter().filter(move |variant| variant.belongs_to(algorithm))
 }
 
 #[cfg(test)]

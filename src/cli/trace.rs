@@ -1,7 +1,7 @@
 //! `octoscope trace`: the steps of one query.
 
 use super::Answer;
-use super::values::{Numbers, language};
+use super::values::{Numbers, language, number};
 use crate::document::Document;
 use crate::files::Output;
 use crate::open::open;
@@ -11,9 +11,9 @@ use clap::{Args, ValueEnum};
 use octoscope_core::explain::{trace_csv, trace_jsonl, trace_text};
 use octoscope_core::geometry::{AXIS_NAMES, Ray};
 use octoscope_core::progress::Progress;
-use octoscope_core::query::Query;
+use octoscope_core::query::{Arithmetic, Query};
 use octoscope_core::text::Language;
-use octoscope_core::traverse::Algorithm;
+use octoscope_core::traverse::Method;
 use std::io::Write;
 use std::path::PathBuf;
 
@@ -31,13 +31,19 @@ pub struct Trace {
     /// Scenario (.octo), data file, or built-in scene as scene:NAME.
     file: PathBuf,
     /// Traverses by this algorithm (see octoscope scenes), whatever the
-    /// scenario asks.
+    /// scenario asks; with @ and variants as in bsp@gem.
     #[arg(long, value_name = "ID")]
-    algorithm: Option<Algorithm>,
+    algorithm: Option<Method>,
     /// Takes this ray: origin and direction, four numbers in 2-D and six in
     /// 3-D, decimal or hexadecimal.
     #[arg(long, value_name = "OX,OY,OZ,DX,DY,DZ", allow_hyphen_values = true)]
     ray: Option<Numbers>,
+    /// Ends the ray at this parameter t.
+    #[arg(long, value_name = "T", value_parser = number, allow_hyphen_values = true)]
+    end: Option<f64>,
+    /// Compares exactly, whatever the (finite) numbers.
+    #[arg(long)]
+    exact: bool,
     /// What is printed.
     #[arg(long, value_enum, default_value_t = Format::Text)]
     format: Format,
@@ -78,8 +84,9 @@ fn traced<const D: usize>(mut document: Document<D>, arguments: &Trace) -> anyho
     if let Some(numbers) = &arguments.ray {
         scenario.ray = ray(numbers)?;
     }
-    if arguments.ray.is_some() || arguments.algorithm.is_some() {
-        scenario.query = along_ray(scenario.query, arguments.algorithm);
+    let about_rays = arguments.ray.is_some() || arguments.algorithm.is_some();
+    if about_rays || arguments.end.is_some() || arguments.exact {
+        scenario.query = along_ray(scenario.query, arguments);
     }
     document.refresh(0);
     let Document { tree, trace, scenario, .. } = &document;
@@ -107,19 +114,23 @@ fn ray<const D: usize>(numbers: &Numbers) -> anyhow::Result<Ray<D>> {
     Ray::new(origin, direction).map_err(|error| anyhow!("--ray: {error}"))
 }
 
-/// `query`, if it is about the ray, else the default one that is; by
-/// `algorithm`, if there is one.
-fn along_ray<const D: usize>(query: Query<D>, algorithm: Option<Algorithm>) -> Query<D> {
-    let query = match query {
+/// `query`, if it is about the ray, else the default one that is; with what the
+/// command line says of it.
+fn along_ray<const D: usize>(query: Query<D>, arguments: &Trace) -> Query<D> {
+    let mut query = match query {
         Query::Ray { .. } => query,
         Query::Point { .. } | Query::Region { .. } | Query::Neighbour { .. } => Query::default(),
     };
-    match (query, algorithm) {
-        (Query::Ray { options, arithmetic, .. }, Some(algorithm)) => {
-            Query::Ray { algorithm, options, arithmetic }
+    if let Query::Ray { algorithm, options, arithmetic } = &mut query {
+        if let Some(method) = arguments.algorithm {
+            (*algorithm, options.variants) = (method.algorithm, method.variants);
         }
-        (query, _) => query,
+        if arguments.exact {
+            *arithmetic = Arithmetic::Exact;
+        }
+        options.segment_end = arguments.end.or(options.segment_end);
     }
+    query
 }
 
 #[cfg(test)]

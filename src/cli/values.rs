@@ -22,7 +22,11 @@ impl FromStr for Numbers {
     }
 }
 
-fn number(word: &str) -> Result<f64, String> {
+/// A finite number, decimal or hexadecimal.
+///
+/// # Errors
+/// Names the word that is none.
+pub fn number(word: &str) -> Result<f64, String> {
     let parsed = hexadecimal(word).or_else(|| word.parse().ok());
     parsed.filter(|number| number.is_finite()).ok_or_else(|| {
         format!("‘{word}’ is no finite number; give numbers such as 0.5, -1e3 or 0x1p-2")

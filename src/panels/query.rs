@@ -6,7 +6,7 @@ use crate::widgets::{heading, number_field, segments};
 use eframe::egui::{ComboBox, Grid, RichText, Ui};
 use octoscope_core::explain::algorithm_name;
 use octoscope_core::geometry::AXIS_NAMES;
-use octoscope_core::locate::{Direction, Reach};
+use octoscope_core::locate::{Direction, NeighbourMethod, Reach};
 use octoscope_core::query::{Arithmetic, PointMethod, Query};
 use octoscope_core::traverse::{Algorithm, Options, StopAt};
 use octoscope_core::tree::Code;
@@ -59,15 +59,21 @@ pub fn ui<const D: usize>(ui: &mut Ui, look: &Look, document: &mut Document<D>) 
             fields(ui, look, "query-region", &mut [min, max], side);
             hint(ui, look, "query-region-hint");
         }
-        Query::Neighbour { level, code, direction, reach } => {
+        Query::Neighbour { level, code, direction, reach, method } => {
             let shown = code.map(|c| c.to_string()).join(", ");
             let arguments = [("level", (*level).min(max_level).into()), ("codes", shown.into())];
             ui.label(look.texts.format("neighbour-cell", &arguments));
             let choices = [
                 (Reach::EqualOrLarger, look.text("reach-equal")),
                 (Reach::Leaf, look.text("reach-leaf")),
+                (Reach::EveryLeaf, look.text("reach-every-leaf")),
             ];
             segments(ui, reach, &choices);
+            let choices = [
+                (NeighbourMethod::Codes, look.text("neighbour-codes")),
+                (NeighbourMethod::Tables, look.text("neighbour-tables")),
+            ];
+            segments(ui, method, &choices);
             pick_direction(ui, look, direction);
             hint(ui, look, "query-neighbour-hint");
         }
@@ -92,7 +98,8 @@ fn starting_query<const D: usize>(document: &Document<D>, kind: Kind) -> Query<D
             };
             let right = std::array::from_fn(|e| i8::from(e == 0));
             let direction = Direction::new(right).expect("one step along x");
-            Query::Neighbour { level, code, direction, reach: Reach::default() }
+            let (reach, method) = (Reach::default(), NeighbourMethod::default());
+            Query::Neighbour { level, code, direction, reach, method }
         }
     }
 }

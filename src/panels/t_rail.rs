@@ -23,7 +23,8 @@ impl<const D: usize> Rail<D> {
     /// Of the node on top of the stack, of the leaf that is left, or of the root.
     fn of(moment: &Moment<D>) -> Option<Self> {
         if let Some(frame) = moment.frame() {
-            return Some(Self { near: frame.near, mid: frame.mid, far: frame.far });
+            let [near, far] = frame.planes().unwrap_or([[frame.enter(); D], [frame.exit(); D]]);
+            return Some(Self { near, mid: frame.mid, far });
         }
         if let Some(exits) = moment.exits {
             let enter = moment.leaves.last().map_or(0.0, |leaf| leaf.enter);

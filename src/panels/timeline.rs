@@ -113,14 +113,30 @@ fn tick<const D: usize>(look: &Look, event: &Event<D>) -> (f32, Color32) {
         Event::Leaf { .. } | Event::Found { .. } => (0.9, palette.axes[1]),
         Event::Touch { .. } => (0.7, palette.rejected),
         Event::Clip { .. } | Event::Sort { .. } | Event::End(_) => (0.9, palette.ink),
-        Event::Visit { .. } | Event::Follow { .. } | Event::Compare { .. } => {
-            (0.45, palette.axes[2])
-        }
-        Event::First { .. } | Event::Step { .. } => (0.45, palette.current_line),
-        Event::Exits { .. } | Event::Target { .. } => (0.45, palette.current_line),
+        Event::Visit { .. }
+        | Event::Enter { .. }
+        | Event::Pop { .. }
+        | Event::Mirror { .. }
+        | Event::Facing { .. }
+        | Event::Rope { .. }
+        | Event::Follow { .. }
+        | Event::Compare { .. } => (0.45, palette.axes[2]),
+        Event::First { .. }
+        | Event::Step { .. }
+        | Event::Classify { .. }
+        | Event::Flip { .. }
+        | Event::Split { .. }
+        | Event::Exits { .. }
+        | Event::Target { .. }
+        | Event::Push { .. } => (0.45, palette.current_line),
+        Event::Grid { .. } | Event::Cross { .. } => (0.45, palette.current_line),
         Event::Encode { .. } | Event::Corners { .. } | Event::Begin { .. } => (0.45, palette.quiet),
-        Event::Difference { .. } | Event::Climb { .. } => (0.45, palette.axes[0]),
-        Event::Halve { .. } | Event::Skip { .. } | Event::Up { .. } => (0.2, palette.quiet),
+        Event::Difference { .. } | Event::Climb { .. } | Event::Father { .. } => {
+            (0.45, palette.axes[0])
+        }
+        Event::Halve { .. } | Event::Cuts { .. } | Event::Skip { .. } | Event::Up { .. } => {
+            (0.2, palette.quiet)
+        }
         Event::Border { .. } | Event::Test { .. } => (0.2, palette.quiet),
     }
 }

@@ -12,7 +12,7 @@ use eframe::egui::{
     CursorIcon, Id, Painter, PointerButton, Pos2, Rect, Response, Stroke, StrokeKind, Ui, pos2,
 };
 use octoscope_core::geometry::{Aabb, Ray};
-use octoscope_core::locate::{Direction, Reach, locate_by_codes};
+use octoscope_core::locate::{Direction, NeighbourMethod, Reach, locate_by_codes};
 use octoscope_core::query::{Arithmetic, PointMethod, Query};
 use octoscope_core::trace::record;
 use octoscope_core::traverse::{Algorithm, Options, StopAt};
@@ -254,7 +254,23 @@ fn ask_neighbour<const D: usize>(
     reach: Reach,
 ) {
     let (level, code) = (document.tree.level(leaf), document.tree.code(leaf));
-    document.scenario.query = Query::Neighbour { level, code, direction, reach };
+    document.scenario.query = Query::Neighbour {
+        level,
+        code,
+        direction,
+        reach,
+        method: method_of(&document.scenario.query),
+    };
+}
+
+/// How neighbours are looked for already, or by codes.
+fn method_of<const D: usize>(query: &Query<D>) -> NeighbourMethod {
+    match *query {
+        Query::Neighbour { method, .. } => method,
+        Query::Ray { .. } | Query::Point { .. } | Query::Region { .. } => {
+            NeighbourMethod::default()
+        }
+    }
 }
 
 fn ask_point<const D: usize>(
@@ -320,7 +336,7 @@ fn leaf_at<const D: usize>(
     let sight = line_of_sight(frame, camera, at)?;
     let query = Query::Ray {
         algorithm: Algorithm::Parametric,
-        options: Options { stop_at: StopAt::FirstFull },
+        options: Options { stop_at: StopAt::FirstFull, ..Options::default() },
         arithmetic: Arithmetic::Doubles,
     };
     let leaves: Vec<_> = record(tree, &sight, &query).leaves().collect();

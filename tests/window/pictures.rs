@@ -12,7 +12,7 @@ use egui_kittest::{Harness, SnapshotOptions};
 use octoscope::view::Preset;
 use octoscope::with_document;
 use octoscope_core::event::Event;
-use octoscope_core::locate::{Direction, Reach};
+use octoscope_core::locate::{Direction, NeighbourMethod, Reach};
 use octoscope_core::query::Query;
 use octoscope_core::scenario::{AnyScenario, Scenario, built_in};
 use octoscope_core::text::Language;
@@ -134,7 +134,13 @@ fn a_neighbour_and_its_bits() {
         desk.open_scenario(&plane("quadtree-82", |scenario| {
             let direction = Direction::new([1, 0]).unwrap();
             let (level, code) = (1, [14, 22]);
-            scenario.query = Query::Neighbour { level, code, direction, reach: Reach::Leaf };
+            scenario.query = Query::Neighbour {
+                level,
+                code,
+                direction,
+                reach: Reach::Leaf,
+                method: NeighbourMethod::Codes,
+            };
         }));
         desk.state_mut().view.preset = Preset::Bits;
         desk.press(Key::End);

@@ -5,16 +5,25 @@ comma = { $first }, { $last }
 
 by-parametric = mit dem parametrischen Verfahren
 by-parametric-table = mit dem parametrischen Verfahren und seinen Tabellen
+by-all-children = durch Prüfen jedes Kindes
+by-hero = mit Maske und sortierten Mittelebenen nach HERO
+by-gargantini = mit zugeordneten Stücken zwischen sortierten Schnitten
 by-codes = mit Ortscodes
+by-glassner = durch Orten jedes Austrittspunkts von der Wurzel aus
+by-samet = mit Nachbartabellen
+by-samet-corner = mit der Ecke seiner Austrittsebenen
+by-samet-net = über Verweise zwischen Nachbarn
+by-bsp = mit binärer Raumteilung
+by-dda = auf dem feinsten Raster
+by-dda-octree = durch Nachschlagen der Zellen des feinsten Rasters
 by-exhaustive = durch Prüfen jedes einzelnen Blattes
 
 start-ray = Ein Strahl von { $origin } in Richtung { $direction } wird { $algorithm } durch den { $tree } verfolgt; → beginnt.
-start-ray-plain = Ein Strahl von { $origin } in Richtung { $direction } wird auf den { $tree } geschickt; → beginnt.
 start-point-codes = Das Blatt, dem ein Punkt gehört, wird mit Ortscodes gesucht; → beginnt.
 start-point-comparison = Das Blatt, dem ein Punkt gehört, wird durch Vergleich mit den Mittelebenen gesucht; → beginnt.
 start-region = Der kleinste Knoten, der einen Bereich enthält, wird mit Ortscodes gesucht; → beginnt.
+start-neighbour-tables = Der Nachbar eines Knotens wird mit Tabellen gesucht; → beginnt.
 start-neighbour = Der Nachbar eines Knotens wird mit Ortscodes gesucht; → beginnt.
-start-outside = Nach einem Ort im { $tree } wird gefragt; → beginnt.
 quadtree = Quadtree
 octree = Octree
 
@@ -23,6 +32,7 @@ clip-inside = Der Strahl beginnt innerhalb der Wurzel: Die letzte nahe Ebene kom
 clip-mirror = { " " }Entlang { $axes } ist seine Richtung negativ; Zustand i steht daher für Kind f(i) = i xor { $mask }.
 clip-behind = Der Strahl verfehlt die Wurzel, die hinter seinem Startpunkt liegt: Schon für die erste ferne Ebene gilt { $exit } ≤ 0.
 clip-miss = Der Strahl verfehlt die Wurzel: Er trifft eine ferne Ebene nicht später als die letzte nahe, { $exit } { $relation } { $enter }.
+clip-short = Der Strahl endet, bevor er die Wurzel trifft, deren letzte nahe Ebene bei { $enter } liegt.
 clip-parallel = Der Strahl verfehlt die Wurzel: Entlang { $axes } bewegt er sich nicht, und sein Startpunkt liegt dort außerhalb.
 
 test-hit = { $node } wird zwischen t = { $enter } und t = { $exit } getroffen.
@@ -72,6 +82,34 @@ state = Zustand { $state }
 up = Der Knoten ist erledigt; zurück nach oben: { $node }.
 up-none = Die Wurzel ist erledigt.
 
+enter = { $node }: Von t = { $enter } bis t = { $exit } ist der Strahl darin.
+cuts = { $n ->
+    [0] Der Strahl trifft keine Mittelebene im Inneren des Knotens; er bleibt also in einem Kind.
+    [one] Von den sortierten Mittelebenen liegt eine im Intervall des Knotens: { $cuts }.
+   *[other] Von den sortierten Mittelebenen liegen { $n } im Intervall des Knotens: { $cuts }.
+}
+classify = Bei t = { $at } gilt { $comparisons }: Der Strahl ist in Kind { $child }.
+flip-one = Bei t = { $at } wird die Mittelebene von { $axes } gekreuzt: Ihr Bit kippt, und das nächste Kind ist { $child }.
+flip-many = Bei t = { $at } werden die Mittelebenen von { $axes } zugleich gekreuzt: Ihre Bits kippen zusammen, und das nächste Kind ist { $child }.
+split-near = { $at } liegt nicht zwischen { $enter } und { $exit }, und der Strahl bleibt auf der Seite seines Startpunkts: Nur die { $half } von { $axis } wird betreten.
+split-far = { $at } kommt nicht nach dem Eintritt bei { $enter }: Die Ebene ist passiert, nur die { $half } von { $axis } wird betreten.
+split-both = { $at } liegt zwischen { $enter } und { $exit }: Zuerst wird die { $half } von { $axis } betreten, die andere wartet auf dem Stapel.
+upper-half = obere Hälfte
+lower-half = untere Hälfte
+pop-node = Vom Stapel kommt { $node }; der Strahl ist von t = { $enter } bis t = { $exit } darin.
+pop-half = Vom Stapel kommt ein Teil: { $node }; der Strahl ist von t = { $enter } bis t = { $exit } in diesem Teil.
+grid = Die erste Zelle des Rasters ist { $cell }; die nächsten Ebenen werden bei { $planes } getroffen.
+cross-one = { $planes }, also kreuzt der Strahl die { $axes }-Ebene: weiter zu Zelle { $cell }.
+cross-many = { $planes }, also kreuzt der Strahl die Ebenen von { $axes } zugleich: weiter zu Zelle { $cell }.
+father-all = Sohn { $son } liegt an der Seite { $direction } seines Vaters, also liegt der Nachbar auch jenseits des Vaters: hinauf zu { $node }.
+father-part = Von der Richtung { $direction } liegt Sohn { $son } an der Seite { $common } seines Vaters: hinauf zu { $node } und in dieser Richtung weiter.
+father-holds = Sohn { $son } liegt nicht an der Seite { $direction } seines Vaters, also enthält der Vater den Nachbarn: hinauf zu { $node }.
+mirror = Gespiegelt wird Sohn { $son } zu Sohn { $mirrored }: hinab zu { $node }.
+facing = Kind { $child } liegt an dieser Seite: hinab zu { $node }.
+rope = Der Verweis durch die { $axis }-Seite führt hierher: { $node }.
+rope-border = Durch die { $axis }-Seite führt kein Verweis: Sie ist der Rand.
+push = Der Austrittspunkt { $from } wird entlang { $axis } verschoben, nach { $to }.
+
 begin-root = Die Suche beginnt an der Wurzel, { $node }.
 begin-node = Die Suche beginnt hier: { $node }.
 encode = Der Punkt { $point } hat binär die Ortscodes { $codes }.
@@ -99,11 +137,17 @@ end-left-root = Der Strahl hat die Wurzel verlassen: Die Traversierung endet nac
     [one] einem Blatt
    *[other] { $n } Blättern
 }.
+end-segment = Der Strahl endet hier: Die Traversierung endet nach { $n ->
+    [one] einem Blatt
+   *[other] { $n } Blättern
+}.
+end-looped = Der Strahl kommt nicht weiter: Dieselben Blätter würden einander endlos folgen, daher wird abgebrochen.
 end-first-full = Das erste belegte Blatt ist erreicht, mehr war nicht verlangt: Die Traversierung endet.
 end-found = Der Knoten ist gefunden: Die Suche endet.
 end-outside = Der Ort liegt außerhalb des Gebiets: Es gibt nichts zu finden.
 
 the-node = Knoten { $code } auf Ebene { $level }
+the-node-first = Knoten { $code } auf Ebene { $level }
 the-leaf = Blatt { $code } auf Ebene { $level }
 
 title = { $tree } · { $scene } · { $n ->
@@ -116,7 +160,17 @@ scene-inline = eigene Daten
 
 algorithm-parametric = Parametrisch, mit einer Regel
 algorithm-parametric-table = Parametrisch, mit Tabellen
+algorithm-all-children = Jedes Kind geprüft
+algorithm-hero = HERO: Maske, sortierte Ebenen
+algorithm-gargantini = Gargantini: zugeordnete Schnitte
 algorithm-codes = Ortscodes
+algorithm-glassner = Glassner: von der Wurzel neu
+algorithm-samet = Samet: Nachbartabellen
+algorithm-samet-corner = SametCorner (rekonstruiert)
+algorithm-samet-net = SametNet (rekonstruiert)
+algorithm-bsp = Sung–Shirley: binäre Teilung
+algorithm-dda = Amanatides–Woo: feinstes Raster
+algorithm-dda-octree = Rasterzellen, im Baum gesucht
 algorithm-exhaustive = Jedes Blatt, exakt
 
 query-ray = Strahl
@@ -127,6 +181,8 @@ query-neighbour = Nachbar
 ended-missed = Wurzel verfehlt
 ended-left-root = Wurzel verlassen
 ended-first-full = Erstes belegtes Blatt
+ended-segment-end = Ende der Strecke
+ended-looped = Läuft im Kreis
 ended-found = Gefunden
 ended-outside = Außerhalb des Gebiets
 
@@ -140,6 +196,8 @@ counter-divisions = Divisionen
 counter-additions = Additionen, Multiplikationen
 counter-bit-operations = Bitoperationen
 counter-transitions = Übergänge
+counter-table-lookups = Nachschlagen in Tabellen
+counter-grid-cells = Rasterzellen
 counter-point-locations = Punktortungen
 counter-ascends = Schritte nach oben
 counter-descends = Schritte nach unten

@@ -132,6 +132,9 @@ point-codes = durch Codes
 point-comparison = durch Vergleiche
 reach-equal = gleich groß oder größer
 reach-leaf = Blatt
+reach-every-leaf = alle Blätter
+neighbour-codes = mit Codes
+neighbour-tables = mit Tabellen
 neighbour-cell = Zelle der Ebene { $level }, Codes { $codes }
 neighbour-direction = Richtung
 

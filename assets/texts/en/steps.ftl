@@ -5,16 +5,25 @@ comma = { $first }, { $last }
 
 by-parametric = the parametric algorithm
 by-parametric-table = the parametric algorithm with its tables
+by-all-children = testing every child
+by-hero = HERO's mask and sorted mid planes
+by-gargantini = classified pieces between sorted cuts
 by-codes = location codes
+by-glassner = locating every exit point from the root
+by-samet = neighbour tables
+by-samet-corner = the corner of its exit planes
+by-samet-net = links between neighbours
+by-bsp = binary space partition
+by-dda = walking through the finest grid
+by-dda-octree = looking up the cells of the finest grid
 by-exhaustive = testing every leaf by itself
 
 start-ray = A ray from { $origin } along { $direction } is followed through the { $tree } by { $algorithm }; press → to begin.
-start-ray-plain = A ray from { $origin } along { $direction } is sent towards the { $tree }; press → to begin.
 start-point-codes = The leaf that owns a point is searched by location codes; press → to begin.
 start-point-comparison = The leaf that owns a point is searched by comparing it with mid planes; press → to begin.
 start-region = The smallest node that holds a region is searched by location codes; press → to begin.
+start-neighbour-tables = The neighbour of a node is searched by tables; press → to begin.
 start-neighbour = The neighbour of a node is searched by location codes; press → to begin.
-start-outside = A place in the { $tree } is asked for; press → to begin.
 quadtree = quadtree
 octree = octree
 
@@ -23,6 +32,7 @@ clip-inside = The ray starts inside the root: the last near plane does not come 
 clip-mirror = { " " }Its direction is negative along { $axes }, so state i stands for child f(i) = i xor { $mask }.
 clip-behind = The ray misses the root, which lies behind its origin: even the first far plane has { $exit } ≤ 0.
 clip-miss = The ray misses the root: it meets a far plane no later than the last near plane, { $exit } { $relation } { $enter }.
+clip-short = The ray ends before it meets the root, whose last near plane has { $enter }.
 clip-parallel = The ray misses the root: it does not move along { $axes }, and its origin lies outside there.
 
 test-hit = { $node } is met between t = { $enter } and t = { $exit }.
@@ -63,6 +73,34 @@ state = State { $state }
 up = The node is done: back up to { $node }.
 up-none = The root is done.
 
+enter = The ray is in { $node } from t = { $enter } to t = { $exit }.
+cuts = { $n ->
+    [0] The ray meets no mid plane inside the node, so it stays in one child.
+    [one] Of the sorted mid planes, one lies inside the node's interval: { $cuts }.
+   *[other] Of the sorted mid planes, { $n } lie inside the node's interval: { $cuts }.
+}
+classify = At t = { $at }, { $comparisons }: the ray is in child { $child }.
+flip-one = At t = { $at } the mid plane of { $axes } is crossed: its bit is flipped, and the next child is { $child }.
+flip-many = At t = { $at } the mid planes of { $axes } are crossed at once: their bits are flipped together, and the next child is { $child }.
+split-near = { $at } does not lie between { $enter } and { $exit }, and the ray stays on the side of its origin: only the { $half } of { $axis } is entered.
+split-far = { $at } comes no later than the entry at { $enter }: the plane is passed, and only the { $half } of { $axis } is entered.
+split-both = { $at } lies between { $enter } and { $exit }: the { $half } of { $axis } is entered first, the other one waits on the stack.
+upper-half = upper half
+lower-half = lower half
+pop-node = From the stack: { $node }, with the ray in it from t = { $enter } to t = { $exit }.
+pop-half = From the stack: a part of { $node }, with the ray in it from t = { $enter } to t = { $exit }.
+grid = The first cell of the grid is { $cell }; the next planes are met at { $planes }.
+cross-one = { $planes }, so the ray crosses the { $axes } plane: on to cell { $cell }.
+cross-many = { $planes }, so the ray crosses the planes of { $axes } at once: on to cell { $cell }.
+father-all = Son { $son } lies on the side { $direction } of its father, so the neighbour lies beyond the father as well: up to { $node }.
+father-part = Of the direction { $direction }, son { $son } lies on the side { $common } of its father: up to { $node }, and on in that direction.
+father-holds = Son { $son } does not lie on the side { $direction } of its father, so the father holds the neighbour: up to { $node }.
+mirror = Mirrored, son { $son } becomes son { $mirrored }: down to { $node }.
+facing = Child { $child } lies on that side: down to { $node }.
+rope = The link through the { $axis } side leads to { $node }.
+rope-border = No link leads through the { $axis } side: it is the border.
+push = The exit point { $from } is pushed along { $axis }, to { $to }.
+
 begin-root = The search begins at the root, { $node }.
 begin-node = The search begins at { $node }.
 encode = The point { $point } has the location codes { $codes } in binary.
@@ -90,11 +128,17 @@ end-left-root = The ray has left the root: the traversal ends after { $n ->
     [one] one leaf
    *[other] { $n } leaves
 }.
+end-segment = The ray ends here: the traversal ends after { $n ->
+    [one] one leaf
+   *[other] { $n } leaves
+}.
+end-looped = The ray gets no further: the same leaves would follow one another for ever, so the traversal is stopped.
 end-first-full = The first occupied leaf is reached, and no more was asked for: the traversal ends.
 end-found = The node is found: the search ends.
 end-outside = The place lies outside the domain: there is nothing to find.
 
 the-node = the node { $code } of level { $level }
+the-node-first = Node { $code } of level { $level }
 the-leaf = Leaf { $code } of level { $level }
 
 title = { $tree } · { $scene } · { $n ->
@@ -107,7 +151,17 @@ scene-inline = own data
 
 algorithm-parametric = Parametric, by one rule
 algorithm-parametric-table = Parametric, by tables
+algorithm-all-children = Every child tested
+algorithm-hero = HERO: mask and sorted planes
+algorithm-gargantini = Gargantini: classified cuts
 algorithm-codes = Location codes
+algorithm-glassner = Glassner: from the root again
+algorithm-samet = Samet: neighbour tables
+algorithm-samet-corner = SametCorner (reconstructed)
+algorithm-samet-net = SametNet (reconstructed)
+algorithm-bsp = Sung–Shirley: binary partition
+algorithm-dda = Amanatides–Woo: finest grid
+algorithm-dda-octree = Grid cells, looked up in the tree
 algorithm-exhaustive = Every leaf, exactly
 
 query-ray = Ray
@@ -118,6 +172,8 @@ query-neighbour = Neighbour
 ended-missed = Missed the root
 ended-left-root = Left the root
 ended-first-full = First occupied leaf
+ended-segment-end = End of the segment
+ended-looped = Going round in circles
 ended-found = Found
 ended-outside = Outside the domain
 
@@ -131,6 +187,8 @@ counter-divisions = Divisions
 counter-additions = Additions, multiplications
 counter-bit-operations = Bit operations
 counter-transitions = Transitions
+counter-table-lookups = Table look-ups
+counter-grid-cells = Grid cells
 counter-point-locations = Point locations
 counter-ascends = Steps up
 counter-descends = Steps down

@@ -132,6 +132,9 @@ point-codes = by codes
 point-comparison = by comparison
 reach-equal = equal or larger
 reach-leaf = leaf
+reach-every-leaf = all leaves
+neighbour-codes = by codes
+neighbour-tables = by tables
 neighbour-cell = cell of level { $level }, codes { $codes }
 neighbour-direction = direction
 

@@ -3,9 +3,10 @@
 use crate::event::{End, Event, Observer, Outcome};
 use crate::geometry::{Exact, Ray};
 use crate::locate::{
-    Direction, Reach, locate_by_codes, locate_by_comparison, locate_region, neighbour,
+    Direction, NeighbourMethod, Reach, locate_by_codes, locate_by_comparison, locate_region,
+    neighbour, neighbour_by_tables,
 };
-use crate::traverse::{Algorithm, Options, doubles_suffice};
+use crate::traverse::{Algorithm, Options, Variant, doubles_suffice};
 use crate::tree::{Code, Tree};
 use serde::{Deserialize, Serialize};
 
@@ -46,6 +47,8 @@ pub enum Query<const D: usize> {
         direction: Direction<D>,
         /// How large it may be.
         reach: Reach,
+        /// How it is found.
+        method: NeighbourMethod,
     },
 }
 
@@ -88,9 +91,9 @@ impl<const D: usize> Query<D> {
     pub fn run(&self, tree: &Tree<D>, ray: &Ray<D>, observe: &mut impl Observer<D>) -> Outcome {
         match *self {
             Self::Ray { algorithm, options, arithmetic } => {
-                let doubles =
+                let suffice =
                     arithmetic == Arithmetic::Doubles && doubles_suffice(tree.domain(), ray);
-                if doubles {
+                if suffice || options.variants.iter().any(Variant::is_about_doubles) {
                     algorithm.run::<D, f64>(tree, ray, options, observe)
                 } else {
                     algorithm.run::<D, Exact>(tree, ray, options, observe)
@@ -101,12 +104,17 @@ impl<const D: usize> Query<D> {
                 locate_by_comparison(tree, at, observe)
             }
             Self::Region { min, max } => locate_region(tree, min, max, observe),
-            Self::Neighbour { level, code, direction, reach } => {
+            Self::Neighbour { level, code, direction, reach, method } => {
                 let Some(node) = tree.node_at(level, code) else {
                     observe.observe(Event::End(End::Outside));
                     return Outcome::without_node(End::Outside);
                 };
-                neighbour(tree, node.id, direction, reach, observe)
+                match method {
+                    NeighbourMethod::Codes => neighbour(tree, node.id, direction, reach, observe),
+                    NeighbourMethod::Tables => {
+                        neighbour_by_tables(tree, node.id, direction, reach, observe)
+                    }
+                }
             }
         }
     }

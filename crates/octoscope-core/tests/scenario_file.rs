@@ -1,7 +1,7 @@
 //! Scenario files: what is written is read back, and what is wrong is named.
 
 use octoscope_core::geometry::{Aabb, Ray};
-use octoscope_core::locate::{Direction, Reach};
+use octoscope_core::locate::{Direction, NeighbourMethod, Reach};
 use octoscope_core::query::{PointMethod, Query};
 use octoscope_core::random::Random;
 use octoscope_core::scenario::{AnyScenario, BUILT_IN, Scenario, Source, StepAt, built_in};
@@ -61,6 +61,7 @@ fn every_query_and_a_file_read_back() {
             code: [4, 8],
             direction: Direction::new([-1, 1]).unwrap(),
             reach: Reach::Leaf,
+            method: NeighbourMethod::Tables,
         },
         Query::default(),
     ];

@@ -17,6 +17,7 @@ mod role;
 mod space;
 mod style;
 mod svg;
+mod ways;
 
 pub use camera::{Camera, Lens, Page, Projected};
 pub use content::{axes, content};

@@ -1,5 +1,6 @@
 //! The marks of a moment.
 
+use crate::ways::ways;
 use crate::{Mark, Role, Shape};
 use octoscope_core::event::{End, Event};
 use octoscope_core::geometry::{AXIS_NAMES, Aabb, Axes, Ray};
@@ -70,6 +71,7 @@ pub fn marks<const D: usize>(
     scene.children(&mut marks);
     scene.current(&mut marks);
     scene.planes(&mut marks);
+    marks.extend(ways(tree, ray, moment, event));
     scene.query(&mut marks);
     scene.ray(&mut marks);
     marks.sort_by_key(|mark| mark.role.layer());
@@ -149,8 +151,12 @@ impl<const D: usize> Scene<'_, D> {
                 let mask = self.moment.clip.map_or(Axes::NONE, |clip| clip.mirror);
                 Some((frame.node, frame.child_state?.mirrored(mask)))
             }
-            Event::Compare { child, node, .. } | Event::Follow { child, node, .. } => {
-                Some((self.tree.parent(node)?, child))
+            Event::Compare { child, node, .. }
+            | Event::Follow { child, node, .. }
+            | Event::Facing { child, node }
+            | Event::Mirror { mirrored: child, node, .. } => Some((self.tree.parent(node)?, child)),
+            Event::Classify { child, .. } | Event::Flip { child, .. } => {
+                Some((self.moment.frame()?.node, child))
             }
             Event::Clip { .. }
             | Event::Test { .. }
@@ -158,6 +164,15 @@ impl<const D: usize> Scene<'_, D> {
             | Event::Visit { .. }
             | Event::Skip { .. }
             | Event::Halve { .. }
+            | Event::Enter { .. }
+            | Event::Cuts { .. }
+            | Event::Split { .. }
+            | Event::Pop { .. }
+            | Event::Grid { .. }
+            | Event::Cross { .. }
+            | Event::Father { .. }
+            | Event::Rope { .. }
+            | Event::Push { .. }
             | Event::Step { next: None, .. }
             | Event::Up { .. }
             | Event::Begin { .. }
@@ -205,18 +220,24 @@ impl<const D: usize> Scene<'_, D> {
     }
 
     fn current(&self, marks: &mut Vec<Mark<D>>) {
-        let ended = matches!(self.moment.end, Some(End::LeftRoot | End::Missed | End::Outside));
+        let ended = match self.moment.end {
+            Some(End::LeftRoot | End::Missed | End::Outside | End::SegmentEnd | End::Looped) => {
+                true
+            }
+            Some(End::FirstFull | End::Found) | None => false,
+        };
         let Some(node) = self.moment.current.filter(|_| !ended) else {
             return;
         };
-        let bounds = self.tree.node_box(node);
+        let part = self.moment.part.filter(|part| part.node == node);
+        let bounds = part.map_or_else(|| self.tree.node_box(node), |part| part.bounds(self.tree));
         let missed = matches!(self.event, Some(Event::Test { interval: None, .. }));
         let role = match (self.moment.found == Some(node), missed) {
             (true, _) => Role::Found,
             (false, true) => Role::Missed,
             (false, false) => Role::Current,
         };
-        marks.push(node_mark(self.tree, node, role));
+        marks.push(Mark::new(Shape::Box(bounds), role).of_node(node));
         if self.show.codes {
             marks.push(self.code_label(node));
         }
@@ -246,7 +267,21 @@ impl<const D: usize> Scene<'_, D> {
         let all = Axes::where_true([true; D]);
         let frame = self.moment.frame().map(|frame| frame.node);
         match (self.event, frame) {
-            (Some(Event::Halve { .. }), Some(node)) => middle(node, all),
+            (
+                Some(Event::Halve { .. } | Event::Cuts { .. } | Event::Classify { .. }),
+                Some(node),
+            ) => {
+                middle(node, all);
+            }
+            (Some(Event::Flip { axes, .. }), Some(node)) => middle(node, *axes),
+            (Some(&Event::Split { axis, taken, .. }), _) => {
+                let whole = if taken.halved.is_empty() {
+                    self.tree.parent(taken.node).unwrap_or(taken.node)
+                } else {
+                    taken.node
+                };
+                middle(whole, Axes::one(usize::from(axis)));
+            }
             (Some(Event::First { compared, .. }), Some(node)) => middle(node, *compared),
             (Some(&(Event::Compare { node, .. } | Event::Follow { node, .. })), _) => {
                 if let Some(parent) = self.tree.parent(node) {

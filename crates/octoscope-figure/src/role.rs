@@ -48,6 +48,20 @@ pub enum Role {
     Target,
     /// Direction to a neighbour.
     Direction,
+    /// Part of a node that waits on a stack.
+    Pending,
+    /// Cell of the finest grid through which an algorithm walks.
+    GridCell,
+    /// From a node up to its father, on the way to a neighbour.
+    WayUp,
+    /// Down again, mirrored.
+    WayDown,
+    /// Along a link to a neighbour.
+    Link,
+    /// From an exit point out of the leaf.
+    Push,
+    /// Where the ray crosses a mid plane, across an axis, 0 = x.
+    Cut(usize),
     /// The ray.
     Ray,
     /// Handle on the ray's origin.
@@ -79,7 +93,7 @@ pub enum Role {
 impl Role {
     /// One role of every kind, in the order in which they cover each other,
     /// the lowest first.
-    pub const KINDS: [Self; 38] = [
+    pub const KINDS: [Self; 47] = [
         Self::Pixel([128; 3]),
         Self::EmptyLeaf,
         Self::FullLeaf,
@@ -97,7 +111,9 @@ impl Role {
         Self::Touch,
         Self::Region,
         Self::Target,
+        Self::Pending,
         Self::Current,
+        Self::GridCell,
         Self::Found,
         Self::OwnedSide,
         Self::MidPlane(0),
@@ -109,6 +125,13 @@ impl Role {
         Self::MirroredRay,
         Self::Ray,
         Self::Direction,
+        Self::WayUp,
+        Self::WayDown,
+        Self::Link,
+        Self::Push,
+        Self::Cut(0),
+        Self::Cut(1),
+        Self::Cut(2),
         Self::RayOrigin,
         Self::RayTip,
         Self::EntryPoint,
@@ -144,6 +167,13 @@ impl Role {
             Self::Region => "region",
             Self::Target => "target",
             Self::Direction => "direction",
+            Self::Pending => "pending",
+            Self::GridCell => "grid-cell",
+            Self::WayUp => "way-up",
+            Self::WayDown => "way-down",
+            Self::Link => "link",
+            Self::Push => "push",
+            Self::Cut(axis) => ["cut-x", "cut-y", "cut-z"][axis],
             Self::Ray => "ray",
             Self::RayOrigin => "ray-origin",
             Self::RayTip => "ray-tip",

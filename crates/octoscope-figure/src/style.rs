@@ -115,6 +115,14 @@ impl Style {
             Role::Region => Self { fill: Some(p.ray.faded(0.12)), ..line(p.ray, 2.0) },
             Role::Target => Self { dash: Dash::Dashed, ..line(p.ray, 2.0) },
             Role::Direction => Self { fill: Some(p.ray), ..line(p.ray, 2.5) },
+            Role::Pending => Self { dash: Dash::Dashed, ..line(p.ancestor, 2.0) },
+            Role::GridCell => Self { fill: Some(p.ray.faded(0.25)), ..line(p.ray, 1.5) },
+            Role::WayUp | Role::Push => Self { fill: Some(p.ray), ..line(p.ray, 2.5) },
+            Role::WayDown => Self { fill: Some(p.ancestor), ..line(p.ancestor, 2.5) },
+            Role::Link => Self { fill: Some(p.current_outline), ..line(p.current_outline, 2.5) },
+            Role::Cut(axis) => {
+                Self { fill: Some(p.axes[axis]), radius: 5.0, ..line(p.background, 1.2) }
+            }
             Role::Ray => Self { fill: Some(p.ray), ..line(p.ray, 2.2) },
             Role::RayOrigin => Self { fill: Some(p.background), radius: 7.0, ..line(p.ray, 2.2) },
             Role::RayTip => Self { fill: Some(p.ray), radius: 4.0, ..line(p.background, 1.0) },

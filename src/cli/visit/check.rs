@@ -4,19 +4,19 @@ use super::line::{Met, line, met, push_token, visited};
 use super::{Answer, Asked};
 use octoscope_core::geometry::Ray;
 use octoscope_core::query::Arithmetic;
-use octoscope_core::traverse::{Algorithm, Slivers, first_difference};
+use octoscope_core::traverse::{Algorithm, Method, Slivers, first_difference};
 use octoscope_core::tree::{NodeId, Tree};
 
-/// Line of a ray, and the first difference between `algorithms` in words. The
+/// Line of a ray, and the first difference between `methods` in words. The
 /// line is that of the oracle, if it is among them, else of the first.
 pub fn compared_line<const D: usize>(
     tree: &Tree<D>,
     ray: &Ray<D>,
-    algorithms: &[Algorithm],
+    methods: &[Method],
     asked: Asked,
 ) -> (String, Option<String>) {
-    let oracle = algorithms.contains(&Algorithm::Exhaustive).then_some(Algorithm::Exhaustive);
-    let Some(reference) = oracle.or(algorithms.first().copied()) else {
+    let oracle = methods.iter().find(|method| method.algorithm == Algorithm::Exhaustive);
+    let Some(&reference) = oracle.or(methods.first()) else {
         return (String::new(), None);
     };
     let expected = met(tree, ray, reference, asked);
@@ -25,18 +25,18 @@ pub fn compared_line<const D: usize>(
         Arithmetic::Exact => Slivers::Count,
         Arithmetic::Doubles => Slivers::Ignore,
     };
-    let others = algorithms.iter().filter(|&&algorithm| algorithm != reference);
+    let others = methods.iter().filter(|&&method| method != reference);
     let difference = others
-        .filter_map(|&algorithm| {
-            let found = visited(&met(tree, ray, algorithm, asked));
+        .filter_map(|&method| {
+            let found = visited(&met(tree, ray, method, asked));
             let at = first_difference(tree, ray, &expected_leaves, &found, slivers)?;
             let leaf = |node: Option<NodeId>| named(tree, node);
             Some(format!(
                 "{} finds {} as leaf {} where {} finds {}",
-                algorithm.id(),
+                method,
                 leaf(at.found),
                 at.index + 1,
-                reference.id(),
+                reference,
                 leaf(at.expected),
             ))
         })

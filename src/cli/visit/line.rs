@@ -3,8 +3,7 @@
 use super::{Asked, Touches};
 use octoscope_core::event::{Event, Observer};
 use octoscope_core::geometry::Ray;
-use octoscope_core::query::Query;
-use octoscope_core::traverse::Algorithm;
+use octoscope_core::traverse::Method;
 use octoscope_core::tree::{NodeId, Tree};
 use std::fmt::Write;
 
@@ -20,15 +19,9 @@ pub enum Met {
 }
 
 /// Leaves along `ray` in order; touches only where asked for.
-pub fn met<const D: usize>(
-    tree: &Tree<D>,
-    ray: &Ray<D>,
-    algorithm: Algorithm,
-    asked: Asked,
-) -> Vec<Met> {
-    let Asked { options, arithmetic, touches } = asked;
-    let mut list = List { met: Vec::new(), touches };
-    Query::Ray { algorithm, options, arithmetic }.run(tree, ray, &mut list);
+pub fn met<const D: usize>(tree: &Tree<D>, ray: &Ray<D>, method: Method, asked: Asked) -> Vec<Met> {
+    let mut list = List { met: Vec::new(), touches: asked.touches };
+    asked.along(method).run(tree, ray, &mut list);
     list.met
 }
 

@@ -6,14 +6,15 @@ mod line;
 mod summary;
 
 use super::Answer;
+use super::values::number;
 use crate::files::{self, Output};
 use anyhow::anyhow;
 use clap::Args;
 use octoscope_core::geometry::Ray;
 use octoscope_core::progress::Progress;
-use octoscope_core::query::Arithmetic;
+use octoscope_core::query::{Arithmetic, Query};
 use octoscope_core::scene::Content;
-use octoscope_core::traverse::{Algorithm, Options, StopAt, UnknownAlgorithm};
+use octoscope_core::traverse::{Algorithm, Method, MethodError, Options, StopAt};
 use octoscope_core::tree::{Domain, Merge, Recipe, Tree, build};
 use std::fmt::Display;
 use std::io::Write;
@@ -50,13 +51,17 @@ pub struct Visit {
     /// Dimension: 2 for a quadtree, 3 for an octree.
     #[arg(long, default_value_t = 3, value_parser = clap::value_parser!(u8).range(2..=3))]
     dim: u8,
-    /// Identifier of the algorithm (see octoscope scenes), or all: runs every
-    /// one, prints what the oracle finds, and fails where one differs from it.
+    /// Identifier of the algorithm (see octoscope scenes), with @ and variants
+    /// as in bsp@gem; or all: runs every one, prints what the oracle finds, and
+    /// fails where one differs from it.
     #[arg(long, value_name = "ID", default_value = "parametric")]
     algorithm: Choice,
     /// Ends each ray at its first occupied leaf.
     #[arg(long)]
     first: bool,
+    /// Ends each ray at this parameter t.
+    #[arg(long, value_name = "T", value_parser = number, allow_hyphen_values = true)]
+    end: Option<f64>,
     /// Lists leaves met in one point as well, as ~level:x,y,z; they do not
     /// count. Algorithms report the touches that they notice, the oracle all.
     #[arg(long)]
@@ -86,23 +91,23 @@ pub struct Visit {
 /// One algorithm or every one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Choice {
-    One(Algorithm),
+    One(Method),
     All,
 }
 
 impl std::str::FromStr for Choice {
-    type Err = UnknownAlgorithm;
+    type Err = MethodError;
 
-    fn from_str(id: &str) -> Result<Self, UnknownAlgorithm> {
+    fn from_str(id: &str) -> Result<Self, MethodError> {
         if id == "all" { Ok(Self::All) } else { id.parse().map(Self::One) }
     }
 }
 
 impl Choice {
-    fn algorithms(&self) -> &[Algorithm] {
+    fn methods(self) -> Vec<Method> {
         match self {
-            Self::One(algorithm) => std::slice::from_ref(algorithm),
-            Self::All => &Algorithm::ALL,
+            Self::One(method) => vec![method],
+            Self::All => Algorithm::ALL.map(Method::from).to_vec(),
         }
     }
 }
@@ -110,9 +115,19 @@ impl Choice {
 /// What is asked of every ray.
 #[derive(Clone, Copy, Debug)]
 struct Asked {
-    options: Options,
+    stop_at: StopAt,
+    segment_end: Option<f64>,
     arithmetic: Arithmetic,
     touches: Touches,
+}
+
+impl Asked {
+    /// The question to a tree, by this method.
+    fn along<const D: usize>(self, Method { algorithm, variants }: Method) -> Query<D> {
+        let Self { stop_at, segment_end, arithmetic, .. } = self;
+        let options = Options { stop_at, segment_end, variants };
+        Query::Ray { algorithm, options, arithmetic }
+    }
 }
 
 /// Whether touches are listed.
@@ -137,26 +152,27 @@ fn visit_in<const D: usize>(arguments: &Visit) -> anyhow::Result<Answer> {
     let tree = read_tree::<D>(arguments)?;
     let rays = read_rays::<D>(&arguments.rays)?;
     let asked = Asked {
-        options: Options { stop_at: if arguments.first { StopAt::FirstFull } else { StopAt::End } },
+        stop_at: if arguments.first { StopAt::FirstFull } else { StopAt::End },
+        segment_end: arguments.end,
         arithmetic: if arguments.exact { Arithmetic::Exact } else { Arithmetic::Doubles },
         touches: if arguments.touches { Touches::Listed } else { Touches::LeftOut },
     };
     let mut output = Output::open(arguments.output.as_deref())?;
-    let algorithms = arguments.algorithm.algorithms();
+    let methods = arguments.algorithm.methods();
     let threads = arguments.threads;
     let mut differences = check::Differences::default();
     if arguments.summary {
         let mut rows = Vec::new();
-        for &algorithm in algorithms {
+        for &method in &methods {
             let measured =
-                summary::measure(&tree, &rays, algorithm, asked, threads, arguments.repeat)?;
+                summary::measure(&tree, &rays, method, asked, threads, arguments.repeat)?;
             rows.push(measured);
         }
         output.write_all(summary::table(&rows).as_bytes())?;
     }
     let prints = !arguments.summary;
-    if prints || algorithms.len() > 1 {
-        let work = |ray: &Ray<D>| check::compared_line(&tree, ray, algorithms, asked);
+    if prints || methods.len() > 1 {
+        let work = |ray: &Ray<D>| check::compared_line(&tree, ray, &methods, asked);
         in_order::in_order(&rays, threads, work, |index, (line, difference)| {
             differences.add(index, &rays[index], difference);
             if prints { output.write_all(line.as_bytes()) } else { Ok(()) }

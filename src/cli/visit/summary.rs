@@ -6,7 +6,7 @@ use super::line::{Met, line, met};
 use octoscope_core::event::{Event, Observer};
 use octoscope_core::geometry::Ray;
 use octoscope_core::query::Query;
-use octoscope_core::traverse::Algorithm;
+use octoscope_core::traverse::Method;
 use octoscope_core::tree::Tree;
 use std::hint::black_box;
 use std::io;
@@ -17,7 +17,7 @@ use std::time::{Duration, Instant};
 /// Row of the table.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Summary {
-    algorithm: Algorithm,
+    method: Method,
     n_rays: usize,
     tally: Tally,
     /// FNV-1a, 64 bits, of the lines that would be printed.
@@ -26,7 +26,7 @@ pub struct Summary {
     times: Vec<Duration>,
 }
 
-/// Runs `algorithm` over all rays: once for the lines, then `repeat` times for
+/// Runs `method` over all rays: once for the lines, then `repeat` times for
 /// the time of the traversals alone.
 ///
 /// # Errors
@@ -34,7 +34,7 @@ pub struct Summary {
 pub fn measure<const D: usize>(
     tree: &Tree<D>,
     rays: &[Ray<D>],
-    algorithm: Algorithm,
+    method: Method,
     asked: Asked,
     threads: NonZeroUsize,
     repeat: NonZeroUsize,
@@ -42,7 +42,7 @@ pub fn measure<const D: usize>(
     let mut tally = Tally::default();
     let mut checksum = FNV_BASIS;
     let work = |ray: &Ray<D>| {
-        let met = met(tree, ray, algorithm, asked);
+        let met = met(tree, ray, method, asked);
         (line(tree, &met), met)
     };
     in_order(rays, threads, work, |_, (line, met)| {
@@ -59,11 +59,11 @@ pub fn measure<const D: usize>(
         }
         Ok(())
     })?;
-    let query = Query::Ray { algorithm, options: asked.options, arithmetic: asked.arithmetic };
+    let query = asked.along(method);
     let mut times: Vec<Duration> =
         (0..repeat.get()).map(|_| time(tree, rays, &query, threads)).collect();
     times.sort_unstable();
-    Ok(Summary { algorithm, n_rays: rays.len(), tally, checksum, times })
+    Ok(Summary { method, n_rays: rays.len(), tally, checksum, times })
 }
 
 /// The rows as a table with a head, in columns.
@@ -94,13 +94,13 @@ pub fn table(rows: &[Summary]) -> String {
 }
 
 fn row(summary: &Summary) -> [String; 9] {
-    let Summary { algorithm, n_rays, tally, checksum, times } = summary;
+    let Summary { method, n_rays, tally, checksum, times } = summary;
     let best = times.first().copied().unwrap_or_default();
     let median = times.get(times.len() / 2).copied().unwrap_or_default();
     let rate = |time: Duration| quotient(*n_rays as f64, time.as_secs_f64(), 0);
     let per_leaf = |time: Duration| quotient(time.as_secs_f64() * 1e9, tally.leaves as f64, 2);
     [
-        algorithm.id().to_owned(),
+        method.to_string(),
         n_rays.to_string(),
         tally.leaves.to_string(),
         tally.occupied.to_string(),
@@ -172,6 +172,7 @@ fn fnv_1a(hash: u64, bytes: &[u8]) -> u64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use octoscope_core::traverse::Algorithm;
 
     #[test]
     fn the_hash_is_fnv_1a() {
@@ -183,7 +184,7 @@ mod tests {
     #[test]
     fn the_table_shows_median_and_best() {
         let summary = Summary {
-            algorithm: Algorithm::Codes,
+            method: Algorithm::Codes.into(),
             n_rays: 10,
             tally: Tally { leaves: 20, occupied: 5 },
             checksum: 0xff,

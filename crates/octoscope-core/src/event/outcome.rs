@@ -12,6 +12,10 @@ pub enum End {
     LeftRoot,
     /// A full leaf was met and no more was asked for.
     FirstFull,
+    /// The end of the wanted segment was reached.
+    SegmentEnd,
+    /// The ray does not get any further: the algorithm goes round in circles.
+    Looped,
     /// A node was found.
     Found,
     /// The asked-for place lies outside the domain.

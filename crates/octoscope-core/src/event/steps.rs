@@ -2,7 +2,7 @@
 
 use super::End;
 use crate::geometry::Axes;
-use crate::tree::{Child, Code, NodeId};
+use crate::tree::{Child, Code, NodeId, Part};
 
 /// One step of an algorithm, with the numbers that it was made with.
 ///
@@ -28,9 +28,9 @@ pub enum Event<const D: usize> {
         /// Axes along which the direction is negative: the mirror mask a.
         mirror: Axes<D>,
     },
-    /// One leaf is tested by itself, whatever the tree.
+    /// One node is tested by itself, without its parent's help.
     Test {
-        /// The leaf.
+        /// The node.
         node: NodeId,
         /// Parameters of entry and exit, if the ray meets it.
         interval: Option<[f64; 2]>,
@@ -92,6 +92,136 @@ pub enum Event<const D: usize> {
     Up {
         /// The parent, or `None` above the root.
         node: Option<NodeId>,
+    },
+
+    // Top-down, by intervals of the ray.
+    /// A node is entered with the interval of the ray that lies in it, and
+    /// becomes the current one.
+    Enter {
+        /// The node.
+        node: NodeId,
+        /// Parameters between which the ray is in it.
+        interval: [f64; 2],
+    },
+    /// The mid planes of the current node are put in the order in which the ray
+    /// meets them.
+    Cuts {
+        /// The axes of the planes, the first plane first.
+        order: [u8; D],
+        /// Axes whose planes are met between the ends of the node's interval.
+        inside: Axes<D>,
+    },
+    /// The sides of the mid planes on which the ray is tell the child.
+    Classify {
+        /// The parameter with which the mid planes are compared.
+        at: f64,
+        /// The child, in the tree's own numbering.
+        child: Child<D>,
+    },
+    /// Mid planes are crossed: the child's bits of their axes are flipped.
+    Flip {
+        /// Parameter of the planes.
+        at: f64,
+        /// Their axes.
+        axes: Axes<D>,
+        /// The next child, in the tree's own numbering.
+        child: Child<D>,
+    },
+
+    // Binary space partition.
+    /// One plane halves the current part; its parameter decides which halves
+    /// the ray is in.
+    Split {
+        /// Axis of the plane.
+        axis: u8,
+        /// Coordinate of the plane, in world units.
+        plane: f64,
+        /// Its parameter; NaN or ±∞ if the ray does not move along the axis.
+        at: f64,
+        /// Parameters between which the ray is in the part.
+        interval: [f64; 2],
+        /// The halves that the ray is in.
+        halves: Halves,
+        /// The half that becomes the current part.
+        taken: Part<D>,
+        /// The half that is kept on the stack for later.
+        kept: Option<Part<D>>,
+    },
+    /// A part is taken from the stack and becomes the current one.
+    Pop {
+        /// The part.
+        part: Part<D>,
+        /// Parameters between which the ray is in it.
+        interval: [f64; 2],
+    },
+
+    // The grid of smallest cells.
+    /// The ray's first cell on the grid.
+    Grid {
+        /// Its code.
+        cell: Code<D>,
+        /// Parameters of the planes that the ray meets next, one an axis; +∞
+        /// on axes that it does not move along.
+        next: [f64; D],
+    },
+    /// The ray goes on to the next cell of the grid.
+    Cross {
+        /// Parameters of the planes ahead, the crossed ones among them.
+        next: [f64; D],
+        /// Axes of the planes that are crossed.
+        axes: Axes<D>,
+        /// Code of the next cell; −1 or 2^R outside the domain.
+        cell: [i64; D],
+    },
+
+    // Neighbours by the path through the tree.
+    /// From a son to its father on the search for a neighbour; the father
+    /// becomes the current node.
+    Father {
+        /// The father.
+        node: NodeId,
+        /// Which of its sons was left.
+        son: Child<D>,
+        /// Where the neighbour of the son is looked for.
+        direction: [i8; D],
+        /// What is left of the direction: the axes along which the son lies on
+        /// that side of its father. All 0 if the father holds the neighbour.
+        common: [i8; D],
+        /// Where that is looked up.
+        lookup: Lookup,
+    },
+    /// From a father down to the son that mirrors the one on the way up.
+    Mirror {
+        /// The son on the way up.
+        son: Child<D>,
+        /// The mirrored one.
+        mirrored: Child<D>,
+        /// The mirrored son, which becomes the current node.
+        node: NodeId,
+    },
+    /// From a node down to a child that lies on the asked-for side of it.
+    Facing {
+        /// The child.
+        child: Child<D>,
+        /// That child, which becomes the current node.
+        node: NodeId,
+    },
+    /// A link leads through a side of the current leaf; the neighbour becomes
+    /// the current node.
+    Rope {
+        /// Axis across which the side lies.
+        axis: u8,
+        /// The neighbour of the same size or larger; `None` at the border.
+        node: Option<NodeId>,
+    },
+    /// The point where the ray leaves the leaf is pushed out of it.
+    Push {
+        /// The point on the ray.
+        from: [f64; D],
+        /// The point beyond the side.
+        to: [f64; D],
+        /// Axis across which the side lies.
+        axis: u8,
     },
 
     // Location codes.
@@ -210,6 +340,26 @@ pub enum Event<const D: usize> {
     },
     /// The algorithm ends.
     End(End),
+}
+
+/// Halves of a part that a ray is in.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Halves {
+    /// Only the half on the side of the origin.
+    Near,
+    /// Only the half beyond the plane.
+    Far,
+    /// First the near, then the far half.
+    Both,
+}
+
+/// Where it is looked up on which sides of its father a son lies.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Lookup {
+    /// In the tables of adjacency and of the common part [Samet 1989].
+    Tables,
+    /// In the bits of the son, compared with those of the ray's corner.
+    Bits,
 }
 
 impl<const D: usize> Event<D> {

@@ -1,6 +1,7 @@
 //! Pseudocode of the algorithms.
 
 use crate::event::{End, Event};
+use crate::locate::NeighbourMethod;
 use crate::query::{PointMethod, Query};
 use crate::text::Language;
 use crate::traverse::Algorithm;
@@ -37,6 +38,36 @@ pub fn listing<const D: usize>(query: &Query<D>, language: Language) -> Listing 
         Query::Ray { algorithm: Algorithm::Codes, .. } => {
             include_str!("../../../../assets/listings/codes.txt")
         }
+        Query::Ray { algorithm: Algorithm::AllChildren, .. } => {
+            include_str!("../../../../assets/listings/all-children.txt")
+        }
+        Query::Ray { algorithm: Algorithm::Hero, .. } => {
+            include_str!("../../../../assets/listings/hero.txt")
+        }
+        Query::Ray { algorithm: Algorithm::Gargantini, .. } => {
+            include_str!("../../../../assets/listings/gargantini.txt")
+        }
+        Query::Ray { algorithm: Algorithm::Glassner, .. } => {
+            include_str!("../../../../assets/listings/glassner.txt")
+        }
+        Query::Ray { algorithm: Algorithm::Samet, .. } => {
+            include_str!("../../../../assets/listings/samet.txt")
+        }
+        Query::Ray { algorithm: Algorithm::SametCorner, .. } => {
+            include_str!("../../../../assets/listings/samet-corner.txt")
+        }
+        Query::Ray { algorithm: Algorithm::SametNet, .. } => {
+            include_str!("../../../../assets/listings/samet-net.txt")
+        }
+        Query::Ray { algorithm: Algorithm::Bsp, .. } => {
+            include_str!("../../../../assets/listings/bsp.txt")
+        }
+        Query::Ray { algorithm: Algorithm::Dda, .. } => {
+            include_str!("../../../../assets/listings/dda.txt")
+        }
+        Query::Ray { algorithm: Algorithm::DdaOctree, .. } => {
+            include_str!("../../../../assets/listings/dda-octree.txt")
+        }
         Query::Ray { algorithm: Algorithm::Exhaustive, .. } => {
             include_str!("../../../../assets/listings/exhaustive.txt")
         }
@@ -47,7 +78,12 @@ pub fn listing<const D: usize>(query: &Query<D>, language: Language) -> Listing 
             include_str!("../../../../assets/listings/point-comparison.txt")
         }
         Query::Region { .. } => include_str!("../../../../assets/listings/region.txt"),
-        Query::Neighbour { .. } => include_str!("../../../../assets/listings/neighbour.txt"),
+        Query::Neighbour { method: NeighbourMethod::Codes, .. } => {
+            include_str!("../../../../assets/listings/neighbour.txt")
+        }
+        Query::Neighbour { method: NeighbourMethod::Tables, .. } => {
+            include_str!("../../../../assets/listings/neighbour-tables.txt")
+        }
     };
     Listing { lines: source.lines().map(|line| read(line, language)).collect() }
 }
@@ -64,6 +100,19 @@ pub fn label<const D: usize>(event: &Event<D>) -> &'static str {
         Event::First { .. } => "first",
         Event::Step { .. } => "step",
         Event::Up { .. } => "up",
+        Event::Enter { .. } => "enter",
+        Event::Cuts { .. } => "cuts",
+        Event::Classify { .. } => "classify",
+        Event::Flip { .. } => "flip",
+        Event::Split { .. } => "split",
+        Event::Pop { .. } => "pop",
+        Event::Grid { .. } => "grid",
+        Event::Cross { .. } => "cross",
+        Event::Father { .. } => "father",
+        Event::Mirror { .. } => "mirror",
+        Event::Facing { .. } => "facing",
+        Event::Rope { .. } => "rope",
+        Event::Push { .. } => "push",
         Event::Begin { .. } => "begin",
         Event::Encode { .. } => "encode",
         Event::Compare { .. } => "compare",
@@ -80,6 +129,8 @@ pub fn label<const D: usize>(event: &Event<D>) -> &'static str {
         Event::End(End::Missed) => "missed",
         Event::End(End::LeftRoot) => "end",
         Event::End(End::FirstFull) => "stop",
+        Event::End(End::SegmentEnd) => "segment-end",
+        Event::End(End::Looped) => "looped",
         Event::End(End::Found) => "done",
         Event::End(End::Outside) => "outside",
     }

@@ -38,6 +38,8 @@ pub fn end_name(end: End, language: Language) -> String {
         End::Missed => "ended-missed",
         End::LeftRoot => "ended-left-root",
         End::FirstFull => "ended-first-full",
+        End::SegmentEnd => "ended-segment-end",
+        End::Looped => "ended-looped",
         End::Found => "ended-found",
         End::Outside => "ended-outside",
     })

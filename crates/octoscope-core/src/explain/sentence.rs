@@ -2,12 +2,14 @@
 
 use super::number::{approx, distinct};
 use super::rich::{RichText, on_axis, strong};
-use super::words::{Words, chain, equation, point, relation, t, tuple, typographic};
-use crate::event::{End, Event};
+use super::words::{Words, chain, equation, point, relation, signs, t, tuple, typographic};
+use crate::event::{End, Event, Halves};
 use crate::geometry::{AXIS_NAMES, Axes, Ray};
+use crate::locate::NeighbourMethod;
+use crate::query::{PointMethod, Query};
 use crate::text::Language;
-use crate::trace::{Moment, Trace};
-use crate::tree::{Child, Tree};
+use crate::trace::{Frame, Moment, Trace};
+use crate::tree::{Child, Part, Tree};
 
 /// What happens in `step` of `trace`, counted from 1, as a sentence with its
 /// numbers; step 0 says what is about to happen. Steps after the last are taken
@@ -50,36 +52,30 @@ pub(super) fn sentences<const D: usize>(
     sentences
 }
 
-/// What is about to happen, as the first events betray it.
+/// What is about to happen.
 fn start<const D: usize>(words: &Words<D>, ray: &Ray<D>, trace: &Trace<D>) -> String {
     let tree = words.texts.get(if D == 2 { "quadtree" } else { "octree" });
-    let along = |algorithm: &str| {
-        let mut arguments = vec![
-            ("origin", point(ray.origin())),
-            ("direction", point(ray.direction())),
-            ("tree", tree.clone()),
-        ];
-        if algorithm.is_empty() {
-            return words.say("start-ray-plain", &arguments);
+    match trace.query {
+        Query::Ray { algorithm, .. } => words.say(
+            "start-ray",
+            &[
+                ("origin", point(ray.origin())),
+                ("direction", point(ray.direction())),
+                ("tree", tree),
+                ("algorithm", words.texts.get(&format!("by-{}", algorithm.id()))),
+            ],
+        ),
+        Query::Point { method: PointMethod::Codes, .. } => words.texts.get("start-point-codes"),
+        Query::Point { method: PointMethod::Comparison, .. } => {
+            words.texts.get("start-point-comparison")
         }
-        arguments.push(("algorithm", words.texts.get(algorithm)));
-        words.say("start-ray", &arguments)
-    };
-    match (trace.events.first(), trace.events.get(1), trace.events.get(2)) {
-        (Some(Event::Clip { .. }), Some(Event::Visit { .. }), Some(Event::Skip { .. })) => {
-            along("by-parametric-table")
-        }
-        (Some(Event::Clip { .. }), Some(Event::Visit { .. }), _) => along("by-parametric"),
-        (Some(Event::Clip { .. }), Some(Event::Encode { .. }), _) => along("by-codes"),
-        (Some(Event::Clip { .. }), _, _) => along(""),
-        (Some(Event::Test { .. }), _, _) => along("by-exhaustive"),
-        (Some(Event::Encode { .. }), _, _) => words.texts.get("start-point-codes"),
-        (Some(Event::Corners { .. }), _, _) => words.texts.get("start-region"),
-        (Some(Event::Begin { .. }), Some(Event::Target { .. }), _) => {
+        Query::Region { .. } => words.texts.get("start-region"),
+        Query::Neighbour { method: NeighbourMethod::Codes, .. } => {
             words.texts.get("start-neighbour")
         }
-        (Some(Event::Begin { .. }), _, _) => words.texts.get("start-point-comparison"),
-        (_, _, _) => words.say("start-outside", &[("tree", tree)]),
+        Query::Neighbour { method: NeighbourMethod::Tables, .. } => {
+            words.texts.get("start-neighbour-tables")
+        }
     }
 }
 
@@ -99,7 +95,8 @@ impl<const D: usize> Teller<'_, D> {
                 self.clip(near, far, [enter, exit], hit, mirror)
             }
             Event::Test { node, interval } => {
-                let leaf = words.leaf(node);
+                let is_leaf = words.tree.node(node).is_leaf();
+                let leaf = if is_leaf { words.leaf(node) } else { words.node_first(node) };
                 let Some([enter, exit]) = interval else {
                     return words.say("test-miss", &[("node", leaf)]);
                 };
@@ -124,7 +121,8 @@ impl<const D: usize> Teller<'_, D> {
                 words.say("visit-mirrored", &arguments)
             }
             Event::Skip { exit, behind } => {
-                let far = self.before.frame().map_or([exit; D], |frame| frame.far);
+                let planes = self.before.frame().and_then(Frame::planes);
+                let far = planes.map_or([exit; D], |[_, far]| far);
                 let axis = (0..D).find(|&e| far[e] == exit).unwrap_or(0);
                 let exit = equation(&t(axis, "1"), &approx(exit));
                 words.say(if behind { "skip-behind" } else { "skip-ahead" }, &[("exit", exit)])
@@ -145,6 +143,75 @@ impl<const D: usize> Teller<'_, D> {
             Event::Step { state, exits, axes, next } => self.step(state, exits, axes, next),
             Event::Up { node: Some(node) } => words.say("up", &[("node", words.node(node))]),
             Event::Up { node: None } => words.texts.get("up-none"),
+            Event::Enter { node, interval: [enter, exit] } => {
+                self.interval("enter", words.node(node), enter, exit)
+            }
+            Event::Cuts { order, inside } => self.cuts(order, inside),
+            Event::Classify { at, child } => self.classify(at, child),
+            Event::Flip { at, axes, child } => {
+                let key = if axes.count() == 1 { "flip-one" } else { "flip-many" };
+                let child = strong(&child.0.to_string());
+                let arguments = [("at", strong(&approx(at))), ("axes", words.axes(axes))];
+                words.say(key, &[&arguments[..], &[("child", child)]].concat())
+            }
+            Event::Split { axis, at, interval, halves, taken, .. } => {
+                self.split(usize::from(axis), at, interval, halves, taken)
+            }
+            Event::Pop { part, interval: [enter, exit] } => {
+                let whole = part.halved.is_empty();
+                let key = if whole { "pop-node" } else { "pop-half" };
+                self.interval(key, words.node(part.node), enter, exit)
+            }
+            Event::Grid { cell, next } => {
+                let values = distinct(&next);
+                let planes = words.list((0..D).map(|e| equation(&t(e, "max"), &values[e])));
+                let cell = tuple(cell.map(|c| c.to_string()));
+                words.say("grid", &[("cell", cell), ("planes", planes)])
+            }
+            Event::Cross { next, axes, cell } => {
+                let key = if axes.count() == 1 { "cross-one" } else { "cross-many" };
+                let cell = tuple(cell.map(|c| c.to_string().replace('-', "−")));
+                let planes = chain(next, "max", axes);
+                words.say(key, &[("axes", words.axes(axes)), ("cell", cell), ("planes", planes)])
+            }
+            Event::Father { node, son, direction, common, .. } => {
+                let mut arguments = vec![
+                    ("son", strong(&son.0.to_string())),
+                    ("direction", signs(direction)),
+                    ("node", words.node(node)),
+                ];
+                if common == [0; D] {
+                    return words.say("father-holds", &arguments);
+                }
+                let key = if common == direction { "father-all" } else { "father-part" };
+                arguments.push(("common", signs(common)));
+                words.say(key, &arguments)
+            }
+            Event::Mirror { son, mirrored, node } => words.say(
+                "mirror",
+                &[
+                    ("son", son.0.to_string()),
+                    ("mirrored", strong(&mirrored.0.to_string())),
+                    ("node", words.node(node)),
+                ],
+            ),
+            Event::Facing { child, node } => words.say(
+                "facing",
+                &[("child", strong(&child.0.to_string())), ("node", words.node(node))],
+            ),
+            Event::Rope { axis, node } => {
+                let axis = usize::from(axis);
+                let mut arguments = vec![("axis", on_axis(axis, AXIS_NAMES[axis]))];
+                let Some(node) = node else {
+                    return words.say("rope-border", &arguments);
+                };
+                arguments.push(("node", words.node(node)));
+                words.say("rope", &arguments)
+            }
+            Event::Push { from, to, axis } => {
+                let axis = on_axis(usize::from(axis), AXIS_NAMES[usize::from(axis)]);
+                words.say("push", &[("from", point(from)), ("to", point(to)), ("axis", axis)])
+            }
             Event::Begin { node } => {
                 let is_root = node == words.tree.root().id;
                 let key = if is_root { "begin-root" } else { "begin-node" };
@@ -248,6 +315,11 @@ impl<const D: usize> Teller<'_, D> {
                 words.texts.format("end-left-root", &[("n", n.into())])
             }
             Event::End(End::FirstFull) => words.texts.get("end-first-full"),
+            Event::End(End::SegmentEnd) => {
+                let n = self.before.leaves.len() as u64;
+                words.texts.format("end-segment", &[("n", n.into())])
+            }
+            Event::End(End::Looped) => words.texts.get("end-looped"),
             Event::End(End::Found) => words.texts.get("end-found"),
             Event::End(End::Outside) => words.texts.get("end-outside"),
         }
@@ -289,6 +361,9 @@ impl<const D: usize> Teller<'_, D> {
             if exit <= 0.0 {
                 return words.say("clip-behind", &arguments);
             }
+            if enter < exit {
+                return words.say("clip-short", &arguments);
+            }
             arguments.push(("relation", relation(exit, enter).to_owned()));
             return words.say("clip-miss", &arguments);
         }
@@ -299,6 +374,68 @@ impl<const D: usize> Teller<'_, D> {
             text += &words.say("clip-mirror", &[("axes", words.axes(mirror)), ("mask", mask)]);
         }
         text
+    }
+
+    fn cuts(&self, order: [u8; D], inside: Axes<D>) -> String {
+        let words = self.words;
+        let mid = self.before.frame().and_then(|frame| frame.mid).unwrap_or([f64::NAN; D]);
+        let values = distinct(&mid);
+        let name = |e: usize| equation(&t(e, "m"), &values[e]);
+        let kept = order.map(usize::from).into_iter().filter(|&e| inside.contains(e));
+        let kept: Vec<String> = kept.map(name).collect();
+        let (n, cuts) = (kept.len() as u64, words.list(kept));
+        let values = [("n", n.into()), ("cuts", cuts.as_str().into())];
+        words.texts.format("cuts", &values)
+    }
+
+    fn classify(&self, at: f64, child: Child<D>) -> String {
+        let words = self.words;
+        let mid = self.before.frame().and_then(|frame| frame.mid).unwrap_or([f64::NAN; D]);
+        let numbers: Vec<f64> = mid.into_iter().chain([at]).collect();
+        let values = distinct(&numbers);
+        let passed = Axes::<D>(child.0 ^ self.mask().0);
+        let comparisons = words.list((0..D).map(|e| {
+            let sign = if passed.contains(e) { "≤" } else { ">" };
+            format!("{} {sign} {}", equation(&t(e, "m"), &values[e]), strong(&values[D]))
+        }));
+        words.say(
+            "classify",
+            &[
+                ("at", strong(&values[D])),
+                ("comparisons", comparisons),
+                ("child", strong(&child.0.to_string())),
+            ],
+        )
+    }
+
+    fn split(
+        &self,
+        axis: usize,
+        at: f64,
+        [enter, exit]: [f64; 2],
+        halves: Halves,
+        taken: Part<D>,
+    ) -> String {
+        let words = self.words;
+        let values = distinct(&[at, enter, exit]);
+        // Once all axes are halved the part is a child, whose index tells the half.
+        let child = words.tree.child_index(taken.node).filter(|_| taken.halved.is_empty());
+        let is_upper = child.map_or(taken.upper.contains(axis), |child| child.is_upper(axis));
+        let key = match halves {
+            Halves::Near => "split-near",
+            Halves::Far => "split-far",
+            Halves::Both => "split-both",
+        };
+        words.say(
+            key,
+            &[
+                ("at", equation(&t(axis, "m"), &values[0])),
+                ("enter", strong(&values[1])),
+                ("exit", strong(&values[2])),
+                ("axis", on_axis(axis, AXIS_NAMES[axis])),
+                ("half", words.texts.get(if is_upper { "upper-half" } else { "lower-half" })),
+            ],
+        )
     }
 
     fn first(

@@ -2,13 +2,13 @@
 
 use super::*;
 use crate::geometry::Ray;
-use crate::locate::{Direction, Reach};
+use crate::locate::{Direction, NeighbourMethod, Reach};
 use crate::progress::Progress;
 use crate::query::{Arithmetic, PointMethod, Query};
 use crate::random::Random;
 use crate::text::Language;
 use crate::trace::{Moment, record};
-use crate::traverse::{Algorithm, Options, StopAt};
+use crate::traverse::{Algorithm, Options, StopAt, Variant, Variants};
 use crate::tree::{Cell, Domain, Split, Tree, grow};
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -35,6 +35,11 @@ fn rays<const D: usize>() -> Vec<Ray<D>> {
         (std::array::from_fn(|e| 0.3 * e as f64 + 0.1), std::array::from_fn(|e| (e == 0).into())),
         ([-1.0; D], std::array::from_fn(|e| (e == 0).into())),
         (std::array::from_fn(|e| e as f64 - 0.5), std::array::from_fn(|e| 1.0 - e as f64 * 0.9)),
+        // Meets the centre, from where an exit point pushed along one axis returns.
+        (
+            std::array::from_fn(|e| [1.875, 1.627, 0.55][e]),
+            std::array::from_fn(|e| [-1.375, -1.127, 0.0][e]),
+        ),
         // Touches a corner of the tree's cells, from outside their diagonal.
         (
             std::array::from_fn(|e| if e == 0 { 0.0 } else { 0.5 }),
@@ -54,9 +59,16 @@ fn rays<const D: usize>() -> Vec<Ray<D>> {
 fn queries<const D: usize>() -> Vec<(&'static str, Query<D>)> {
     let mut queries = Vec::new();
     for algorithm in Algorithm::ALL {
-        for stop_at in [StopAt::End, StopAt::FirstFull] {
+        let own = |variant: &Variant| variant.belongs_to(algorithm);
+        let variants = Variant::ALL.into_iter().filter(own).collect();
+        for (stop_at, segment_end, variants) in [
+            (StopAt::End, None, Variants::NONE),
+            (StopAt::End, None, variants),
+            (StopAt::End, Some(0.6), Variants::NONE),
+            (StopAt::FirstFull, None, Variants::NONE),
+        ] {
             let arithmetic = Arithmetic::Exact;
-            let options = Options { stop_at };
+            let options = Options { stop_at, segment_end, variants };
             queries.push((algorithm.id(), Query::Ray { algorithm, options, arithmetic }));
         }
     }
@@ -68,9 +80,15 @@ fn queries<const D: usize>() -> Vec<(&'static str, Query<D>)> {
         queries.push(("region", Query::Region { min: [0.26; D], max: [max; D] }));
     }
     for direction in Direction::all() {
-        for reach in [Reach::EqualOrLarger, Reach::Leaf] {
-            for (level, code) in [(0, [2; D]), (1, [2; D]), (2, [4; D])] {
-                queries.push(("neighbour", Query::Neighbour { level, code, direction, reach }));
+        for reach in [Reach::EqualOrLarger, Reach::Leaf, Reach::EveryLeaf] {
+            for (name, method) in [
+                ("neighbour", NeighbourMethod::Codes),
+                ("neighbour-tables", NeighbourMethod::Tables),
+            ] {
+                for (level, code) in [(0, [2; D]), (1, [2; D]), (2, [4; D])] {
+                    let query = Query::Neighbour { level, code, direction, reach, method };
+                    queries.push((name, query));
+                }
             }
         }
     }

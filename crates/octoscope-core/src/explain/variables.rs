@@ -3,8 +3,8 @@
 use super::number::distinct;
 use super::rich::{RichText, on_axis, strong};
 use super::words::{binary, t, tuple, typographic};
-use crate::geometry::AXIS_NAMES;
-use crate::trace::Moment;
+use crate::geometry::{AXIS_NAMES, Axes};
+use crate::trace::{Cuts, Moment};
 use crate::tree::{Code, Tree};
 
 /// Variable of an algorithm at some moment.
@@ -32,15 +32,39 @@ pub fn variables<const D: usize>(tree: &Tree<D>, moment: &Moment<D>) -> Vec<Vari
 
     // Parameters, the state and the mirror mask.
     if let Some(frame) = moment.frame() {
-        list.parameters("0", frame.near);
+        if let Some([near, _]) = frame.planes() {
+            list.parameters("0", near);
+        }
         if let Some(mid) = frame.mid {
             list.parameters("m", mid);
         }
-        list.parameters("1", frame.far);
-        list.push("entry", &typographic(frame.enter()));
+        match frame.planes() {
+            Some([_, far]) => {
+                list.parameters("1", far);
+                list.push("entry", &typographic(frame.enter()));
+            }
+            None => list.interval([frame.enter(), frame.exit()]),
+        }
+        if let Some(Cuts { order, inside }) = frame.cuts {
+            let axes = order.map(usize::from).into_iter().filter(|&axis| inside.contains(axis));
+            let names: Vec<String> = axes.map(|axis| t(axis, "m")).collect();
+            list.push("cuts", &if names.is_empty() { "–".to_owned() } else { names.join(", ") });
+        }
         if let Some(state) = frame.child_state {
             list.push("s", &bits::<D>(state.0));
         }
+        if let Some(child) = frame.child {
+            list.push("child", &bits::<D>(child.0));
+        }
+    } else if let Some(part) = moment.part {
+        list.push("halved", &axis_names(part.halved));
+        list.push("upper", &axis_names(part.upper));
+        list.push("stack", &moment.pending.len().to_string());
+    } else if let Some(grid) = moment.grid {
+        if let Some(cell) = grid.cell {
+            list.push("cell", &tuple(cell.map(|c| c.to_string())));
+        }
+        list.parameters("Max", grid.next);
     } else if let Some(exits) = moment.exits {
         list.parameters("1", exits.exits);
     } else if let Some(clip) = moment.clip
@@ -95,11 +119,23 @@ fn bits<const D: usize>(set: u8) -> String {
     format!("{} ({bits})", strong(&set.to_string()))
 }
 
+/// The axes of a set, in their colours.
+fn axis_names<const D: usize>(axes: Axes<D>) -> String {
+    let names: Vec<String> = axes.iter().map(|e| on_axis(e, AXIS_NAMES[e])).collect();
+    if names.is_empty() { "–".to_owned() } else { names.join(", ") }
+}
+
 struct List(Vec<Variable>);
 
 impl List {
     fn push(&mut self, name: &str, value: &str) {
         self.0.push(Variable { name: RichText::parse(name), value: RichText::parse(value) });
+    }
+
+    /// Where the ray is in a node.
+    fn interval(&mut self, [enter, exit]: [f64; 2]) {
+        self.push("enter", &typographic(enter));
+        self.push("exit", &typographic(exit));
     }
 
     /// One parameter an axis.

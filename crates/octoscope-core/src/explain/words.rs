@@ -55,6 +55,11 @@ impl<'a, const D: usize> Words<'a, D> {
         self.named("the-leaf", id)
     }
 
+    /// A node with children at the head of a sentence.
+    pub fn node_first(&self, id: NodeId) -> String {
+        self.named("the-node-first", id)
+    }
+
     fn named(&self, key: &str, id: NodeId) -> String {
         let level = self.tree.level(id).to_string();
         self.say(
@@ -73,6 +78,15 @@ impl<'a, const D: usize> Words<'a, D> {
 pub(super) fn tuple<const D: usize>(parts: [String; D]) -> String {
     let parts: Vec<String> = parts.iter().enumerate().map(|(e, part)| on_axis(e, part)).collect();
     format!("({})", parts.join(", "))
+}
+
+/// A direction to a neighbour, with its signs: (+1, 0, −1).
+pub(super) fn signs<const D: usize>(direction: [i8; D]) -> String {
+    tuple(direction.map(|s| match s {
+        0 => "0".to_owned(),
+        s if s > 0 => format!("+{s}"),
+        s => format!("−{}", s.unsigned_abs()),
+    }))
 }
 
 /// A point in the colours of the axes.

@@ -1,11 +1,11 @@
 //! Traces as files: text to read, JSON lines and CSV to work with.
 
 use super::sentence::sentences;
-use crate::event::{End, Event};
+use crate::event::{End, Event, Halves, Lookup};
 use crate::geometry::{Axes, Ray};
 use crate::text::Language;
 use crate::trace::{Moment, Trace};
-use crate::tree::Tree;
+use crate::tree::{Part, Tree};
 use serde_json::{Map, Value, json};
 
 /// The steps of `trace` as numbered sentences, a line each; step 0 says what is
@@ -120,6 +120,9 @@ fn interval_and_state<const D: usize>(event: &Event<D>) -> (Option<[f64; 2]>, Op
             (Some([enter, exit]), None)
         }
         Event::Test { interval, .. } => (interval, None),
+        Event::Enter { interval, .. }
+        | Event::Split { interval, .. }
+        | Event::Pop { interval, .. } => (Some(interval), None),
         Event::Touch { at, .. } => (Some([at, at]), None),
         Event::Visit { state, .. } => (None, state.map(|state| state.0)),
         Event::First { state, .. } | Event::Step { state, .. } => (None, Some(state.0)),
@@ -127,6 +130,16 @@ fn interval_and_state<const D: usize>(event: &Event<D>) -> (Option<[f64; 2]>, Op
         | Event::Skip { .. }
         | Event::Halve { .. }
         | Event::Up { .. }
+        | Event::Cuts { .. }
+        | Event::Classify { .. }
+        | Event::Flip { .. }
+        | Event::Grid { .. }
+        | Event::Cross { .. }
+        | Event::Father { .. }
+        | Event::Mirror { .. }
+        | Event::Facing { .. }
+        | Event::Rope { .. }
+        | Event::Push { .. }
         | Event::Begin { .. }
         | Event::Encode { .. }
         | Event::Compare { .. }
@@ -183,7 +196,45 @@ fn vars<const D: usize>(event: &Event<D>) -> Value {
         }),
         Event::Leaf { full, .. } => json!({ "full": full }),
         Event::End(end) => json!({ "reason": reason(end) }),
+        Event::Cuts { order, inside } => json!({ "order": order.to_vec(), "inside": set(inside) }),
+        Event::Classify { at, child } => json!({ "at": number(at), "child": child.0 }),
+        Event::Flip { at, axes, child } => {
+            json!({ "at": number(at), "axes": set(axes), "child": child.0 })
+        }
+        Event::Split { axis, plane, at, halves, taken, kept, .. } => json!({
+            "axis": axis,
+            "plane": number(plane),
+            "at": number(at),
+            "halves": match halves {
+                Halves::Near => "near",
+                Halves::Far => "far",
+                Halves::Both => "both",
+            },
+            "taken": part(taken),
+            "kept": kept.map(part),
+        }),
+        Event::Pop { part: popped, .. } => json!({ "part": part(popped) }),
+        Event::Grid { cell, next } => json!({ "cell": codes(cell), "next": numbers(next) }),
+        Event::Cross { next, axes, cell } => {
+            json!({ "next": numbers(next), "axes": set(axes), "cell": cell.to_vec() })
+        }
+        Event::Father { son, direction, common, lookup, .. } => json!({
+            "son": son.0,
+            "direction": direction.to_vec(),
+            "common": common.to_vec(),
+            "lookup": match lookup {
+                Lookup::Tables => "tables",
+                Lookup::Bits => "bits",
+            },
+        }),
+        Event::Mirror { son, mirrored, .. } => json!({ "son": son.0, "mirrored": mirrored.0 }),
+        Event::Facing { child, .. } => json!({ "child": child.0 }),
+        Event::Rope { axis, node } => json!({ "axis": axis, "border": node.is_none() }),
+        Event::Push { from, to, axis } => {
+            json!({ "from": numbers(from), "to": numbers(to), "axis": axis })
+        }
         Event::Up { .. }
+        | Event::Enter { .. }
         | Event::Begin { .. }
         | Event::Climb { .. }
         | Event::Touch { .. }
@@ -191,11 +242,18 @@ fn vars<const D: usize>(event: &Event<D>) -> Value {
     }
 }
 
+/// Which axes of its node a part halves, and along which it is the upper half.
+fn part<const D: usize>(part: Part<D>) -> Value {
+    json!({ "halved": part.halved.0, "upper": part.upper.0 })
+}
+
 fn reason(end: End) -> &'static str {
     match end {
         End::Missed => "missed",
         End::LeftRoot => "left-root",
         End::FirstFull => "first-full",
+        End::SegmentEnd => "segment-end",
+        End::Looped => "looped",
         End::Found => "found",
         End::Outside => "outside",
     }

@@ -43,6 +43,12 @@ impl<const D: usize> Axes<D> {
         self.0 == 0
     }
 
+    /// The first axis of the set alone.
+    #[inline]
+    pub fn first(self) -> Self {
+        self.0.checked_ilog2().map_or(Self::NONE, |bit| Self(1 << bit))
+    }
+
     /// Number of axes in the set.
     pub fn count(self) -> usize {
         self.0.count_ones() as usize

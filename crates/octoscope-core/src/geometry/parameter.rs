@@ -6,7 +6,8 @@
 use super::Scaled;
 use std::cmp::Ordering;
 
-/// Parameter t at which a ray meets a plane, or ±∞, or 0. Never NaN.
+/// Parameter t at which a ray meets a plane, or ±∞, or a given number. NaN only
+/// where an algorithm runs with a misprint.
 pub trait Parameter: Copy {
     /// Before every plane.
     const BEFORE_ALL: Self;
@@ -18,6 +19,18 @@ pub trait Parameter: Copy {
     /// Parameter `(plane − origin) / direction` on one axis; `direction` is
     /// not zero.
     fn at_plane(plane: f64, origin: f64, direction: f64) -> Self;
+
+    /// A given parameter, finite.
+    fn given(t: f64) -> Self;
+
+    /// Parameter of the mid plane as the mean of those of the near and the far
+    /// plane; where comparisons are exact, that of `mid`, the plane itself.
+    fn mean(near: Self, far: Self, mid: Self) -> Self;
+
+    /// Whether `plane` is passed midway between `from` and `to`, two parameters
+    /// between which no plane is met. Where comparisons are exact, that is
+    /// whether it is passed at `from`.
+    fn passed_midway(plane: Self, from: Self, to: Self) -> bool;
 
     /// The nearest double, for showing.
     fn value(self) -> f64;
@@ -57,6 +70,23 @@ impl Parameter for f64 {
     }
 
     #[inline]
+    fn given(t: f64) -> Self {
+        t
+    }
+
+    #[inline]
+    fn mean(near: Self, far: Self, _mid: Self) -> Self {
+        0.5 * (near + far)
+    }
+
+    #[inline]
+    fn passed_midway(plane: Self, from: Self, to: Self) -> bool {
+        // The middle of neighbouring doubles is rounded to one of them, at which
+        // the plane at the end of the piece would seem passed already.
+        plane <= 0.5 * from + 0.5 * to && plane < to
+    }
+
+    #[inline]
     fn value(self) -> f64 {
         self
     }
@@ -75,7 +105,7 @@ pub struct Exact {
     value: f64,
     plane: f64,
     origin: f64,
-    /// Zero marks the three constants, whose `value` is exact.
+    /// Zero marks constants, whose `value` is exact.
     direction: f64,
 }
 
@@ -123,6 +153,21 @@ impl Parameter for Exact {
     #[inline]
     fn at_plane(plane: f64, origin: f64, direction: f64) -> Self {
         Self { value: (plane - origin) / direction, plane, origin, direction }
+    }
+
+    #[inline]
+    fn given(t: f64) -> Self {
+        Self::constant(t)
+    }
+
+    #[inline]
+    fn mean(_near: Self, _far: Self, mid: Self) -> Self {
+        mid
+    }
+
+    #[inline]
+    fn passed_midway(plane: Self, from: Self, _to: Self) -> bool {
+        plane.not_after(from)
     }
 
     #[inline]
@@ -191,6 +236,15 @@ mod tests {
         assert!(Exact::BEFORE_ALL.before(Exact::BEYOND_ALL));
         let (c, d) = (at(1e-300, 0.0, 1e300), at(2e-300, 0.0, 1e300));
         assert!(c.before(d) && Exact::ORIGIN.before(c) && !c.before(Exact::ORIGIN));
+    }
+
+    #[test]
+    fn given_parameters_are_exact() {
+        let third = at(1.0, 0.0, 3.0);
+        let [below, above] = [Exact::given(1.0 / 3.0), Exact::given((1.0f64 / 3.0).next_up())];
+        assert_eq!(third.value(), below.value());
+        assert!(below.before(third) && third.before(above));
+        assert!(!at(1.0, 0.5, 2.0).before(Exact::given(0.25)));
     }
 
     #[test]

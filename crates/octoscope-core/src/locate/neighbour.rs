@@ -4,7 +4,7 @@ use super::climb;
 use super::point::{descend, found};
 use crate::event::{End, Event, Observer, Outcome};
 use crate::geometry::Axes;
-use crate::tree::{NodeId, Tree};
+use crate::tree::{Child, Node, NodeId, Tree};
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
@@ -27,6 +27,19 @@ pub enum Reach {
     EqualOrLarger,
     /// The leaf that touches the cell at its minimum corner, on the crossed side.
     Leaf,
+    /// All leaves along the crossed side.
+    EveryLeaf,
+}
+
+/// How a neighbour is found.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum NeighbourMethod {
+    /// By location codes [Frisken, Perry 2002, §5].
+    #[default]
+    Codes,
+    /// By tables: up to the common ancestor, and down mirrored [Samet 1990].
+    Tables,
 }
 
 impl<const D: usize> Direction<D> {
@@ -87,9 +100,50 @@ pub fn neighbour<const D: usize>(
     let target = to.map(|c| c as u32);
     let (ancestor, ancestor_level) = climb(tree, tree.node(id), level, from, target, observe);
     let stop_level = match reach {
-        Reach::EqualOrLarger => level,
+        Reach::EqualOrLarger | Reach::EveryLeaf => level,
         Reach::Leaf => 0,
     };
     let (node, _) = descend(tree, ancestor, ancestor_level, target, stop_level, observe);
-    found(node, observe)
+    match reach {
+        Reach::EqualOrLarger | Reach::Leaf => found(node, observe),
+        Reach::EveryLeaf => every_leaf(tree, node, direction, observe),
+    }
+}
+
+/// Reports all leaves below `node` that touch its side towards the cell from
+/// which it was reached by `direction`; the first of them is the outcome.
+pub(super) fn every_leaf<const D: usize>(
+    tree: &Tree<D>,
+    node: Node,
+    direction: Direction<D>,
+    observe: &mut impl Observer<D>,
+) -> Outcome {
+    let first = leaves_facing(tree, node, direction, observe);
+    observe.observe(Event::End(End::Found));
+    Outcome::at(End::Found, first)
+}
+
+/// Reports the leaves below `node` on its side against `direction`, in the order
+/// of their indices; returns the first.
+fn leaves_facing<const D: usize>(
+    tree: &Tree<D>,
+    node: Node,
+    direction: Direction<D>,
+    observe: &mut impl Observer<D>,
+) -> NodeId {
+    if node.is_leaf() {
+        observe.observe(Event::Found { node: node.id });
+        return node.id;
+    }
+    let faces = |child: &Child<D>| {
+        (0..D).all(|e| direction.0[e] == 0 || child.is_upper(e) == (direction.0[e] < 0))
+    };
+    let mut first = None;
+    for child in Child::all().filter(faces) {
+        let son = tree.child(node, child);
+        observe.observe(Event::Facing { child, node: son.id });
+        let leaf = leaves_facing(tree, son, direction, observe);
+        first.get_or_insert(leaf);
+    }
+    first.expect("on every side of a node some children lie")
 }

@@ -56,7 +56,7 @@ pub fn locate_by_codes<const D: usize>(
 
 /// Follows `code` from `node`, of this `level`, down to `stop_level` or a leaf;
 /// returns the node that is reached, with its level.
-pub(super) fn descend<const D: usize>(
+pub(crate) fn descend<const D: usize>(
     tree: &Tree<D>,
     mut node: Node,
     mut level: u8,

@@ -2,7 +2,7 @@
 
 use super::{Parameters, StepAt, View};
 use crate::geometry::Ray;
-use crate::locate::{Direction, Reach};
+use crate::locate::{Direction, NeighbourMethod, Reach};
 use crate::query::{Arithmetic, PointMethod};
 use crate::scene::Cube;
 use crate::traverse::{Algorithm, Options};
@@ -185,6 +185,8 @@ pub(super) enum QueryField<const D: usize> {
         direction: DirectionField<D>,
         #[serde(default)]
         reach: Reach,
+        #[serde(default)]
+        method: NeighbourMethod,
     },
 }
 

@@ -47,12 +47,13 @@ fn print<const D: usize>(scenario: &Scenario<D>) -> String {
             let region = object(&[("min", vector(*min)), ("max", vector(*max))]);
             fields.push(("query", object(&[("region", region)])));
         }
-        Query::Neighbour { level, code, direction, reach } => {
+        Query::Neighbour { level, code, direction, reach, method } => {
             let neighbour = object(&[
                 ("level", level.to_string()),
                 ("code", list(code)),
                 ("direction", list(&direction.components())),
                 ("reach", word(reach)),
+                ("method", word(method)),
             ]);
             fields.push(("query", object(&[("neighbour", neighbour)])));
         }

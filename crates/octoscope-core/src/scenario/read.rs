@@ -138,8 +138,9 @@ fn scenario<const D: usize>(file: File<D>) -> Result<Scenario<D>, ScenarioError>
         },
         Some(QueryField::Point { at, method }) => Query::Point { at: at.0, method },
         Some(QueryField::Region { min, max }) => Query::Region { min: min.0, max: max.0 },
-        Some(QueryField::Neighbour { level, code, direction, reach }) => {
-            Query::Neighbour { level: level.0, code: code.0, direction: direction.0, reach }
+        Some(QueryField::Neighbour { level, code, direction, reach, method }) => {
+            let (level, code, direction) = (level.0, code.0, direction.0);
+            Query::Neighbour { level, code, direction, reach, method }
         }
     };
     scenario.step = file.step.map_or(scenario.step, |step| step.0);

@@ -1,6 +1,7 @@
 //! What a run has cost, counted from its events.
 
-use crate::event::Event;
+use crate::event::{Event, Lookup};
+use crate::tree::NodeId;
 
 /// One kind of work.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -25,6 +26,10 @@ pub enum Counter {
     BitOperations,
     /// Transitions of the automaton, by table or by rule.
     Transitions,
+    /// Look-ups in tables of neighbours.
+    TableLookups,
+    /// Cells of the finest grid that were stepped into.
+    GridCells,
     /// Searches that start at the root.
     PointLocations,
     /// Steps from a node to its parent.
@@ -43,7 +48,7 @@ pub enum Counter {
 
 impl Counter {
     /// All counters, in the order in which they are shown.
-    pub const ALL: [Self; 17] = [
+    pub const ALL: [Self; 19] = [
         Self::NodeTouches,
         Self::LeafTests,
         Self::EntryComparisons,
@@ -54,6 +59,8 @@ impl Counter {
         Self::Additions,
         Self::BitOperations,
         Self::Transitions,
+        Self::TableLookups,
+        Self::GridCells,
         Self::PointLocations,
         Self::Ascends,
         Self::Descends,
@@ -76,6 +83,8 @@ impl Counter {
             Self::Additions => "additions",
             Self::BitOperations => "bit-operations",
             Self::Transitions => "transitions",
+            Self::TableLookups => "table-lookups",
+            Self::GridCells => "grid-cells",
             Self::PointLocations => "point-locations",
             Self::Ascends => "ascends",
             Self::Descends => "descends",
@@ -113,8 +122,8 @@ impl Counters {
     pub fn add<const D: usize>(&mut self, event: &Event<D>) {
         use Counter::{
             Additions, Ascends, BitOperations, Calls, Descends, Divisions, EntryComparisons,
-            ExitComparisons, LeafTests, Leaves, NodeTouches, PointLocations, RangeComparisons,
-            SortComparisons, StackDepth, Touches, Transitions,
+            ExitComparisons, GridCells, LeafTests, Leaves, NodeTouches, PointLocations,
+            RangeComparisons, SortComparisons, TableLookups, Touches, Transitions,
         };
         let axes = D as u64;
         let mut count = |counter: Counter, n: u64| self.counts[counter as usize] += n;
@@ -138,14 +147,78 @@ impl Counters {
                 let n = u64::from(n_leaves);
                 count(SortComparisons, n * u64::from(n.max(1).ilog2()));
             }
-            Event::Visit { .. } => {
+            Event::Visit { .. } | Event::Enter { .. } => {
                 count(NodeTouches, 1);
                 count(LeafTests, 1);
                 count(Descends, 1);
                 count(Calls, 1);
-                self.on_stack += 1;
-                let deepest = &mut self.counts[StackDepth as usize];
-                *deepest = (*deepest).max(self.on_stack);
+                self.push();
+            }
+            Event::Cuts { .. } => {
+                // Sorting by insertion takes as many at most; each cut is then
+                // compared with both ends of the interval.
+                count(SortComparisons, axes * (axes - 1) / 2);
+                count(RangeComparisons, 2 * axes);
+            }
+            Event::Classify { .. } => count(EntryComparisons, axes),
+            Event::Flip { axes: crossed, .. } => {
+                count(ExitComparisons, 1);
+                count(BitOperations, crossed.count() as u64);
+            }
+            Event::Split { taken, kept, .. } => {
+                count(Additions, 1);
+                count(Divisions, 1);
+                count(RangeComparisons, 3);
+                count(LeafTests, 1);
+                count(Descends, 1);
+                if taken.halved.is_empty() {
+                    count(NodeTouches, 1);
+                }
+                if kept.is_some() {
+                    self.push();
+                }
+            }
+            Event::Pop { .. } => {
+                count(LeafTests, 1);
+                self.on_stack = self.on_stack.saturating_sub(1);
+            }
+            Event::Grid { .. } => {
+                count(GridCells, 1);
+                count(Additions, 3 * axes);
+                count(Divisions, axes);
+            }
+            Event::Cross { axes: crossed, .. } => {
+                count(GridCells, 1);
+                count(ExitComparisons, axes - 1);
+                count(Additions, 2 * crossed.count() as u64);
+                count(RangeComparisons, crossed.count() as u64);
+            }
+            Event::Father { lookup, .. } => {
+                count(NodeTouches, 1);
+                count(Ascends, 1);
+                match lookup {
+                    Lookup::Tables => count(TableLookups, 2),
+                    Lookup::Bits => count(BitOperations, 2),
+                }
+            }
+            Event::Mirror { .. } => {
+                count(NodeTouches, 1);
+                count(LeafTests, 1);
+                count(Descends, 1);
+                count(TableLookups, 1);
+            }
+            Event::Facing { .. } => {
+                count(NodeTouches, 1);
+                count(LeafTests, 1);
+                count(Descends, 1);
+                count(BitOperations, axes);
+            }
+            Event::Rope { node, .. } => count(NodeTouches, u64::from(node.is_some())),
+            Event::Push { .. } => count(Additions, 2 * axes + 1),
+            Event::Begin { node } => {
+                if node == NodeId::ROOT {
+                    count(PointLocations, 1);
+                }
             }
             Event::Skip { .. } => {
                 count(ExitComparisons, axes - 1);
@@ -170,10 +243,7 @@ impl Counters {
                 count(Ascends, 1);
                 self.on_stack = self.on_stack.saturating_sub(1);
             }
-            Event::Encode { .. } => {
-                count(PointLocations, 1);
-                count(Additions, 2 * axes);
-            }
+            Event::Encode { .. } => count(Additions, 2 * axes),
             Event::Compare { .. } => {
                 count(NodeTouches, 1);
                 count(LeafTests, 1);
@@ -203,7 +273,14 @@ impl Counters {
             Event::Corners { .. } => count(Additions, 4 * axes),
             Event::Leaf { .. } => count(Leaves, 1),
             Event::Touch { .. } => count(Touches, 1),
-            Event::Begin { .. } | Event::Found { .. } | Event::End(_) => {}
+            Event::Found { .. } | Event::End(_) => {}
         }
+    }
+
+    /// One more on the stack.
+    fn push(&mut self) {
+        self.on_stack += 1;
+        let deepest = &mut self.counts[Counter::StackDepth as usize];
+        *deepest = (*deepest).max(self.on_stack);
     }
 }

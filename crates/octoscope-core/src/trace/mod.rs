@@ -4,7 +4,11 @@
 mod counters;
 mod moment;
 mod record;
+mod state;
 
 pub use counters::{Counter, Counters};
-pub use moment::{Codes, Difference, Exits, Frame, LeafOnRay, Moment, RootClip, Target};
+pub use moment::Moment;
 pub use record::{Trace, record};
+pub use state::{
+    Codes, Cuts, Detour, Difference, Exits, Extent, Frame, GridCell, LeafOnRay, RootClip, Target,
+};

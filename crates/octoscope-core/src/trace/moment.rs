@@ -1,9 +1,12 @@
 //! The debugger's state after some steps of a trace, folded from its events.
 
+use super::state::{
+    Codes, Cuts, Detour, Difference, Exits, Extent, Frame, GridCell, LeafOnRay, RootClip, Target,
+};
 use super::{Counters, Trace};
 use crate::event::{End, Event};
 use crate::geometry::Axes;
-use crate::tree::{Child, Code, NodeId, Tree};
+use crate::tree::{Child, Code, NodeId, Part, Tree};
 
 /// State of an algorithm after some number of its events.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -12,6 +15,8 @@ pub struct Moment<const D: usize> {
     pub step: usize,
     /// Node at which the algorithm is.
     pub current: Option<NodeId>,
+    /// Node from which a query searches on.
+    pub start: Option<NodeId>,
     /// Nodes on the stack of a top-down traversal, the root first.
     pub stack: Vec<Frame<D>>,
     /// Leaves visited so far, in order.
@@ -32,115 +37,23 @@ pub struct Moment<const D: usize> {
     pub exits: Option<Exits<D>>,
     /// Parameters of the root's planes, and the mirror mask.
     pub clip: Option<RootClip<D>>,
+    /// Part of the current node in which a binary space partition is.
+    pub part: Option<Part<D>>,
+    /// Parts that wait on the stack of a binary space partition, its top last,
+    /// with the parameters between which the ray is in them.
+    pub pending: Vec<(Part<D>, [f64; 2])>,
+    /// Cell of a walk through the grid.
+    pub grid: Option<GridCell<D>>,
+    /// The way to a neighbour through the tree.
+    pub detour: Detour,
+    /// Exit point of a leaf and the point to which it was pushed.
+    pub pushed: Option<[[f64; D]; 2]>,
     /// Node that a query has found.
     pub found: Option<NodeId>,
     /// What it has cost.
     pub counters: Counters,
     /// Why the algorithm has ended, if it has.
     pub end: Option<End>,
-}
-
-/// Node on the stack of a top-down traversal.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Frame<const D: usize> {
-    /// The node.
-    pub node: NodeId,
-    /// Its child index in the mirrored numbering; `None` for the root.
-    pub state: Option<Child<D>>,
-    /// Parameters of its near planes.
-    pub near: [f64; D],
-    /// Parameters of its mid planes, once they are known.
-    pub mid: Option<[f64; D]>,
-    /// Parameters of its far planes.
-    pub far: [f64; D],
-    /// State of its automaton: the child that is visited or was left last.
-    pub child_state: Option<Child<D>>,
-}
-
-impl<const D: usize> Frame<D> {
-    /// Parameter at which the ray enters the node: its latest near plane.
-    pub fn enter(&self) -> f64 {
-        self.near.into_iter().fold(f64::NEG_INFINITY, f64::max)
-    }
-
-    /// Parameter at which the ray leaves the node: its earliest far plane.
-    pub fn exit(&self) -> f64 {
-        self.far.into_iter().fold(f64::INFINITY, f64::min)
-    }
-}
-
-/// A visited leaf.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct LeafOnRay {
-    /// The leaf.
-    pub node: NodeId,
-    /// Where the ray enters it, at least 0.
-    pub enter: f64,
-    /// Where the ray leaves it.
-    pub exit: f64,
-}
-
-/// Codes on the way down.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Codes<const D: usize> {
-    /// One code an axis.
-    pub code: Code<D>,
-    /// Number of the bit that was read last.
-    pub bit: Option<u8>,
-}
-
-/// A cell and the codes of the place beyond it.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Target<const D: usize> {
-    /// Level of the cell.
-    pub level: u8,
-    /// Codes of the cell.
-    pub from: Code<D>,
-    /// Codes beyond it; −1 or 2^R outside the domain.
-    pub to: [i64; D],
-    /// Axes along which the cell is left.
-    pub axes: Axes<D>,
-    /// Axes along which the target is outside, once they are known.
-    pub outside: Option<Axes<D>>,
-}
-
-/// Two codes and their XOR.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Difference<const D: usize> {
-    /// One place.
-    pub from: Code<D>,
-    /// The other.
-    pub to: Code<D>,
-    /// Bitwise XOR, axis by axis.
-    pub xor: Code<D>,
-    /// Level of the smallest cell that holds both.
-    pub level: u8,
-    /// Level that climbing has reached.
-    pub climbed: u8,
-}
-
-/// The far planes of a leaf.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Exits<const D: usize> {
-    /// Coordinates of the planes, in world units.
-    pub planes: [f64; D],
-    /// Their parameters; +∞ on axes that the ray does not move along.
-    pub exits: [f64; D],
-    /// The planes that are met first.
-    pub axes: Axes<D>,
-}
-
-/// The ray cut with the root.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct RootClip<const D: usize> {
-    /// Parameters of the near planes.
-    pub near: [f64; D],
-    /// Parameters of the far planes.
-    pub far: [f64; D],
-    /// Whether the ray meets the root at some t ≥ 0.
-    pub hit: bool,
-    /// Axes along which the direction is negative.
-    pub mirror: Axes<D>,
 }
 
 impl<const D: usize> Moment<D> {
@@ -180,11 +93,8 @@ impl<const D: usize> Moment<D> {
             }
             Event::Sort { .. } => self.current = None,
             Event::Visit { node, state, near, far } => {
-                if let Some(parent) = self.stack.last_mut() {
-                    parent.child_state = state;
-                }
-                self.stack.push(Frame { node, state, near, mid: None, far, child_state: None });
-                self.current = Some(node);
+                self.change_frame(|parent| parent.child_state = state);
+                self.push(node, state, Extent::Planes { near, far });
             }
             Event::Skip { .. } => {}
             Event::Halve { mid } => self.change_frame(|frame| frame.mid = Some(mid)),
@@ -198,7 +108,53 @@ impl<const D: usize> Moment<D> {
                 self.stack.pop();
                 self.current = node;
             }
-            Event::Begin { node } => self.current = Some(node),
+            Event::Enter { node, interval } => {
+                self.push(node, None, Extent::Interval(interval));
+            }
+            Event::Cuts { order, inside } => {
+                self.change_frame(|frame| frame.cuts = Some(Cuts { order, inside }));
+            }
+            Event::Classify { child, .. } | Event::Flip { child, .. } => {
+                self.change_frame(|frame| frame.child = Some(child));
+            }
+            Event::Split { taken, kept, at, interval, .. } => {
+                self.current = Some(taken.node);
+                self.part = Some(taken);
+                self.pending.extend(kept.map(|part| (part, [at, interval[1]])));
+            }
+            Event::Pop { part, .. } => {
+                self.current = Some(part.node);
+                self.part = Some(part);
+                self.pending.pop();
+            }
+            Event::Grid { cell, next } => {
+                self.grid = Some(GridCell { cell: Some(cell), next, crossed: Axes::NONE });
+            }
+            Event::Cross { next, axes, cell } => {
+                let code = cell.map(|c| u32::try_from(c).unwrap_or(u32::MAX));
+                let inside = code.iter().all(|&c| c < tree.domain().grid_size());
+                let cell = inside.then_some(code);
+                self.grid = Some(GridCell { cell, next, crossed: axes });
+            }
+            Event::Father { node, .. } => {
+                self.current = Some(node);
+                self.detour.up.push(node);
+            }
+            Event::Mirror { node, .. } | Event::Facing { node, .. } => {
+                self.current = Some(node);
+                self.detour.down.push(node);
+            }
+            Event::Rope { node, .. } => {
+                if let (Some(from), Some(to)) = (self.current, node) {
+                    self.detour.links.push([from, to]);
+                    self.current = Some(to);
+                }
+            }
+            Event::Push { from, to, .. } => self.pushed = Some([from, to]),
+            Event::Begin { node } => {
+                self.current = Some(node);
+                self.start = Some(node);
+            }
             Event::Encode { code, .. } => self.codes = Some(Codes { code, bit: None }),
             Event::Compare { node, .. } => self.current = Some(node),
             Event::Follow { level, code, node, .. } => {
@@ -233,6 +189,8 @@ impl<const D: usize> Moment<D> {
                 self.leaves.push(LeafOnRay { node, enter, exit });
                 self.current = Some(node);
                 self.exits = None;
+                self.pushed = None;
+                self.detour = Detour::default();
             }
             Event::Touch { node, at } => {
                 self.touches.push((node, at));
@@ -244,6 +202,12 @@ impl<const D: usize> Moment<D> {
             }
             Event::End(end) => self.end = Some(end),
         }
+    }
+
+    fn push(&mut self, node: NodeId, state: Option<Child<D>>, extent: Extent<D>) {
+        let (mid, child_state, child, cuts) = (None, None, None, None);
+        self.stack.push(Frame { node, state, extent, mid, child_state, child, cuts });
+        self.current = Some(node);
     }
 
     fn change_frame(&mut self, change: impl FnOnce(&mut Frame<D>)) {

@@ -8,6 +8,8 @@ use crate::tree::{NodeId, Tree};
 /// Immutable record of one run of one algorithm.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Trace<const D: usize> {
+    /// What was asked.
+    pub query: Query<D>,
     /// The steps, in order; never empty.
     pub events: Vec<Event<D>>,
     /// What the run came to.
@@ -46,5 +48,5 @@ impl<const D: usize> Trace<D> {
 pub fn record<const D: usize>(tree: &Tree<D>, ray: &Ray<D>, query: &Query<D>) -> Trace<D> {
     let mut events = Vec::new();
     let outcome = query.run(tree, ray, &mut events);
-    Trace { events, outcome }
+    Trace { query: *query, events, outcome }
 }

@@ -1,10 +1,15 @@
 //! The algorithms by name.
 
-use super::{codes, exhaustive, parametric, parametric_table};
+use super::variant::{UnknownVariant, Variant, Variants};
+use super::{
+    all_children, bsp, codes, dda, exhaustive, gargantini, glassner, hero, parametric,
+    parametric_table, samet, samet_corner, samet_net,
+};
 use crate::event::{Observer, Outcome};
 use crate::geometry::{Parameter, Ray};
 use crate::tree::Tree;
 use serde::{Deserialize, Serialize};
+use std::fmt;
 use thiserror::Error;
 
 /// A ray traversal.
@@ -16,18 +21,44 @@ pub enum Algorithm {
     Parametric,
     /// Parametric, by Tables 1 to 3 as corrected.
     ParametricTable,
+    /// Every child of every node on the ray is tested.
+    AllChildren,
+    /// Children in the order of penetration, by mask and sorted mid planes.
+    Hero,
+    /// Children by sorted cuts and their side of the mid planes.
+    Gargantini,
     /// By location codes, bottom-up [Frisken, Perry 2002, §6].
     Codes,
+    /// From every exit point down from the root again.
+    Glassner,
+    /// Neighbours by tables, bottom-up [Samet 1989].
+    Samet,
+    /// Neighbours by the corner in which all exit planes meet.
+    SametCorner,
+    /// Neighbours by links between the leaves.
+    SametNet,
+    /// By the binary tree that emulates the octree [Sung, Shirley 1992].
+    Bsp,
+    /// Cell by cell on the finest grid [Amanatides, Woo 1987].
+    Dda,
+    /// Cell by cell on the finest grid, each looked up in the tree.
+    DdaOctree,
     /// Every leaf tested exactly: the oracle.
     Exhaustive,
 }
 
 /// What a traversal is asked to do beside finding the leaves.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, default, rename_all = "kebab-case")]
 pub struct Options {
     /// Where the traversal ends.
     pub stop_at: StopAt,
+    /// Parameter t at which the ray ends, if it does not go on for ever.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub segment_end: Option<f64>,
+    /// Rules in another form than the right one.
+    #[serde(skip_serializing_if = "Variants::is_empty")]
+    pub variants: Variants,
 }
 
 /// Where a traversal ends.
@@ -43,22 +74,48 @@ pub enum StopAt {
 
 /// No algorithm has this name.
 #[derive(Clone, Debug, Error, PartialEq, Eq)]
-#[error(
-    "there is no algorithm ‘{0}’; there are parametric, parametric-table, codes and exhaustive"
-)]
+#[error("there is no algorithm ‘{0}’; there are {list}", list = all_ids())]
 pub struct UnknownAlgorithm(pub String);
 
+fn all_ids() -> String {
+    Algorithm::ALL.map(Algorithm::id).join(", ")
+}
+
 impl Algorithm {
-    /// All algorithms, the reference first.
-    pub const ALL: [Self; 4] =
-        [Self::Parametric, Self::ParametricTable, Self::Codes, Self::Exhaustive];
+    /// All algorithms, the reference first, the oracle last.
+    pub const ALL: [Self; 14] = [
+        Self::Parametric,
+        Self::ParametricTable,
+        Self::AllChildren,
+        Self::Hero,
+        Self::Gargantini,
+        Self::Codes,
+        Self::Glassner,
+        Self::Samet,
+        Self::SametCorner,
+        Self::SametNet,
+        Self::Bsp,
+        Self::Dda,
+        Self::DdaOctree,
+        Self::Exhaustive,
+    ];
 
     /// Name on the command line and in files.
     pub fn id(self) -> &'static str {
         match self {
             Self::Parametric => "parametric",
             Self::ParametricTable => "parametric-table",
+            Self::AllChildren => "all-children",
+            Self::Hero => "hero",
+            Self::Gargantini => "gargantini",
             Self::Codes => "codes",
+            Self::Glassner => "glassner",
+            Self::Samet => "samet",
+            Self::SametCorner => "samet-corner",
+            Self::SametNet => "samet-net",
+            Self::Bsp => "bsp",
+            Self::Dda => "dda",
+            Self::DdaOctree => "dda-octree",
             Self::Exhaustive => "exhaustive",
         }
     }
@@ -77,7 +134,17 @@ impl Algorithm {
             Self::ParametricTable => {
                 parametric_table::traverse::<D, P>(tree, ray, options, observe)
             }
+            Self::AllChildren => all_children::traverse::<D, P>(tree, ray, options, observe),
+            Self::Hero => hero::traverse::<D, P>(tree, ray, options, observe),
+            Self::Gargantini => gargantini::traverse::<D, P>(tree, ray, options, observe),
             Self::Codes => codes::traverse::<D, P>(tree, ray, options, observe),
+            Self::Glassner => glassner::traverse::<D, P>(tree, ray, options, observe),
+            Self::Samet => samet::traverse::<D, P>(tree, ray, options, observe),
+            Self::SametCorner => samet_corner::traverse::<D, P>(tree, ray, options, observe),
+            Self::SametNet => samet_net::traverse::<D, P>(tree, ray, options, observe),
+            Self::Bsp => bsp::traverse::<D, P>(tree, ray, options, observe),
+            Self::Dda => dda::on_grid::<D, P>(tree, ray, options, observe),
+            Self::DdaOctree => dda::in_tree::<D, P>(tree, ray, options, observe),
             Self::Exhaustive => exhaustive::traverse(tree, ray, options, observe),
         }
     }
@@ -89,5 +156,100 @@ impl std::str::FromStr for Algorithm {
     fn from_str(id: &str) -> Result<Self, UnknownAlgorithm> {
         let found = Self::ALL.into_iter().find(|algorithm| algorithm.id() == id);
         found.ok_or_else(|| UnknownAlgorithm(id.to_owned()))
+    }
+}
+
+/// An algorithm with some rules in another form, as the command line names it:
+/// `parametric`, `bsp@gem` or `parametric@averaged,one-by-one`.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Method {
+    /// The algorithm.
+    pub algorithm: Algorithm,
+    /// The rules that are not in their right form.
+    pub variants: Variants,
+}
+
+/// Why a text names no method.
+#[derive(Clone, Debug, Error, PartialEq, Eq)]
+pub enum MethodError {
+    /// There is no such algorithm.
+    #[error(transparent)]
+    Algorithm(#[from] UnknownAlgorithm),
+    /// There is no such variant.
+    #[error(transparent)]
+    Variant(#[from] UnknownVariant),
+    /// The variant is one of another algorithm.
+    #[error("‘{variant}’ is no variant of {algorithm}; {list}", list = variants_of(*.algorithm))]
+    Stray {
+        /// The variant.
+        variant: &'static str,
+        /// The algorithm that lacks it.
+        algorithm: Method,
+    },
+}
+
+/// What variants there are instead.
+fn variants_of(method: Method) -> String {
+    let of_algorithm = |variant: &Variant| variant.belongs_to(method.algorithm);
+    let ids: Vec<_> = Variant::ALL.into_iter().filter(of_algorithm).map(Variant::id).collect();
+    if ids.is_empty() {
+        return "it has none".to_owned();
+    }
+    format!("it has {}", ids.join(", "))
+}
+
+impl From<Algorithm> for Method {
+    fn from(algorithm: Algorithm) -> Self {
+        Self { algorithm, variants: Variants::NONE }
+    }
+}
+
+impl fmt::Display for Method {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.algorithm.id())?;
+        for (n, variant) in self.variants.iter().enumerate() {
+            write!(f, "{}{}", if n == 0 { '@' } else { ',' }, variant.id())?;
+        }
+        Ok(())
+    }
+}
+
+impl std::str::FromStr for Method {
+    type Err = MethodError;
+
+    fn from_str(text: &str) -> Result<Self, MethodError> {
+        let (id, rest) = text.split_once('@').map_or((text, None), |(id, rest)| (id, Some(rest)));
+        let algorithm: Algorithm = id.parse()?;
+        let mut variants = Variants::NONE;
+        for id in rest.into_iter().flat_map(|rest| rest.split(',')) {
+            let variant: Variant = id.trim().parse()?;
+            if !variant.belongs_to(algorithm) {
+                let algorithm = algorithm.into();
+                return Err(MethodError::Stray { variant: variant.id(), algorithm });
+            }
+            variants = variants.with(variant);
+        }
+        Ok(Self { algorithm, variants })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn methods_read_back() {
+        for text in ["parametric", "bsp@gem", "parametric@one-by-one,averaged"] {
+            assert_eq!(text.parse::<Method>().unwrap().to_string(), text);
+        }
+    }
+
+    #[test]
+    fn what_is_no_method_is_named_with_what_there_is() {
+        let message = |text: &str| text.parse::<Method>().unwrap_err().to_string();
+        assert!(message("fast").starts_with("there is no algorithm ‘fast’; there are parametric,"));
+        assert!(message("bsp@fast").starts_with("there is no variant ‘fast’"));
+        assert_eq!(message("bsp@push"), "‘push’ is no variant of bsp; it has gem");
+        assert_eq!(message("hero@gem"), "‘gem’ is no variant of hero; it has none");
     }
 }

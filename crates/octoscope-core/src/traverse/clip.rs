@@ -1,8 +1,9 @@
 //! Where a ray meets the root, and the planes of any cell.
 
+use super::algorithm::Options;
 use crate::event::Event;
 use crate::geometry::{Axes, Parameter, Ray};
-use crate::tree::Domain;
+use crate::tree::{Code, Domain};
 
 /// Interval of a ray inside the root.
 #[derive(Clone, Copy, Debug)]
@@ -20,16 +21,48 @@ pub struct Clip<const D: usize, P> {
 }
 
 /// Cuts the ray with the root; `None` if it is in no point of positive length
-/// inside at t ≥ 0. The event says what happened in either case.
+/// inside at t ≥ 0 and before its end. The event says what happened in either
+/// case.
 pub fn clip<const D: usize, P: Parameter>(
     domain: &Domain<D>,
     ray: &Ray<D>,
+    options: Options,
 ) -> (Option<Clip<D, P>>, Event<D>) {
+    let (near, far) = slabs::<D, P>(domain, ray, domain.root_level(), [0; D]);
+    let mirror = Axes::where_true(ray.direction().map(|d| d < 0.0));
+    let first_in = latest(near);
+    let exit = earliest(far);
+    let in_time = |end: f64| first_in.later(P::ORIGIN).before(P::given(end));
+    let hit =
+        first_in.before(exit) && P::ORIGIN.before(exit) && options.segment_end.is_none_or(in_time);
+    let event = Event::Clip {
+        near: near.map(P::value),
+        far: far.map(P::value),
+        enter: first_in.value(),
+        exit: exit.value(),
+        hit,
+        mirror,
+    };
+    let enter = first_in.later(P::ORIGIN);
+    (hit.then_some(Clip { near, far, enter, exit, mirror }), event)
+}
+
+/// Parameters of the near and the far planes of the cell with this level and
+/// code. Without motion along an axis they are −∞ and +∞ if the cell owns the
+/// origin there; otherwise both lie on the side of the cell.
+#[inline]
+pub fn slabs<const D: usize, P: Parameter>(
+    domain: &Domain<D>,
+    ray: &Ray<D>,
+    level: u8,
+    code: Code<D>,
+) -> ([P; D], [P; D]) {
     let (origin, direction) = (ray.origin(), ray.direction());
     let mut near = [P::BEFORE_ALL; D];
     let mut far = [P::BEYOND_ALL; D];
     for e in 0..D {
-        let (low, high) = (domain.plane(e, 0), domain.plane(e, domain.grid_size()));
+        let low = domain.plane(e, code[e]);
+        let high = domain.plane(e, code[e] + (1 << level));
         let at = |plane| P::at_plane(plane, origin[e], direction[e]);
         if direction[e] > 0.0 {
             (near[e], far[e]) = (at(low), at(high));
@@ -41,20 +74,7 @@ pub fn clip<const D: usize, P: Parameter>(
             far[e] = P::BEFORE_ALL;
         }
     }
-    let mirror = Axes::where_true(direction.map(|d| d < 0.0));
-    let first_in = latest(near);
-    let exit = earliest(far);
-    let hit = first_in.before(exit) && P::ORIGIN.before(exit);
-    let event = Event::Clip {
-        near: near.map(P::value),
-        far: far.map(P::value),
-        enter: first_in.value(),
-        exit: exit.value(),
-        hit,
-        mirror,
-    };
-    let enter = first_in.later(P::ORIGIN);
-    (hit.then_some(Clip { near, far, enter, exit, mirror }), event)
+    (near, far)
 }
 
 /// The latest of some parameters.

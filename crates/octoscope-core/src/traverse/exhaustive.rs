@@ -29,31 +29,36 @@ pub fn traverse<const D: usize>(
     let corners = boxes.iter().flat_map(|(_, bounds)| bounds.min.into_iter().chain(bounds.max));
     let position = Unit::common(corners.chain(ray.origin()));
     let direction = Unit::common(ray.direction());
-    let met = if position.bits + direction.bits + 2 < i128::BITS {
+    let short = position.bits + direction.bits + 2 < i128::BITS;
+    let met = if short && options.segment_end.is_none() {
         let integer = |x: f64, unit: Unit| unit.count(x);
-        test_all::<D, i128>(&boxes, ray, [position, direction], integer, observe)
+        test_all::<D, i128>(&boxes, ray, [position, direction], integer, None, observe)
     } else {
         let integer = |x: f64, unit: Unit| unit.count_at_any_length(x);
-        test_all::<D, BigInt>(&boxes, ray, [position, direction], integer, observe)
+        let end = options.segment_end.map(|t| parameter(t, position, direction));
+        test_all::<D, BigInt>(&boxes, ray, [position, direction], integer, end, observe)
     };
 
     observe.observe(Event::Sort { n_leaves: met.len() as u32 });
-    let mut end = End::Missed;
-    for Met { leaf, interval: [enter, exit], touch } in met {
-        if touch {
+    let mut outcome = Outcome::without_node(End::Missed);
+    for Met { leaf, interval: [enter, exit], kind } in met {
+        if kind == Kind::Touch {
             observe.observe(Event::Touch { node: leaf.id, at: enter });
             continue;
         }
         let full = leaf.is_full();
         observe.observe(Event::Leaf { node: leaf.id, enter, exit, full });
+        outcome = match kind {
+            Kind::Cut => Outcome::without_node(End::SegmentEnd),
+            Kind::Whole | Kind::Touch => Outcome::without_node(End::LeftRoot),
+        };
         if full && options.stop_at == StopAt::FirstFull {
-            observe.observe(Event::End(End::FirstFull));
-            return Outcome::at(End::FirstFull, leaf.id);
+            outcome = Outcome::at(End::FirstFull, leaf.id);
+            break;
         }
-        end = End::LeftRoot;
     }
-    observe.observe(Event::End(end));
-    Outcome::without_node(end)
+    observe.observe(Event::End(outcome.end));
+    outcome
 }
 
 /// A leaf that the ray meets.
@@ -61,8 +66,18 @@ struct Met {
     leaf: Node,
     /// The nearest doubles to the parameters of entry and exit.
     interval: [f64; 2],
-    /// Whether the interval is a point.
-    touch: bool,
+    kind: Kind,
+}
+
+/// How a leaf is met.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Kind {
+    /// In one point.
+    Touch,
+    /// From its near to its far planes.
+    Whole,
+    /// To the end of the segment.
+    Cut,
 }
 
 /// Tests all leaves; those that the ray meets, in the order of their entry,
@@ -72,6 +87,7 @@ fn test_all<const D: usize, I: Integer>(
     ray: &Ray<D>,
     [position, direction]: [Unit; 2],
     integer: impl Fn(f64, Unit) -> I,
+    end: Option<Fraction<I>>,
     observe: &mut impl Observer<D>,
 ) -> Vec<Met> {
     let origin = ray.origin().map(|x| integer(x, position));
@@ -116,15 +132,24 @@ fn test_all<const D: usize, I: Integer>(
         }
         let exit = exit.expect("a ray moves along some axis");
         let order = enter.compare(&exit);
-        let interval = [enter.value, exit.value];
-        let meets = order != Ordering::Greater;
+        let begins_in_time = end.as_ref().is_none_or(|end| enter.compare(end) == Ordering::Less);
+        let meets = order != Ordering::Greater && begins_in_time;
+        let cut = end.as_ref().filter(|end| exit.compare(end) != Ordering::Less);
+        let interval = [enter.value, cut.unwrap_or(&exit).value];
         observe.observe(Event::Test { node: leaf.id, interval: meets.then_some(interval) });
         if meets {
-            let touch = order == Ordering::Equal;
-            met.push((enter, Met { leaf: *leaf, interval, touch }));
+            let kind = match (order, cut) {
+                (Ordering::Equal, _) => Kind::Touch,
+                (_, Some(_)) => Kind::Cut,
+                (_, None) => Kind::Whole,
+            };
+            met.push((enter, Met { leaf: *leaf, interval, kind }));
         }
     }
-    met.sort_by(|(a, first), (b, second)| a.compare(b).then(second.touch.cmp(&first.touch)));
+    let last_touch = |met: &Met| met.kind != Kind::Touch;
+    met.sort_by(|(a, first), (b, second)| {
+        a.compare(b).then(last_touch(first).cmp(&last_touch(second)))
+    });
     met.into_iter().map(|(_, met)| met).collect()
 }
 
@@ -155,6 +180,19 @@ impl<I: Integer> Fraction<I> {
         let right = other.numerator.clone() * self.denominator.clone();
         left.cmp(&right)
     }
+}
+
+/// Parameter `t` in these units.
+fn parameter(t: f64, position: Unit, direction: Unit) -> Fraction<BigInt> {
+    let (digits, exponent) = digits_and_exponent(t);
+    let digits = if t < 0.0 { -BigInt::from(digits) } else { BigInt::from(digits) };
+    let shift = exponent - position.exponent + direction.exponent;
+    let (numerator, denominator) = if shift >= 0 {
+        (digits << shift, BigInt::from(1))
+    } else {
+        (digits, BigInt::from(1) << -shift)
+    };
+    Fraction { numerator, denominator, value: t }
 }
 
 /// A power of two of which some doubles are multiples.

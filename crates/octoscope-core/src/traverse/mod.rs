@@ -6,13 +6,26 @@
 
 mod agree;
 mod algorithm;
+mod all_children;
+mod beyond;
+mod bsp;
 mod clip;
 mod codes;
+mod dda;
 mod exhaustive;
+mod gargantini;
+mod glassner;
+mod hero;
 mod parametric;
 mod parametric_table;
+mod report;
+mod samet;
+mod samet_corner;
+mod samet_net;
+mod variant;
 
 pub use agree::{Difference, SLIVER, Slivers, doubles_suffice, first_difference};
-pub use algorithm::{Algorithm, Options, StopAt, UnknownAlgorithm};
+pub use algorithm::{Algorithm, Method, MethodError, Options, StopAt, UnknownAlgorithm};
 pub use clip::{Clip, clip};
 pub use parametric_table::{TABLE_1, TABLE_2, TABLE_3, entry_axes, transition};
+pub use variant::{UnknownVariant, Variant, Variants};

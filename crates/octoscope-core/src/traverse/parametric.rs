@@ -18,11 +18,13 @@
 //!   and +∞ does not arise.
 //! * *The index is mirrored, not the ray*: a root away from 0 needs no care.
 
-use super::algorithm::{Options, StopAt};
+use super::algorithm::Options;
 use super::clip::{Clip, at_planes, clip, earliest, latest};
-use crate::event::{End, Event, Observer, Outcome};
+use super::report::{Report, finish, missed};
+use super::variant::Variant;
+use crate::event::{Event, Observer, Outcome};
 use crate::geometry::{Axes, Parameter, Ray};
-use crate::tree::{Child, Code, Node, NodeId, Tree};
+use crate::tree::{Child, Code, Node, Tree};
 use std::ops::ControlFlow;
 
 /// Leaves of `tree` along `ray`, in order.
@@ -33,14 +35,14 @@ pub fn traverse<const D: usize, P: Parameter>(
     observe: &mut impl Observer<D>,
 ) -> Outcome {
     // Clip: the six (four) parameters of the root.
-    let (clip, event) = clip::<D, P>(tree.domain(), ray);
+    let (clip, event) = clip::<D, P>(tree.domain(), ray, options);
     observe.observe(event);
     let Some(Clip { near, far, mirror, .. }) = clip else {
-        observe.observe(Event::End(End::Missed));
-        return Outcome::without_node(End::Missed);
+        return missed(observe);
     };
 
-    let mut walk = Walk { tree, ray, mirror, options, observe };
+    let report = Report::of(options);
+    let mut walk = Walk { tree, ray, mirror, options, report, observe };
     let root = tree.root();
     walk.observe.observe(Event::Visit {
         node: root.id,
@@ -48,56 +50,52 @@ pub fn traverse<const D: usize, P: Parameter>(
         near: near.map(P::value),
         far: far.map(P::value),
     });
-    let outcome = match walk.visit(root, tree.domain().root_level(), [0; D], near, far) {
-        ControlFlow::Break(leaf) => Outcome::at(End::FirstFull, leaf),
-        ControlFlow::Continue(()) => Outcome::without_node(End::LeftRoot),
-    };
-    observe.observe(Event::End(outcome.end));
-    outcome
+    let walked = walk.visit(root, tree.domain().root_level(), [0; D], near, far);
+    finish(walked, observe)
 }
 
 /// What stays the same during a traversal.
-struct Walk<'a, const D: usize, O> {
+struct Walk<'a, const D: usize, P, O> {
     tree: &'a Tree<D>,
     ray: &'a Ray<D>,
     mirror: Axes<D>,
     options: Options,
+    report: Report<P>,
     observe: &'a mut O,
 }
 
-impl<const D: usize, O: Observer<D>> Walk<'_, D, O> {
+impl<const D: usize, P: Parameter, O: Observer<D>> Walk<'_, D, P, O> {
     /// Reports the leaves below `node`, which has this level and code; `near`
-    /// and `far` are the parameters of its planes. Breaks with the leaf at
-    /// which the traversal stops.
-    fn visit<P: Parameter>(
+    /// and `far` are the parameters of its planes. Breaks where the traversal
+    /// stops.
+    fn visit(
         &mut self,
         node: Node,
         level: u8,
         code: Code<D>,
         near: [P; D],
         far: [P; D],
-    ) -> ControlFlow<NodeId> {
+    ) -> ControlFlow<Outcome> {
         // The node is entered when the latest near plane is, but not before t = 0.
         let entry = latest(near).later(P::ORIGIN);
 
         // Leaf: report it and return.
         if node.is_leaf() {
-            let (enter, exit) = (entry.value(), earliest(far).value());
-            self.observe.observe(Event::Leaf { node: node.id, enter, exit, full: node.is_full() });
-            return if node.is_full() && self.options.stop_at == StopAt::FirstFull {
-                ControlFlow::Break(node.id)
-            } else {
-                ControlFlow::Continue(())
-            };
+            return self.report.leaf(node, entry, earliest(far), self.observe);
         }
 
         // Halve: the parameters of the mid planes.
         let half = 1 << (level - 1);
-        let mid = at_planes::<D, P>(self.tree.domain(), self.ray, code.map(|c| c + half));
+        let mut mid = at_planes::<D, P>(self.tree.domain(), self.ray, code.map(|c| c + half));
+        if self.options.variants.has(Variant::Averaged) {
+            mid = averaged(self.ray, near, mid, far);
+        }
         self.observe.observe(Event::Halve { mid: mid.map(P::value) });
 
         // Enter: the first child is past every mid plane that is not after the entry.
-        let mut state = Child::from_upper_halves(mid.map(|t| t.not_after(entry)));
+        let one_by_one = self.options.variants.has(Variant::OneByOne);
+        let passed = |t: P| if one_by_one { t.before(entry) } else { t.not_after(entry) };
+        let mut state = Child::from_upper_halves(mid.map(passed));
         self.observe.observe(Event::First {
             entry: entry.value(),
             entry_axis: entry_axis(near),
@@ -125,7 +123,10 @@ impl<const D: usize, O: Observer<D>> Walk<'_, D, O> {
 
             // Step: through all planes that are reached first at once.
             let exit = earliest(far_of_child);
-            let axes = Axes::where_true(far_of_child.map(|t| t.not_after(exit)));
+            let mut axes = Axes::where_true(far_of_child.map(|t| t.not_after(exit)));
+            if one_by_one {
+                axes = axes.first();
+            }
             let next = (state.0 & axes.0 == 0).then_some(Child(state.0 | axes.0));
             self.observe.observe(Event::Step {
                 state,
@@ -141,6 +142,19 @@ impl<const D: usize, O: Observer<D>> Walk<'_, D, O> {
             state = next;
         }
     }
+}
+
+/// Parameters of the mid planes as the mean of those of the near and far planes
+/// [Revelles 2000, eq. 13]; along axes without motion as they are (eq. 15).
+#[inline]
+pub(super) fn averaged<const D: usize, P: Parameter>(
+    ray: &Ray<D>,
+    near: [P; D],
+    mid: [P; D],
+    far: [P; D],
+) -> [P; D] {
+    let moves = ray.direction().map(|d| d != 0.0);
+    std::array::from_fn(|e| if moves[e] { P::mean(near[e], far[e], mid[e]) } else { mid[e] })
 }
 
 /// Axis of the near plane that is reached last, the first of equal ones; `None`

@@ -13,11 +13,14 @@
 //! Differences from the paper: Table 2 sets the x bit for x and the z bit for z,
 //! as its authors corrected it; mid planes from their coordinate.
 
-use super::algorithm::{Options, StopAt};
+use super::algorithm::Options;
 use super::clip::{Clip, at_planes, clip, earliest, latest};
-use crate::event::{End, Event, Observer, Outcome};
+use super::parametric::averaged;
+use super::report::{Report, finish, missed};
+use super::variant::Variant;
+use crate::event::{Event, Observer, Outcome};
 use crate::geometry::{Axes, Parameter, Ray};
-use crate::tree::{Child, Code, Node, NodeId, Tree};
+use crate::tree::{Child, Code, Node, Tree};
 use std::ops::ControlFlow;
 
 /// Table 1: next state of the quadtree automaton when a child is left through
@@ -64,14 +67,14 @@ pub fn traverse<const D: usize, P: Parameter>(
     observe: &mut impl Observer<D>,
 ) -> Outcome {
     // Clip: the six (four) parameters of the root.
-    let (clip, event) = clip::<D, P>(tree.domain(), ray);
+    let (clip, event) = clip::<D, P>(tree.domain(), ray, options);
     observe.observe(event);
     let Some(Clip { near, far, mirror, .. }) = clip else {
-        observe.observe(Event::End(End::Missed));
-        return Outcome::without_node(End::Missed);
+        return missed(observe);
     };
 
-    let mut walk = Walk { tree, ray, mirror, options, observe };
+    let report = Report::of(options);
+    let mut walk = Walk { tree, ray, mirror, options, report, observe };
     let root = tree.root();
     let [near_values, far_values] = [near.map(P::value), far.map(P::value)];
     walk.observe.observe(Event::Visit {
@@ -80,35 +83,32 @@ pub fn traverse<const D: usize, P: Parameter>(
         near: near_values,
         far: far_values,
     });
-    let outcome = match walk.visit(root, tree.domain().root_level(), [0; D], near, far) {
-        ControlFlow::Break(leaf) => Outcome::at(End::FirstFull, leaf),
-        ControlFlow::Continue(()) => Outcome::without_node(End::LeftRoot),
-    };
-    observe.observe(Event::End(outcome.end));
-    outcome
+    let walked = walk.visit(root, tree.domain().root_level(), [0; D], near, far);
+    finish(walked, observe)
 }
 
 /// What stays the same during a traversal.
-struct Walk<'a, const D: usize, O> {
+struct Walk<'a, const D: usize, P, O> {
     tree: &'a Tree<D>,
     ray: &'a Ray<D>,
     mirror: Axes<D>,
     options: Options,
+    report: Report<P>,
     observe: &'a mut O,
 }
 
-impl<const D: usize, O: Observer<D>> Walk<'_, D, O> {
+impl<const D: usize, P: Parameter, O: Observer<D>> Walk<'_, D, P, O> {
     /// Reports the leaves below `node`, which has this level and code; `near`
-    /// and `far` are the parameters of its planes. Breaks with the leaf at
-    /// which the traversal stops.
-    fn visit<P: Parameter>(
+    /// and `far` are the parameters of its planes. Breaks where the traversal
+    /// stops.
+    fn visit(
         &mut self,
         node: Node,
         level: u8,
         code: Code<D>,
         near: [P; D],
         far: [P; D],
-    ) -> ControlFlow<NodeId> {
+    ) -> ControlFlow<Outcome> {
         // Skip: a node that is left before t = 0 lies behind the origin.
         let exit = earliest(far);
         let behind = exit.before(P::ORIGIN);
@@ -119,12 +119,16 @@ impl<const D: usize, O: Observer<D>> Walk<'_, D, O> {
 
         // Leaf: report it and return.
         if node.is_leaf() {
-            return self.report(node, latest(near).later(P::ORIGIN), exit);
+            let entry = latest(near).later(P::ORIGIN);
+            return self.report.leaf(node, entry, exit, self.observe);
         }
 
         // Halve: the parameters of the mid planes.
         let half = 1 << (level - 1);
-        let mid = at_planes::<D, P>(self.tree.domain(), self.ray, code.map(|c| c + half));
+        let mut mid = at_planes::<D, P>(self.tree.domain(), self.ray, code.map(|c| c + half));
+        if self.options.variants.has(Variant::Averaged) {
+            mid = averaged(self.ray, near, mid, far);
+        }
         self.observe.observe(Event::Halve { mid: mid.map(P::value) });
 
         // Enter: Table 2, from the near plane that is reached last.
@@ -176,20 +180,6 @@ impl<const D: usize, O: Observer<D>> Walk<'_, D, O> {
             };
             state = next;
         }
-    }
-
-    /// Reports a leaf, as a touch if the ray meets it in one point or not at all.
-    fn report<P: Parameter>(&mut self, node: Node, enter: P, exit: P) -> ControlFlow<NodeId> {
-        if !enter.before(exit) {
-            self.observe.observe(Event::Touch { node: node.id, at: exit.value() });
-            return ControlFlow::Continue(());
-        }
-        let (enter, exit) = (enter.value(), exit.value());
-        self.observe.observe(Event::Leaf { node: node.id, enter, exit, full: node.is_full() });
-        if node.is_full() && self.options.stop_at == StopAt::FirstFull {
-            return ControlFlow::Break(node.id);
-        }
-        ControlFlow::Continue(())
     }
 }
 

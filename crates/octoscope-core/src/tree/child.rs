@@ -32,6 +32,12 @@ impl<const D: usize> Child<D> {
         Axes::<D>(self.0).contains(axis)
     }
 
+    /// The sibling on the other side of the mid plane of `axis`.
+    #[inline]
+    pub fn across(self, axis: usize) -> Self {
+        Self(self.0 ^ Axes::<D>::one(axis).0)
+    }
+
     /// The same child in the mirrored tree, and back: f(i) = i xor a
     /// [Revelles 2000, eq. 17].
     #[inline]

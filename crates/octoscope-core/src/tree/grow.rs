@@ -1,6 +1,7 @@
 //! Growing a tree from the root down.
 
 use super::layout::{Place, Row};
+use super::net::Net;
 use super::{Child, Code, Domain, NodeId, Tree};
 use crate::geometry::Aabb;
 use crate::progress::{Cancelled, Progress};
@@ -61,6 +62,7 @@ pub fn grow<const D: usize, C>(
         places: Vec::new(),
         first_item: vec![0],
         items: Vec::new(),
+        net: Net::default(),
     };
     // Cells of one level in the order of their numbers, with the cells' parents.
     let mut cells = vec![(NodeId::ROOT, [0; D], contents)];

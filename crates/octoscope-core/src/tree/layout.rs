@@ -6,6 +6,7 @@
 //! plus the number of inner children before it. What only a debugger asks for
 //! (parents, levels, codes, contents) lies in side arrays.
 
+use super::net::Net;
 use super::{Child, Code, Domain};
 use crate::geometry::Aabb;
 
@@ -83,6 +84,7 @@ pub struct Tree<const D: usize> {
     /// The contents of node n are `items[first_item[n] .. first_item[n + 1]]`.
     pub(super) first_item: Vec<u32>,
     pub(super) items: Vec<u32>,
+    pub(super) net: Net<D>,
 }
 
 impl<const D: usize> Tree<D> {

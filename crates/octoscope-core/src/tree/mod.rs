@@ -5,8 +5,10 @@ mod code;
 mod domain;
 mod grow;
 mod layout;
+mod net;
 mod occupied;
 mod overlap;
+mod part;
 mod recipe;
 
 pub use child::Child;
@@ -14,6 +16,7 @@ pub use code::{Code, branch, common_level, morton};
 pub use domain::{Domain, DomainError, last_where};
 pub use grow::{Cell, Split, grow};
 pub use layout::{Node, NodeId, Tree};
+pub use part::Part;
 pub use recipe::{BuildError, Fill, MAX_NODES, Merge, Recipe, build};
 
 /// Highest root level: codes of 20 bits are exact in `f32` as well.

@@ -1,9 +1,10 @@
 //! Queries without a ray against brute force over the leaves, in whole numbers.
 
 use crate::trees::{domain, random_tree};
-use octoscope_core::event::{End, Outcome};
+use octoscope_core::event::{End, Event, Outcome};
 use octoscope_core::locate::{
     Direction, Reach, climb, locate_by_codes, locate_by_comparison, locate_region, neighbour,
+    neighbour_by_tables,
 };
 use octoscope_core::random::Random;
 use octoscope_core::tree::{Code, Domain, NodeId, Tree};
@@ -61,6 +62,65 @@ fn neighbours_of_every_node<const D: usize>() {
             }
         }
     });
+}
+
+/// Leaves that share more than a corner with a side of `node`, or a corner if
+/// the direction is that of one: those whose cubes touch it there.
+fn leaves_along<const D: usize>(
+    tree: &Tree<D>,
+    node: NodeId,
+    direction: Direction<D>,
+) -> Vec<NodeId> {
+    let (low, side) = (tree.code(node), 1 << tree.level(node));
+    let touches = |leaf: &NodeId| {
+        let (code, size) = (tree.code(*leaf), 1 << tree.level(*leaf));
+        (0..D).all(|e| match direction.components()[e] {
+            0 => code[e] < low[e] + side && low[e] < code[e] + size,
+            s if s > 0 => code[e] <= low[e] + side && low[e] + side < code[e] + size,
+            _ => code[e] < low[e] && low[e] <= code[e] + size,
+        })
+    };
+    tree.leaves().map(|leaf| leaf.id).filter(touches).collect()
+}
+
+fn tables_and_links_find_what_codes_find<const D: usize>() {
+    for_random_trees::<D>(|tree, _| {
+        for node in tree.nodes() {
+            for direction in Direction::all() {
+                for reach in [Reach::EqualOrLarger, Reach::Leaf] {
+                    let by_codes = neighbour(tree, node.id, direction, reach, &mut ());
+                    let by_tables = neighbour_by_tables(tree, node.id, direction, reach, &mut ());
+                    assert_eq!(by_tables, by_codes);
+                }
+                for find in [neighbour::<D>, neighbour_by_tables] {
+                    let mut events = Vec::new();
+                    find(tree, node.id, direction, Reach::EveryLeaf, &mut events);
+                    let found = |event: &Event<D>| match *event {
+                        Event::Found { node } => Some(node),
+                        _ => None,
+                    };
+                    let mut found: Vec<_> = events.iter().filter_map(found).collect();
+                    found.sort();
+                    assert_eq!(found, leaves_along(tree, node.id, direction), "{direction:?}");
+                }
+            }
+            for axis in 0..D {
+                for (step, upper) in [(-1, false), (1, true)] {
+                    let direction = std::array::from_fn(|e| if e == axis { step } else { 0 });
+                    let direction = Direction::new(direction).expect("one step");
+                    let reach = Reach::EqualOrLarger;
+                    let by_codes = neighbour(tree, node.id, direction, reach, &mut ());
+                    assert_eq!(tree.neighbour_across(node.id, axis, upper), by_codes.node);
+                }
+            }
+        }
+    });
+}
+
+#[test]
+fn tables_and_links_find_what_codes_find_in_quadtrees_and_octrees() {
+    tables_and_links_find_what_codes_find::<2>();
+    tables_and_links_find_what_codes_find::<3>();
 }
 
 #[test]

@@ -1,0 +1,97 @@
+//! Bottom-up by the corner in which the exit planes meet: a reconstruction of
+//! "SametCorner" [Endl, Sommer 1994], of which only the name is known here.
+//!
+//! For a ray of fixed direction the far planes of every cell meet in the same one
+//! of its corners, given by the signs of the direction. Keeping that corner, a
+//! leaf is left where the first of the corner's parameters says; and a father is
+//! left as well as long as the son's bits agree with the signs along the crossed
+//! axes. So neither faces nor tables are looked at. O(visited leaves × distance to
+//! the common ancestor), D divisions a leaf.
+
+use super::algorithm::Options;
+use super::beyond::{code_of_entry, exit_of, target_of};
+use super::clip::{Clip, clip};
+use super::report::{Report, finish, missed};
+use crate::event::{Event, Lookup, Observer, Outcome};
+use crate::geometry::{Axes, Parameter, Ray};
+use crate::locate::descend;
+use crate::tree::{Node, Tree};
+use std::ops::ControlFlow;
+
+/// Leaves of `tree` along `ray`, in order.
+pub fn traverse<const D: usize, P: Parameter>(
+    tree: &Tree<D>,
+    ray: &Ray<D>,
+    options: Options,
+    observe: &mut impl Observer<D>,
+) -> Outcome {
+    let domain = tree.domain();
+    let (clip, event) = clip::<D, P>(domain, ray, options);
+    observe.observe(event);
+    let Some(Clip { enter: mut entry, .. }) = clip else {
+        return missed(observe);
+    };
+    let report = Report::of(options);
+    let signs = Axes::where_true(ray.direction().map(|d| d > 0.0));
+
+    // Entry point: its leaf is located from the root.
+    let code = code_of_entry(domain, ray, entry);
+    observe.observe(Event::Encode { point: ray.at(entry.value()), code });
+    observe.observe(Event::Begin { node: tree.root().id });
+    let (mut leaf, mut level) = descend(tree, tree.root(), domain.root_level(), code, 0, observe);
+
+    loop {
+        // Corner: the first of its planes to be met.
+        let low = tree.code(leaf.id);
+        let exit = exit_of::<D, P>(domain, ray, level, low);
+        let reported = report.leaf(leaf, entry, exit.at, observe);
+        if reported.is_break() {
+            return finish(reported, observe);
+        }
+        observe.observe(exit.event(domain));
+
+        // Climb: while the ray leaves the father through the same planes.
+        let Some(ancestor) = climb_by_signs(tree, leaf, exit.axes, signs, observe) else {
+            return finish(ControlFlow::Continue(()), observe);
+        };
+
+        // Down again, to where the ray goes on.
+        let target = target_of(domain, ray, level, low, &exit).map(|c| c as u32);
+        level = tree.level(ancestor.id);
+        observe.observe(Event::Encode { point: ray.at(exit.at.value()), code: target });
+        (leaf, level) = descend(tree, ancestor, level, target, 0, observe);
+        entry = exit.at;
+    }
+}
+
+/// The smallest ancestor of `node` that is not left through any plane of `axes`,
+/// in the direction of `signs`; `None` if the ray leaves the root.
+fn climb_by_signs<const D: usize>(
+    tree: &Tree<D>,
+    mut node: Node,
+    mut axes: Axes<D>,
+    signs: Axes<D>,
+    observe: &mut impl Observer<D>,
+) -> Option<Node> {
+    let towards = |axes: Axes<D>| {
+        std::array::from_fn(|e| match (axes.contains(e), signs.contains(e)) {
+            (false, _) => 0,
+            (true, true) => 1,
+            (true, false) => -1,
+        })
+    };
+    while !axes.is_empty() {
+        let father = tree.parent(node.id)?;
+        let son = tree.child_index(node.id)?;
+        let common = Axes(axes.0 & !(son.0 ^ signs.0));
+        observe.observe(Event::Father {
+            node: father,
+            son,
+            direction: towards(axes),
+            common: towards(common),
+            lookup: Lookup::Bits,
+        });
+        (node, axes) = (tree.node(father), common);
+    }
+    Some(node)
+}
