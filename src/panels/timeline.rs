@@ -127,13 +127,15 @@ fn tick<const D: usize>(look: &Look, event: &Event<D>) -> (f32, Color32) {
         | Event::Flip { .. }
         | Event::Split { .. }
         | Event::Exits { .. }
+        | Event::Leave { .. }
         | Event::Target { .. }
         | Event::Push { .. } => (0.45, palette.current_line),
         Event::Grid { .. } | Event::Cross { .. } => (0.45, palette.current_line),
         Event::Encode { .. } | Event::Corners { .. } | Event::Begin { .. } => (0.45, palette.quiet),
-        Event::Difference { .. } | Event::Climb { .. } | Event::Father { .. } => {
-            (0.45, palette.axes[0])
-        }
+        Event::Difference { .. }
+        | Event::Climb { .. }
+        | Event::Resume { .. }
+        | Event::Father { .. } => (0.45, palette.axes[0]),
         Event::Halve { .. } | Event::Cuts { .. } | Event::Skip { .. } | Event::Up { .. } => {
             (0.2, palette.quiet)
         }

@@ -5,6 +5,7 @@ comma = { $first }, { $last }
 
 by-parametric = mit dem parametrischen Verfahren
 by-parametric-table = mit dem parametrischen Verfahren und seinen Tabellen
+by-esvo = mit der parametrischen Regel ohne Rekursion
 by-all-children = durch Prüfen jedes Kindes
 by-hero = mit Maske und sortierten Mittelebenen nach HERO
 by-gargantini = mit zugeordneten Stücken zwischen sortierten Schnitten
@@ -125,6 +126,9 @@ difference = Die Codes unterscheiden sich zuerst in Bit { $bit }, also liegt der
 difference-none = Die Codes sind gleich, also liegen beide Orte in einer kleinsten Zelle, auf Ebene 0.
 climb = Hinauf zum Elternknoten: { $node }; der gemeinsame Vorfahr liegt auf Ebene { $level }.
 climb-done = Hinauf zum Elternknoten: { $node }; dies ist der gemeinsame Vorfahr.
+leave-one = Das Blatt wird durch seine ferne { $axes }-Ebene verlassen: { $exits }.
+leave-many = Das Blatt wird durch seine fernen Ebenen von { $axes } zugleich verlassen: { $exits }.
+resume = Zurück zu einem Knoten, der auf dem Weg hinab behalten wurde: { $node }.
 corners = Die Ecken { $min } und { $max } des Bereichs haben binär die Codes { $from } und { $to }.
 
 leaf-full = { $node } liegt von t = { $enter } bis t = { $exit } auf dem Strahl und ist belegt.
@@ -160,6 +164,7 @@ scene-inline = eigene Daten
 
 algorithm-parametric = Parametrisch, mit einer Regel
 algorithm-parametric-table = Parametrisch, mit Tabellen
+algorithm-esvo = Parametrisch, ohne Rekursion
 algorithm-all-children = Jedes Kind geprüft
 algorithm-hero = HERO: Maske, sortierte Ebenen
 algorithm-gargantini = Gargantini: zugeordnete Schnitte

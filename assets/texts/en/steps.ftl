@@ -5,6 +5,7 @@ comma = { $first }, { $last }
 
 by-parametric = the parametric algorithm
 by-parametric-table = the parametric algorithm with its tables
+by-esvo = the parametric rule without recursion
 by-all-children = testing every child
 by-hero = HERO's mask and sorted mid planes
 by-gargantini = classified pieces between sorted cuts
@@ -116,6 +117,9 @@ difference = The codes differ first in bit { $bit }, so the common ancestor has 
 difference-none = The codes are equal, so both places lie in one smallest cell, of level 0.
 climb = Up to the parent, { $node }; the common ancestor has level { $level }.
 climb-done = Up to the parent, { $node }: this is the common ancestor.
+leave-one = The leaf is left through its far { $axes } plane: { $exits }.
+leave-many = The leaf is left through its far planes of { $axes } at once: { $exits }.
+resume = Back to { $node }, which was kept on the way down.
 corners = The corners { $min } and { $max } of the region have the codes { $from } and { $to } in binary.
 
 leaf-full = { $node } is on the ray from t = { $enter } to t = { $exit }, and it is occupied.
@@ -151,6 +155,7 @@ scene-inline = own data
 
 algorithm-parametric = Parametric, by one rule
 algorithm-parametric-table = Parametric, by tables
+algorithm-esvo = Parametric, without recursion
 algorithm-all-children = Every child tested
 algorithm-hero = HERO: mask and sorted planes
 algorithm-gargantini = Gargantini: classified cuts

@@ -6,7 +6,8 @@ use octoscope_core::query::{PointMethod, Query};
 use octoscope_core::random::Random;
 use octoscope_core::scenario::{AnyScenario, BUILT_IN, Scenario, Source, StepAt, built_in};
 use octoscope_core::scene::{Content, Cube, Image, Sphere};
-use serde_json::Value;
+use octoscope_core::traverse::{Algorithm, Variant};
+use serde_json::{Value, json};
 
 fn reads_back(scenario: AnyScenario) {
     let text = scenario.print();
@@ -159,4 +160,14 @@ fn the_schema_has_exactly_the_fields_of_a_file() {
         assert!(message.contains(name), "{name} in {message}");
     }
     assert_eq!(message.matches('`').count() / 2 - 1, scene.split("`, `").count());
+}
+
+#[test]
+fn the_schema_knows_every_algorithm_and_every_variant() {
+    let schema = include_str!("../../../assets/schemas/octo.schema.json");
+    let schema: Value = serde_json::from_str(schema).unwrap();
+    let properties = &schema["properties"];
+    assert_eq!(properties["algorithm"]["enum"], json!(Algorithm::ALL.map(Algorithm::id)));
+    let variants = &properties["options"]["properties"]["variants"]["items"]["enum"];
+    assert_eq!(*variants, json!(Variant::ALL.map(Variant::id)));
 }

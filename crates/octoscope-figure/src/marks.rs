@@ -181,6 +181,8 @@ impl<const D: usize> Scene<'_, D> {
             | Event::Target { .. }
             | Event::Border { .. }
             | Event::Difference { .. }
+            | Event::Leave { .. }
+            | Event::Resume { .. }
             | Event::Climb { .. }
             | Event::Corners { .. }
             | Event::Leaf { .. }
@@ -296,7 +298,14 @@ impl<const D: usize> Scene<'_, D> {
                     self.exit_planes(left, axes, marks);
                 }
             }
-            (Some(&(Event::Exits { axes, .. } | Event::Target { axes, .. })), _) => {
+            (
+                Some(
+                    &(Event::Exits { axes, .. }
+                    | Event::Target { axes, .. }
+                    | Event::Leave { axes, .. }),
+                ),
+                _,
+            ) => {
                 if let Some(node) = self.moment.current {
                     self.exit_planes(node, axes, marks);
                 }

@@ -295,6 +295,22 @@ pub enum Event<const D: usize> {
         /// Level of the smallest cell that holds both.
         level: u8,
     },
+    /// The node is left through the first of its far planes, which are known.
+    Leave {
+        /// Parameters of the far planes.
+        exits: [f64; D],
+        /// The planes that are met first.
+        axes: Axes<D>,
+    },
+    /// A node that was kept on the way down becomes the current one again.
+    Resume {
+        /// The node.
+        node: NodeId,
+        /// Its level.
+        level: u8,
+        /// Number of nodes on the stack above it, which are given up.
+        popped: u8,
+    },
     /// The parent becomes the current node, as the bit at its level differs.
     Climb {
         /// The parent.

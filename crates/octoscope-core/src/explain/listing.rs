@@ -38,6 +38,9 @@ pub fn listing<const D: usize>(query: &Query<D>, language: Language) -> Listing 
         Query::Ray { algorithm: Algorithm::Codes, .. } => {
             include_str!("../../../../assets/listings/codes.txt")
         }
+        Query::Ray { algorithm: Algorithm::Esvo, .. } => {
+            include_str!("../../../../assets/listings/esvo.txt")
+        }
         Query::Ray { algorithm: Algorithm::AllChildren, .. } => {
             include_str!("../../../../assets/listings/all-children.txt")
         }
@@ -121,6 +124,8 @@ pub fn label<const D: usize>(event: &Event<D>) -> &'static str {
         Event::Target { .. } => "target",
         Event::Border { .. } => "border",
         Event::Difference { .. } => "difference",
+        Event::Leave { .. } => "leave",
+        Event::Resume { .. } => "resume",
         Event::Climb { .. } => "climb",
         Event::Corners { .. } => "corners",
         Event::Leaf { .. } => "leaf",

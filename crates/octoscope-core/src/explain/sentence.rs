@@ -280,6 +280,11 @@ impl<const D: usize> Teller<'_, D> {
                     ("level", strong(&level.to_string())),
                 ],
             ),
+            Event::Leave { exits, axes } => {
+                let key = if axes.count() == 1 { "leave-one" } else { "leave-many" };
+                words.say(key, &[("axes", words.axes(axes)), ("exits", chain(exits, "1", axes))])
+            }
+            Event::Resume { node, .. } => words.say("resume", &[("node", words.node(node))]),
             Event::Climb { node, level } => {
                 let goal = self.before.difference.map_or(level, |difference| difference.level);
                 let node = words.node(node);

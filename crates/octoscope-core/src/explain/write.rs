@@ -149,6 +149,8 @@ fn interval_and_state<const D: usize>(event: &Event<D>) -> (Option<[f64; 2]>, Op
         | Event::Border { .. }
         | Event::Difference { .. }
         | Event::Climb { .. }
+        | Event::Leave { .. }
+        | Event::Resume { .. }
         | Event::Corners { .. }
         | Event::Found { .. }
         | Event::End(_) => (None, None),
@@ -184,6 +186,8 @@ fn vars<const D: usize>(event: &Event<D>) -> Value {
         Event::Exits { planes, exits, axes } => {
             json!({ "planes": numbers(planes), "t1": numbers(exits), "axes": set(axes) })
         }
+        Event::Resume { popped, .. } => json!({ "popped": popped }),
+        Event::Leave { exits, axes } => json!({ "t1": numbers(exits), "axes": set(axes) }),
         Event::Target { from, to, axes, .. } => {
             json!({ "from": codes(from), "to": to.to_vec(), "axes": set(axes) })
         }

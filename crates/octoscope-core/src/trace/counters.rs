@@ -266,6 +266,11 @@ impl Counters {
             }
             Event::Border { .. } => count(RangeComparisons, axes),
             Event::Difference { .. } => count(BitOperations, axes),
+            Event::Leave { .. } => count(ExitComparisons, axes - 1),
+            Event::Resume { popped, .. } => {
+                count(Ascends, 1);
+                self.on_stack = self.on_stack.saturating_sub(u64::from(popped));
+            }
             Event::Climb { .. } => {
                 count(NodeTouches, 1);
                 count(Ascends, 1);

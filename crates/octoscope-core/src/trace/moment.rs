@@ -178,6 +178,12 @@ impl<const D: usize> Moment<D> {
                 self.difference = Some(Difference { from, to, xor, level, climbed });
                 self.codes = Some(Codes { code: to, bit: None });
             }
+            Event::Leave { .. } => {}
+            Event::Resume { node, .. } => {
+                let kept = self.stack.iter().position(|frame| frame.node == node);
+                self.stack.truncate(kept.map_or(self.stack.len(), |index| index + 1));
+                self.current = Some(node);
+            }
             Event::Climb { node, level } => {
                 self.current = Some(node);
                 if let Some(difference) = &mut self.difference {

@@ -2,7 +2,7 @@
 
 use super::variant::{UnknownVariant, Variant, Variants};
 use super::{
-    all_children, bsp, codes, dda, exhaustive, gargantini, glassner, hero, parametric,
+    all_children, bsp, codes, dda, esvo, exhaustive, gargantini, glassner, hero, parametric,
     parametric_table, samet, samet_corner, samet_net,
 };
 use crate::event::{Observer, Outcome};
@@ -21,6 +21,8 @@ pub enum Algorithm {
     Parametric,
     /// Parametric, by Tables 1 to 3 as corrected.
     ParametricTable,
+    /// Parametric without recursion, back up by location codes.
+    Esvo,
     /// Every child of every node on the ray is tested.
     AllChildren,
     /// Children in the order of penetration, by mask and sorted mid planes.
@@ -83,9 +85,10 @@ fn all_ids() -> String {
 
 impl Algorithm {
     /// All algorithms, the reference first, the oracle last.
-    pub const ALL: [Self; 14] = [
+    pub const ALL: [Self; 15] = [
         Self::Parametric,
         Self::ParametricTable,
+        Self::Esvo,
         Self::AllChildren,
         Self::Hero,
         Self::Gargantini,
@@ -105,6 +108,7 @@ impl Algorithm {
         match self {
             Self::Parametric => "parametric",
             Self::ParametricTable => "parametric-table",
+            Self::Esvo => "esvo",
             Self::AllChildren => "all-children",
             Self::Hero => "hero",
             Self::Gargantini => "gargantini",
@@ -134,6 +138,7 @@ impl Algorithm {
             Self::ParametricTable => {
                 parametric_table::traverse::<D, P>(tree, ray, options, observe)
             }
+            Self::Esvo => esvo::traverse::<D, P>(tree, ray, options, observe),
             Self::AllChildren => all_children::traverse::<D, P>(tree, ray, options, observe),
             Self::Hero => hero::traverse::<D, P>(tree, ray, options, observe),
             Self::Gargantini => gargantini::traverse::<D, P>(tree, ray, options, observe),

@@ -12,6 +12,7 @@ mod bsp;
 mod clip;
 mod codes;
 mod dda;
+mod esvo;
 mod exhaustive;
 mod gargantini;
 mod glassner;

@@ -101,7 +101,7 @@ fn every_moment_is_consistent() {
 /// node; nothing else has one.
 fn check_stack(tree: &Tree<3>, query: &Query<3>, moment: &Moment<3>) {
     let stack: Vec<_> = moment.stack.iter().map(|frame| frame.node).collect();
-    use Algorithm::{AllChildren, Gargantini, Hero, Parametric, ParametricTable};
+    use Algorithm::{AllChildren, Esvo, Gargantini, Hero, Parametric, ParametricTable};
     match query {
         // A tested child is the current node, but not on the stack until it is visited.
         Query::Ray { algorithm: AllChildren, .. } => {
@@ -111,7 +111,9 @@ fn check_stack(tree: &Tree<3>, query: &Query<3>, moment: &Moment<3>) {
             chain.reverse();
             assert_eq!(stack, chain);
         }
-        Query::Ray { algorithm: Parametric | ParametricTable | Hero | Gargantini, .. } => {
+        Query::Ray {
+            algorithm: Parametric | ParametricTable | Esvo | Hero | Gargantini, ..
+        } => {
             let mut chain: Vec<_> = moment.current.into_iter().collect();
             chain.extend(moment.ancestors(tree));
             chain.reverse();
