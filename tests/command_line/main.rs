@@ -6,5 +6,6 @@
 mod arguments;
 mod desk;
 mod export;
+mod files;
 mod scenario;
 mod visit;
