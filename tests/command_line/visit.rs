@@ -97,8 +97,6 @@ fn bad_input_is_refused_with_what_where_and_what_would_be_right() {
     assert!(message.contains("line 2, column 5"), "{message}");
     let message = desk.refuses(&VISIT.replace("a.rays", "no.rays"));
     assert!(message.contains("no such file") && message.contains("no.rays"), "{message}");
-    let message = desk.refuses(&format!("{VISIT} -o no/folder/out.txt"));
-    assert!(message.contains("no/folder/out.txt"), "{message}");
 }
 
 #[test]
@@ -111,4 +109,21 @@ fn a_broken_pipe_ends_quietly() {
     let output = child.wait_with_output().unwrap();
     assert_eq!(text(&output.stderr), "");
     assert_eq!(output.status.code(), Some(0));
+}
+
+#[test]
+fn a_file_without_a_line_is_accepted_with_a_note() {
+    let desk = Desk::new();
+    desk.put("empty", "");
+    desk.put("comment", "# nothing\n");
+    for empty in ["empty", "comment"] {
+        let output = desk.run(&VISIT.replace("a.cells", empty));
+        assert_eq!(text(&output.stdout), "1 2:0,0\n1 2:0,0\n0\n");
+        let note = format!("octoscope: there is no cell, so the tree is one empty leaf: {empty}\n");
+        assert_eq!((output.status.code(), text(&output.stderr)), (Some(0), note));
+        let output = desk.run(&VISIT.replace("a.rays", empty));
+        assert_eq!(text(&output.stdout), "");
+        let note = format!("octoscope: there is no ray, so nothing is visited: {empty}\n");
+        assert_eq!((output.status.code(), text(&output.stderr)), (Some(0), note));
+    }
 }
