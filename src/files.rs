@@ -93,7 +93,11 @@ impl Output {
     /// Says what of it could not be written.
     pub fn finish(self) -> anyhow::Result<()> {
         match self {
-            Self::Standard(mut output) => Ok(output.flush()?),
+            Self::Standard(mut output) => match output.flush() {
+                // Whoever asks ends quietly then.
+                Err(error) if error.kind() == io::ErrorKind::BrokenPipe => Err(error.into()),
+                flushed => flushed.map_err(|error| about(Path::new("standard output"), &error)),
+            },
             Self::Device(mut output, path) => output.flush().map_err(|error| about(&path, &error)),
             Self::File { temporary, target } => {
                 let file = temporary.into_inner().map_err(|e| about(&target, e.error()))?;
@@ -139,8 +143,14 @@ fn check_folder(folder: &Path) -> anyhow::Result<()> {
 fn about(path: &Path, error: &io::Error) -> anyhow::Error {
     let fact = match error.kind() {
         io::ErrorKind::NotFound => "there is no such file or folder".to_owned(),
-        io::ErrorKind::PermissionDenied => "permission denied".to_owned(),
-        _ => error.to_string(),
+        io::ErrorKind::PermissionDenied => {
+            "permission denied; allow it, or name another".to_owned()
+        }
+        io::ErrorKind::StorageFull => {
+            "there is no room left; make some, or write elsewhere".to_owned()
+        }
+        // The number of the system's error helps nobody.
+        _ => error.to_string().split(" (os error").next().unwrap_or_default().to_owned(),
     };
     anyhow!("{fact}: {}", path.display())
 }

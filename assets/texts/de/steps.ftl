@@ -8,13 +8,13 @@ by-parametric-table = mit dem parametrischen Verfahren und seinen Tabellen
 by-codes = mit Ortscodes
 by-exhaustive = durch Prüfen jedes einzelnen Blattes
 
-start-ray = Ein Strahl von { $origin } in Richtung { $direction } wird { $algorithm } durch den { $tree } verfolgt; → beginnt.
-start-ray-plain = Ein Strahl von { $origin } in Richtung { $direction } wird auf den { $tree } geschickt; → beginnt.
-start-point-codes = Das Blatt, dem ein Punkt gehört, wird mit Ortscodes gesucht; → beginnt.
-start-point-comparison = Das Blatt, dem ein Punkt gehört, wird durch Vergleich mit den Mittelebenen gesucht; → beginnt.
-start-region = Der kleinste Knoten, der einen Bereich enthält, wird mit Ortscodes gesucht; → beginnt.
-start-neighbour = Der Nachbar eines Knotens wird mit Ortscodes gesucht; → beginnt.
-start-outside = Nach einem Ort im { $tree } wird gefragt; → beginnt.
+start-ray = Ein Strahl von { $origin } in Richtung { $direction } wird { $algorithm } durch den { $tree } verfolgt.
+start-ray-plain = Ein Strahl von { $origin } in Richtung { $direction } wird auf den { $tree } geschickt.
+start-point-codes = Das Blatt, dem ein Punkt gehört, wird mit Ortscodes gesucht.
+start-point-comparison = Das Blatt, dem ein Punkt gehört, wird durch Vergleich mit den Mittelebenen gesucht.
+start-region = Der kleinste Knoten, der einen Bereich enthält, wird mit Ortscodes gesucht.
+start-neighbour = Der Nachbar eines Knotens wird mit Ortscodes gesucht.
+start-outside = Nach einem Ort im { $tree } wird gefragt.
 quadtree = Quadtree
 octree = Octree
 
@@ -100,8 +100,10 @@ end-left-root = Der Strahl hat die Wurzel verlassen: Die Traversierung endet nac
    *[other] { $n } Blättern
 }.
 end-first-full = Das erste belegte Blatt ist erreicht, mehr war nicht verlangt: Die Traversierung endet.
-end-found = Der Knoten ist gefunden: Die Suche endet.
+end-found-leaf = Die Suche endet: Gefunden ist { $node }, ein Blatt.
+end-found-node = Die Suche endet: Gefunden ist { $node }, der Kinder hat.
 end-outside = Der Ort liegt außerhalb des Gebiets: Es gibt nichts zu finden.
+end-outside-axes = Die Suche endet: Entlang { $axes } läge der Nachbar außerhalb des Gebiets, es gibt also keinen.
 
 the-node = Knoten { $code } auf Ebene { $level }
 the-leaf = Blatt { $code } auf Ebene { $level }

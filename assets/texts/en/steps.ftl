@@ -8,13 +8,13 @@ by-parametric-table = the parametric algorithm with its tables
 by-codes = location codes
 by-exhaustive = testing every leaf by itself
 
-start-ray = A ray from { $origin } along { $direction } is followed through the { $tree } by { $algorithm }; press → to begin.
-start-ray-plain = A ray from { $origin } along { $direction } is sent towards the { $tree }; press → to begin.
-start-point-codes = The leaf that owns a point is searched by location codes; press → to begin.
-start-point-comparison = The leaf that owns a point is searched by comparing it with mid planes; press → to begin.
-start-region = The smallest node that holds a region is searched by location codes; press → to begin.
-start-neighbour = The neighbour of a node is searched by location codes; press → to begin.
-start-outside = A place in the { $tree } is asked for; press → to begin.
+start-ray = A ray from { $origin } along { $direction } is followed through the { $tree } by { $algorithm }.
+start-ray-plain = A ray from { $origin } along { $direction } is sent towards the { $tree }.
+start-point-codes = The leaf that owns a point is searched by location codes.
+start-point-comparison = The leaf that owns a point is searched by comparing it with mid planes.
+start-region = The smallest node that holds a region is searched by location codes.
+start-neighbour = The neighbour of a node is searched by location codes.
+start-outside = A place in the { $tree } is asked for.
 quadtree = quadtree
 octree = octree
 
@@ -91,8 +91,10 @@ end-left-root = The ray has left the root: the traversal ends after { $n ->
    *[other] { $n } leaves
 }.
 end-first-full = The first occupied leaf is reached, and no more was asked for: the traversal ends.
-end-found = The node is found: the search ends.
+end-found-leaf = The search ends: it has found { $node }, a leaf.
+end-found-node = The search ends: it has found { $node }, which has children.
 end-outside = The place lies outside the domain: there is nothing to find.
+end-outside-axes = The search ends: along { $axes } the neighbour would lie outside the domain, so there is none.
 
 the-node = the node { $code } of level { $level }
 the-leaf = Leaf { $code } of level { $level }
