@@ -6,7 +6,7 @@ use anyhow::{Context, anyhow, bail};
 use octoscope_core::progress::{Cancelled, Progress};
 use octoscope_core::scenario::{AnyScenario, BUILT_IN, Scenario, Source, built_in};
 use octoscope_core::scene::Content;
-use octoscope_import::{Imported, hash, import};
+use octoscope_import::{ImportError, Imported, hash, import};
 use std::path::Path;
 use std::sync::Arc;
 
@@ -56,7 +56,14 @@ pub fn open_bytes(
         return open_scenario(AnyScenario::parse(text)?, folder, progress);
     }
     let path = name.to_owned();
-    match import(name, bytes, progress)? {
+    let imported = match import(name, bytes, progress) {
+        Err(ImportError::UnknownKind) => bail!(
+            "files of this kind cannot be opened; choose a scenario that ends in .octo, or a file \
+             that ends in .png, .jpg, .obj, .stl, .ply, .xyz or .csv"
+        ),
+        imported => imported?,
+    };
+    match imported {
         Imported::Plane { content, .. } => {
             let source = Source::File { path, hash: hash(bytes), fit: false };
             let scenario = Scenario::of(source, &content);

@@ -2,15 +2,20 @@
 
 use super::Answer;
 use crate::files::Output;
+use crate::text::texts;
 use clap::Args;
+use octoscope_core::explain::algorithm_name;
 use octoscope_core::scenario::BUILT_IN;
+use octoscope_core::text::Language;
 use octoscope_core::traverse::Algorithm;
 use serde_json::json;
 use std::io::Write;
 
 /// Lists the built-in scenes and the algorithms, with their identifiers.
 ///
-/// A scene's identifier, scene:NAME, stands wherever a command takes a file.
+/// A scene's identifier, scene:NAME, stands wherever a command takes a file. A
+/// scenario that names a scene may choose another seed of its random numbers,
+/// and another n, which says how many or how large.
 #[derive(Debug, Args)]
 pub struct Scenes {
     /// Prints the list as JSON.
@@ -31,14 +36,28 @@ pub fn scenes(arguments: &Scenes) -> anyhow::Result<Answer> {
 }
 
 fn as_text() -> String {
+    let texts = texts(Language::English);
+    let or_dash = |number: Option<u64>| number.map_or("-".to_owned(), |n| n.to_string());
     let scenes = BUILT_IN.iter().map(|scene| {
-        let kind = if scene.dimension == 2 { "quadtree" } else { "octree" };
-        let seed = scene.seed.map_or(String::new(), |seed| format!(", seed {seed}"));
-        let n = scene.n.map_or(String::new(), |[n, most]| format!(", n {n} (1 … {most})"));
-        format!("  {:<24}{kind}{seed}{n}\n", format!("scene:{}", scene.id))
+        let n = or_dash(scene.n.map(|[n, _]| n.into()));
+        let most = or_dash(scene.n.map(|[_, most]| most.into()));
+        format!(
+            "{:<22}{:<10}{:>6}{n:>6}{most:>9}   {}\n",
+            format!("scene:{}", scene.id),
+            if scene.dimension == 2 { "quadtree" } else { "octree" },
+            or_dash(scene.seed),
+            texts.get(&format!("scene-{}", scene.id)),
+        )
     });
-    let algorithms = Algorithm::ALL.map(|algorithm| format!("  {}\n", algorithm.id()));
-    format!("Scenes\n{}\nAlgorithms\n{}", scenes.collect::<String>(), algorithms.concat())
+    let head = format!(
+        "{:<22}{:<10}{:>6}{:>6}{:>9}   {}\n",
+        "scene", "tree", "seed", "n", "largest", "what it is"
+    );
+    let algorithms = Algorithm::ALL.map(|algorithm| {
+        format!("{:<22}{}\n", algorithm.id(), algorithm_name(algorithm, Language::English))
+    });
+    let scenes: String = scenes.collect();
+    format!("{head}{scenes}\n{:<22}what it is\n{}", "algorithm", algorithms.concat())
 }
 
 fn as_json() -> String {
@@ -48,6 +67,7 @@ fn as_json() -> String {
             "dimension": scene.dimension,
             "seed": scene.seed,
             "n": scene.n.map(|[n, _]| n),
+            "largest_n": scene.n.map(|[_, most]| most),
         })
     });
     let list = json!({

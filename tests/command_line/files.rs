@@ -36,7 +36,7 @@ fn every_strange_file_has_one_message() {
         ("utf16.octo", b"\xff\xfe{\0", "save it in UTF-8"),
         ("binary.octo", b"\x80\0\xff", "byte 0"),
         ("binary.xyz", b"\x80\0\xff", "binary data"),
-        ("a.tiff", b"II*\0", "cannot be read"),
+        ("a.tiff", b"II*\0", ".octo"),
         ("gone.octo", br#"{"octoscope":1,"dimension":3,"scene":{"file":"no.xyz"}}"#, "no.xyz"),
         (
             "other.octo",

@@ -2,6 +2,7 @@
 
 use crate::desk::{desk_with_scenario, text};
 use std::fs;
+use std::process::Stdio;
 
 #[test]
 fn check_tells_what_files_hold() {
@@ -15,6 +16,37 @@ fn check_tells_what_files_hold() {
         lines[2].starts_with("scene:figure-7: ok, octree, 1 cell, 8 leaves, 1 occupied, depth 1"),
         "{report}"
     );
+}
+
+#[test]
+fn check_tells_what_lists_of_cells_and_rays_hold() {
+    let desk = desk_with_scenario();
+    desk.put("b.cells", "# none\n");
+    desk.put("b.rays", "0 0 0 1 0 0 # one\n");
+    let report = desk.prints("check a.cells b.cells a.rays b.rays");
+    let lines = [
+        "a.cells: ok, quadtree, 1 cell, depth 2 or more",
+        "b.cells: ok, octree, 0 cells, depth 0 or more",
+        "a.rays: ok, 3 rays in the plane",
+        "b.rays: ok, 1 ray in space",
+    ];
+    assert_eq!(report, lines.join("\n") + "\n");
+    desk.put("c.rays", "0 0 1 0\n0 0 0 0\n");
+    let report = desk.run("check c.rays");
+    assert_eq!(report.status.code(), Some(1));
+    assert!(text(&report.stdout).starts_with("c.rays: bad, line 2, column 5: the direction"));
+}
+
+#[test]
+fn check_and_scenes_are_quiet_when_nobody_reads_on() {
+    let desk = desk_with_scenario();
+    for arguments in ["scenes", "scenes --json", "check a.octo a.xyz", "trace a.octo", "--help"] {
+        let mut command = desk.command(arguments);
+        let mut child = command.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
+        drop(child.stdout.take());
+        let output = child.wait_with_output().unwrap();
+        assert_eq!((output.status.code(), text(&output.stderr)), (Some(0), String::new()));
+    }
 }
 
 #[test]
@@ -85,7 +117,7 @@ fn trace_refuses_bad_input_with_what_would_be_right() {
         ("a.octo --lang fr", "en and de"),
         ("none.octo", "no such file"),
         ("cut.octo", "line "),
-        ("a.rays", "cannot be read"),
+        ("a.rays", "cannot be opened"),
     ] {
         let message = desk.refuses(&format!("trace {arguments}"));
         assert!(message.contains(known), "{arguments}: {message}");

@@ -50,7 +50,7 @@ pub struct Visit {
     #[arg(long, value_name = "FILE")]
     rays: PathBuf,
     /// Dimension: 2 for a quadtree, 3 for an octree.
-    #[arg(long, default_value = "3", value_parser = dimension, allow_negative_numbers = true)]
+    #[arg(long, value_name = "N", default_value = "3", value_parser = dimension, allow_negative_numbers = true)]
     dim: Dimension,
     /// Identifier of the algorithm (see octoscope scenes), or all: runs every
     /// one, prints what the oracle finds, and fails where one differs from it.
