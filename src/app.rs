@@ -489,7 +489,7 @@ impl App {
                 let text = with_document!(&self.document, d => {
                     sentence_of(&d.tree, &d.scenario.ray, &d.trace, step, self.view.language)
                 });
-                sentence::ui(ui, &self.look, &text);
+                sentence::ui(ui, &self.look, text, step);
             });
             with_document!(&self.document, d => {
                 timeline::ui(ui, &self.look, &d.trace, &mut self.view.playback, commands);

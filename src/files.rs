@@ -1,32 +1,31 @@
 //! The only place that touches the disk.
 
 mod ask;
+mod read;
 
 pub use ask::{Answers, Chosen};
+pub use read::{MOST_BYTES, as_text, read};
 
 use anyhow::anyhow;
+use octoscope_core::progress::Progress;
 use std::fs::{self, File};
 use std::io::{self, BufWriter, Stdout, Write};
 use std::path::{Path, PathBuf};
 use tempfile::NamedTempFile;
-
-/// Bytes of the file at `path`.
-///
-/// # Errors
-/// Says why it cannot be read, and its path.
-pub fn read(path: &Path) -> anyhow::Result<Vec<u8>> {
-    fs::read(path).map_err(|error| about(path, &error))
-}
 
 /// Text of the file at `path`.
 ///
 /// # Errors
 /// Says why it cannot be read or where it is no text, and its path.
 pub fn read_text(path: &Path) -> anyhow::Result<String> {
-    String::from_utf8(read(path)?).map_err(|error| {
-        let place = error.utf8_error().valid_up_to();
-        anyhow!("byte {place} is not UTF-8 text; give a text file: {}", path.display())
-    })
+    let bytes = read(path, &Progress::default())?;
+    let text = as_text(&bytes).map_err(|error| anyhow!("{error}: {}", path.display()))?;
+    Ok(text.to_owned())
+}
+
+/// Whether there is a file or folder at `path`.
+pub fn is_there(path: &Path) -> bool {
+    path.exists()
 }
 
 /// Writes `bytes` to `path`: the file appears whole or not at all.
@@ -78,6 +77,7 @@ impl Output {
             Some(folder) if !folder.as_os_str().is_empty() => folder,
             _ => Path::new("."),
         };
+        check_folder(folder)?;
         let mut builder = tempfile::Builder::new();
         builder.prefix(".octoscope-");
         // As usual for a new file; the user's mask takes away what it must.
@@ -93,7 +93,11 @@ impl Output {
     /// Says what of it could not be written.
     pub fn finish(self) -> anyhow::Result<()> {
         match self {
-            Self::Standard(mut output) => Ok(output.flush()?),
+            Self::Standard(mut output) => match output.flush() {
+                // Whoever asks ends quietly then.
+                Err(error) if error.kind() == io::ErrorKind::BrokenPipe => Err(error.into()),
+                flushed => flushed.map_err(|error| about(Path::new("standard output"), &error)),
+            },
             Self::Device(mut output, path) => output.flush().map_err(|error| about(&path, &error)),
             Self::File { temporary, target } => {
                 let file = temporary.into_inner().map_err(|e| about(&target, e.error()))?;
@@ -122,12 +126,31 @@ impl Write for Output {
     }
 }
 
+/// Refuses what is no folder that a file can appear in.
+fn check_folder(folder: &Path) -> anyhow::Result<()> {
+    if folder.is_dir() {
+        return Ok(());
+    }
+    let fact = if folder.exists() {
+        "this is a file, so nothing can be written inside it; name a folder"
+    } else {
+        "there is no such folder to write to; create it first, or name another"
+    };
+    Err(anyhow!("{fact}: {}", folder.display()))
+}
+
 /// The fact first, the path last.
 fn about(path: &Path, error: &io::Error) -> anyhow::Error {
     let fact = match error.kind() {
         io::ErrorKind::NotFound => "there is no such file or folder".to_owned(),
-        io::ErrorKind::PermissionDenied => "permission denied".to_owned(),
-        _ => error.to_string(),
+        io::ErrorKind::PermissionDenied => {
+            "permission denied; allow it, or name another".to_owned()
+        }
+        io::ErrorKind::StorageFull => {
+            "there is no room left; make some, or write elsewhere".to_owned()
+        }
+        // The number of the system's error helps nobody.
+        _ => error.to_string().split(" (os error").next().unwrap_or_default().to_owned(),
     };
     anyhow!("{fact}: {}", path.display())
 }
@@ -145,7 +168,7 @@ mod tests {
         output.flush().unwrap();
         assert!(!path.exists());
         output.finish().unwrap();
-        assert_eq!(read(&path).unwrap(), b"half");
+        assert_eq!(fs::read(&path).unwrap(), b"half");
     }
 
     #[test]
@@ -156,13 +179,7 @@ mod tests {
         let mut output = Output::open(Some(&path)).unwrap();
         output.write_all(b"new").unwrap();
         drop(output);
-        assert_eq!(read(&path).unwrap(), b"old");
+        assert_eq!(fs::read(&path).unwrap(), b"old");
         assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 1);
-    }
-
-    #[test]
-    fn errors_end_with_the_path() {
-        let message = read(Path::new("no/such.file")).unwrap_err().to_string();
-        assert_eq!(message, "there is no such file or folder: no/such.file");
     }
 }

@@ -13,7 +13,7 @@ fn main() -> ExitCode {
     match window::run(opening) {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {
-            eprintln!("octoscope: {error:#}");
+            cli::tell(&format!("{error:#}"));
             ExitCode::from(2)
         }
     }

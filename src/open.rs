@@ -6,7 +6,7 @@ use anyhow::{Context, anyhow, bail};
 use octoscope_core::progress::{Cancelled, Progress};
 use octoscope_core::scenario::{AnyScenario, BUILT_IN, Scenario, Source, built_in};
 use octoscope_core::scene::Content;
-use octoscope_import::{Imported, hash, import};
+use octoscope_import::{ImportError, Imported, hash, import};
 use std::path::Path;
 use std::sync::Arc;
 
@@ -27,7 +27,7 @@ pub fn open(name: &Path, progress: &Progress) -> anyhow::Result<AnyDocument> {
 /// # Errors
 /// Says what is wrong, where, and the path.
 pub fn open_path(path: &Path, progress: &Progress) -> anyhow::Result<AnyDocument> {
-    let bytes = files::read(path)?;
+    let bytes = files::read(path, progress)?;
     let name = path.file_name().map(|name| name.to_string_lossy().into_owned());
     let name = name.unwrap_or_else(|| path.display().to_string());
     let folder = path.parent().unwrap_or(Path::new("."));
@@ -52,13 +52,18 @@ pub fn open_bytes(
     progress: &Progress,
 ) -> anyhow::Result<AnyDocument> {
     if is_scenario(name) {
-        let text = std::str::from_utf8(bytes).map_err(|error| {
-            anyhow!("not a text file: byte {} is no UTF-8", error.valid_up_to())
-        })?;
+        let text = files::as_text(bytes)?;
         return open_scenario(AnyScenario::parse(text)?, folder, progress);
     }
     let path = name.to_owned();
-    match import(name, bytes, progress)? {
+    let imported = match import(name, bytes, progress) {
+        Err(ImportError::UnknownKind) => bail!(
+            "files of this kind cannot be opened; choose a scenario that ends in .octo, or a file \
+             that ends in .png, .jpg, .obj, .stl, .ply, .xyz or .csv"
+        ),
+        imported => imported?,
+    };
+    match imported {
         Imported::Plane { content, .. } => {
             let source = Source::File { path, hash: hash(bytes), fit: false };
             let scenario = Scenario::of(source, &content);
@@ -136,7 +141,9 @@ fn content<const D: usize>(
         return Ok(source.content()?);
     };
     let full = folder.join(path);
-    let bytes = files::read(&full).context("cannot read the scenario's data file")?;
+    let read = files::read(&full, progress);
+    let bytes =
+        read.context("the scenario's data file cannot be read; put it where \"file\" says")?;
     if !expected.is_empty() && *expected != hash(&bytes) {
         bail!(
             "the data file is not the one the scenario was made with; \

@@ -2,12 +2,14 @@
 
 use super::Answer;
 use crate::document::Document;
-use crate::files::Output;
+use crate::files::{Output, read_text};
 use crate::open::open;
 use crate::with_document;
 use clap::Args;
 use octoscope_core::progress::Progress;
 use octoscope_core::scene::Content;
+use octoscope_core::tree::MAX_ROOT_LEVEL;
+use octoscope_import::{cells, rays};
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
@@ -15,7 +17,8 @@ use std::path::{Path, PathBuf};
 ///
 /// One line a file: its name, ok, quadtree or octree, what it is built from,
 /// leaves, occupied leaves, the depth of the deepest leaf below the root and
-/// the steps of the query; or its name, bad and what is wrong with it.
+/// the steps of the query; of lists of cells and rays, what is in them; or its
+/// name, bad and what is wrong with it.
 ///
 /// Exit status: 1 if a file is bad.
 #[derive(Debug, Args)]
@@ -23,7 +26,8 @@ use std::path::{Path, PathBuf};
     octoscope check lecture.octo knot.stl landscape.png\n  \
     octoscope check scene:cloud")]
 pub struct Check {
-    /// Scenarios (.octo), data files, or built-in scenes as scene:NAME.
+    /// Scenarios (.octo), data files, lists (.cells, .rays), or built-in scenes as
+    /// scene:NAME.
     #[arg(required = true, value_name = "FILE")]
     files: Vec<PathBuf>,
 }
@@ -36,10 +40,8 @@ pub fn check(arguments: &Check) -> anyhow::Result<Answer> {
     let mut output = Output::open(None)?;
     let mut n_bad = 0;
     for file in &arguments.files {
-        let report = match open(file, &Progress::default()) {
-            Ok(document) => {
-                format!("ok, {}", with_document!(&document, document => summary(document)))
-            }
+        let report = match held(file) {
+            Ok(held) => format!("ok, {held}"),
             Err(error) => {
                 n_bad += 1;
                 format!("bad, {}", reason(&format!("{error:#}"), file))
@@ -56,9 +58,53 @@ pub fn check(arguments: &Check) -> anyhow::Result<Answer> {
     })
 }
 
+/// What a file holds, in words.
+fn held(file: &Path) -> anyhow::Result<String> {
+    let ending = file.extension().unwrap_or_default().to_ascii_lowercase();
+    if ending == "cells" {
+        let text = read_text(file)?;
+        return if n_columns(&text) == 2 {
+            list_of_cells::<2>(&text)
+        } else {
+            list_of_cells::<3>(&text)
+        };
+    }
+    if ending == "rays" {
+        let text = read_text(file)?;
+        return if n_columns(&text) == 4 {
+            list_of_rays::<2>(&text)
+        } else {
+            list_of_rays::<3>(&text)
+        };
+    }
+    let document = open(file, &Progress::default())?;
+    Ok(with_document!(&document, document => summary(document)))
+}
+
+/// Numbers in the first line that has any.
+fn n_columns(text: &str) -> usize {
+    let numbers = text.split(['\n', '\r']).map(|line| line.split('#').next().unwrap_or_default());
+    numbers.map(|line| line.split_whitespace().count()).find(|&n| n > 0).unwrap_or(0)
+}
+
+fn list_of_cells<const D: usize>(text: &str) -> anyhow::Result<String> {
+    let cells = cells::<D>(text, MAX_ROOT_LEVEL)?;
+    let largest = cells.iter().flatten().max().copied().unwrap_or(0);
+    let depth = u32::BITS - largest.leading_zeros();
+    Ok(format!("{}, {}, depth {depth} or more", kind::<D>(), count(cells.len(), "cell", "cells")))
+}
+
+fn list_of_rays<const D: usize>(text: &str) -> anyhow::Result<String> {
+    let place = if D == 2 { "in the plane" } else { "in space" };
+    Ok(format!("{} {place}", count(rays::<D>(text)?.len(), "ray", "rays")))
+}
+
+fn kind<const D: usize>() -> &'static str {
+    if D == 2 { "quadtree" } else { "octree" }
+}
+
 fn summary<const D: usize>(document: &Document<D>) -> String {
     let tree = &document.tree;
-    let kind = if D == 2 { "quadtree" } else { "octree" };
     let n_full = tree.leaves().filter(|leaf| leaf.is_full()).count();
     let root_level = tree.domain().root_level();
     let depth = tree.leaves().map(|leaf| root_level - tree.level(leaf.id)).max().unwrap_or(0);
@@ -69,7 +115,7 @@ fn summary<const D: usize>(document: &Document<D>) -> String {
         format!("depth {depth}"),
         count(document.trace.events.len(), "step", "steps"),
     ];
-    format!("{kind}, {}", counted.join(", "))
+    format!("{}, {}", kind::<D>(), counted.join(", "))
 }
 
 fn made_of<const D: usize>(content: &Content<D>) -> String {

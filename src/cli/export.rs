@@ -1,7 +1,7 @@
 //! `octoscope export`: figures without a window.
 
-use super::Answer;
 use super::values::{Numbers, language};
+use super::{Answer, tell};
 use crate::document::Document;
 use crate::export::{Format, MARGIN, Style, bytes, left_out, space};
 use crate::files::Output;
@@ -44,14 +44,14 @@ pub struct Export {
     output: Option<PathBuf>,
     /// Number of steps that have happened, first (before all) or last; without
     /// it, where the scenario says.
-    #[arg(long, value_name = "N|first|last", value_parser = step)]
+    #[arg(long, value_name = "N|first|last", value_parser = step, allow_negative_numbers = true)]
     step: Option<StepAt>,
     /// Page in points, into which the figure is fitted; without it, the page
     /// ends around the figure.
-    #[arg(long, value_name = "WIDTHxHEIGHT")]
+    #[arg(long, value_name = "WIDTHxHEIGHT", allow_negative_numbers = true)]
     size: Option<Size>,
     /// Pixels per point; an SVG is shown larger by it.
-    #[arg(long, value_name = "FACTOR", default_value = "1", value_parser = scale)]
+    #[arg(long, value_name = "FACTOR", default_value = "1", value_parser = scale, allow_negative_numbers = true)]
     scale: f64,
     /// light, dark, print or projector.
     #[arg(long, default_value = "light", value_parser = theme)]
@@ -120,7 +120,7 @@ impl FromStr for Eye {
         let Numbers(numbers) = text.parse()?;
         let [yaw_degrees, pitch_degrees, zoom] = numbers[..] else {
             return Err(format!(
-                "{} numbers; give three: yaw and pitch in degrees, zoom",
+                "there are {} numbers; give three: yaw and pitch in degrees, zoom",
                 numbers.len()
             ));
         };
@@ -195,7 +195,7 @@ pub fn export(arguments: &Export) -> anyhow::Result<Answer> {
         (figure(document, arguments, step), title.plain())
     });
     if let Some(note) = with_document!(&document, d => left_out_of(d)) {
-        eprintln!("octoscope: {note}");
+        tell(&note);
     }
     let style = Style { format, theme: arguments.theme, scale: arguments.scale, title: &title };
     let bytes = bytes(&figure, style, &document.scenario_at(step))?;
@@ -210,10 +210,15 @@ fn chosen_format(arguments: &Export) -> anyhow::Result<Format> {
         return Ok(format);
     }
     let name = arguments.output.as_deref();
-    let ending = name.and_then(|name| name.extension()?.to_str());
-    ending
-        .and_then(Format::of_ending)
-        .ok_or_else(|| anyhow!("the format is not told; give --format svg or --format png"))
+    let Some(ending) = name.and_then(|name| name.extension()) else {
+        bail!("the format is not told; give --format svg or --format png");
+    };
+    let ending = ending.to_string_lossy();
+    Format::of_ending(&ending).ok_or_else(|| {
+        anyhow!(
+            "‘.{ending}’ is no format of figures; end the name in .svg or .png, or give --format"
+        )
+    })
 }
 
 fn left_out_of<const D: usize>(document: &Document<D>) -> Option<String> {

@@ -11,9 +11,12 @@ mod trace;
 mod values;
 mod visit;
 
-use clap::{Parser, Subcommand};
-use std::io;
-use std::path::PathBuf;
+use crate::files;
+use clap::error::ErrorKind;
+use clap::{CommandFactory, Parser, Subcommand};
+use std::ffi::OsStr;
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 /// Shows quadtrees and octrees and every step of the algorithms on them.
@@ -49,6 +52,11 @@ impl Arguments {
     /// The arguments that the program was started with. Ends the program if
     /// they are wrong or ask for help.
     pub fn from_command_line() -> Self {
+        if let Some(word) = std::env::args_os().nth(1)
+            && let Some(message) = no_command(&word)
+        {
+            Self::command().error(ErrorKind::InvalidSubcommand, message).exit();
+        }
         Self::parse()
     }
 }
@@ -62,6 +70,21 @@ pub enum Command {
     Check(check::Check),
     Visit(visit::Visit),
     Scenes(scenes::Scenes),
+}
+
+/// What is wrong with a first word that looks like a command and is none, nor
+/// a file.
+fn no_command(word: &OsStr) -> Option<String> {
+    let word = word.to_str()?;
+    let looks_like_one = word.chars().all(|c| c.is_alphanumeric()) && !word.is_empty();
+    let mut program = Arguments::command();
+    program.build();
+    let commands: Vec<&str> = program.get_subcommands().map(clap::Command::get_name).collect();
+    if !looks_like_one || commands.contains(&word) || files::is_there(Path::new(word)) {
+        return None;
+    }
+    let known = commands.join(", ");
+    Some(format!("there is neither a command nor a file ‘{word}’; the commands are {known}"))
 }
 
 /// How a command ended that did not fail.
@@ -86,15 +109,20 @@ pub fn run(command: &Command) -> ExitCode {
     match answer {
         Ok(Answer::Done) => ExitCode::SUCCESS,
         Ok(Answer::No(reason)) => {
-            eprintln!("octoscope: {reason}");
+            tell(&reason);
             ExitCode::from(1)
         }
         Err(error) if is_broken_pipe(&error) => ExitCode::SUCCESS,
         Err(error) => {
-            eprintln!("octoscope: {error:#}");
+            tell(&format!("{error:#}"));
             ExitCode::from(2)
         }
     }
+}
+
+/// Writes a message to standard error; if nobody reads it, that is no fault.
+pub fn tell(message: &str) {
+    let _ = writeln!(io::stderr(), "octoscope: {message}");
 }
 
 fn is_broken_pipe(error: &anyhow::Error) -> bool {
@@ -107,7 +135,6 @@ fn is_broken_pipe(error: &anyhow::Error) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use clap::CommandFactory;
 
     #[test]
     fn the_arguments_are_well_formed() {

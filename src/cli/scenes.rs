@@ -2,8 +2,11 @@
 
 use super::Answer;
 use crate::files::Output;
+use crate::text::texts;
 use clap::Args;
+use octoscope_core::explain::algorithm_name;
 use octoscope_core::scenario::BUILT_IN;
+use octoscope_core::text::Language;
 use octoscope_core::traverse::{Algorithm, Variant};
 use serde_json::json;
 use std::collections::BTreeMap;
@@ -11,7 +14,9 @@ use std::io::Write;
 
 /// Lists the built-in scenes and the algorithms, with their identifiers.
 ///
-/// A scene's identifier, scene:NAME, stands wherever a command takes a file.
+/// A scene's identifier, scene:NAME, stands wherever a command takes a file. A
+/// scenario that names a scene may choose another seed of its random numbers,
+/// and another n, which says how many or how large.
 #[derive(Debug, Args)]
 pub struct Scenes {
     /// Prints the list as JSON.
@@ -32,17 +37,30 @@ pub fn scenes(arguments: &Scenes) -> anyhow::Result<Answer> {
 }
 
 fn as_text() -> String {
+    let texts = texts(Language::English);
+    let or_dash = |number: Option<u64>| number.map_or("-".to_owned(), |n| n.to_string());
     let scenes = BUILT_IN.iter().map(|scene| {
-        let kind = if scene.dimension == 2 { "quadtree" } else { "octree" };
-        let seed = scene.seed.map_or(String::new(), |seed| format!(", seed {seed}"));
-        let n = scene.n.map_or(String::new(), |[n, most]| format!(", n {n} (1 … {most})"));
-        format!("  {:<24}{kind}{seed}{n}\n", format!("scene:{}", scene.id))
+        let n = or_dash(scene.n.map(|[n, _]| n.into()));
+        let most = or_dash(scene.n.map(|[_, most]| most.into()));
+        format!(
+            "{:<22}{:<10}{:>6}{n:>6}{most:>9}   {}\n",
+            format!("scene:{}", scene.id),
+            if scene.dimension == 2 { "quadtree" } else { "octree" },
+            or_dash(scene.seed),
+            texts.get(&format!("scene-{}", scene.id)),
+        )
     });
+    let head = format!(
+        "{:<22}{:<10}{:>6}{:>6}{:>9}   {}\n",
+        "scene", "tree", "seed", "n", "largest", "what it is"
+    );
     let algorithms = Algorithm::ALL.map(|algorithm| {
-        let methods = variants(algorithm).map(|variant| format!(" @{}", variant.id()));
-        format!("  {}{}\n", algorithm.id(), methods.collect::<String>())
+        let variants = variants(algorithm).map(|variant| format!(" @{}", variant.id()));
+        let name = algorithm_name(algorithm, Language::English);
+        format!("{:<22}{name}{}\n", algorithm.id(), variants.collect::<String>())
     });
-    format!("Scenes\n{}\nAlgorithms\n{}", scenes.collect::<String>(), algorithms.concat())
+    let scenes: String = scenes.collect();
+    format!("{head}{scenes}\n{:<22}what it is\n{}", "algorithm", algorithms.concat())
 }
 
 fn as_json() -> String {
@@ -52,6 +70,7 @@ fn as_json() -> String {
             "dimension": scene.dimension,
             "seed": scene.seed,
             "n": scene.n.map(|[n, _]| n),
+            "largest_n": scene.n.map(|[_, most]| most),
         })
     });
     let list = json!({

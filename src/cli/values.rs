@@ -2,6 +2,7 @@
 
 use octoscope_core::text::{Language, UnknownLanguage};
 use octoscope_import::hexadecimal;
+use std::ops::RangeInclusive;
 use std::str::FromStr;
 
 /// Finite numbers between commas or blanks, decimal or hexadecimal.
@@ -27,9 +28,30 @@ impl FromStr for Numbers {
 /// # Errors
 /// Names the word that is none.
 pub fn number(word: &str) -> Result<f64, String> {
+    if word.is_empty() {
+        return Err("a number is missing; give numbers such as 0.5, -1e3 or 0x1p-2".to_owned());
+    }
     let parsed = hexadecimal(word).or_else(|| word.parse().ok());
     parsed.filter(|number| number.is_finite()).ok_or_else(|| {
         format!("‘{word}’ is no finite number; give numbers such as 0.5, -1e3 or 0x1p-2")
+    })
+}
+
+/// The whole number in `text`, which lies in `range`; `why` says where its
+/// bounds come from, and may be empty.
+///
+/// # Errors
+/// Tells the range.
+pub fn whole<T: TryFrom<u64>>(
+    text: &str,
+    range: RangeInclusive<u64>,
+    why: &str,
+) -> Result<T, String> {
+    let parsed = text.parse::<u64>().ok().filter(|number| range.contains(number));
+    let (least, most) = range.into_inner();
+    parsed.and_then(|number| T::try_from(number).ok()).ok_or_else(|| {
+        let why = if why.is_empty() { String::new() } else { format!(": {why}") };
+        format!("give a whole number from {least} to {most}{why}")
     })
 }
 
@@ -58,8 +80,18 @@ mod tests {
     }
 
     #[test]
+    fn whole_numbers_are_refused_with_their_range() {
+        assert_eq!(whole("20", 0..=20, ""), Ok(20u8));
+        for bad in ["21", "-1", "2.5", "x", "", "99999999999999999999"] {
+            let message = whole::<u8>(bad, 0..=20, "codes have 20 bits").unwrap_err();
+            assert_eq!(message, "give a whole number from 0 to 20: codes have 20 bits", "{bad}");
+        }
+    }
+
+    #[test]
     fn what_is_no_number_is_named() {
-        for (text, named) in [("1,x", "‘x’"), ("1,,2", "‘’"), ("1,inf", "‘inf’"), ("", "‘’")]
+        for (text, named) in
+            [("1,x", "‘x’"), ("1,,2", "a number is missing"), ("1,inf", "‘inf’"), ("", "a number")]
         {
             let message = text.parse::<Numbers>().unwrap_err();
             assert!(message.starts_with(named), "{message}");

@@ -12,6 +12,7 @@ fn stepping_to_the_end_and_back_shows_the_same_sentences() {
     let length = desk.plane().trace.events.len();
     assert!(length > 20, "{length}");
     let mut forward = vec![desk.sentence()];
+    assert!(forward[0].ends_with(". Press → to begin."), "{}", forward[0]);
     while desk.step_number() < length {
         desk.tap(Key::ArrowRight);
         forward.push(desk.sentence());

@@ -19,12 +19,12 @@ by-dda = auf dem feinsten Raster
 by-dda-octree = durch Nachschlagen der Zellen des feinsten Rasters
 by-exhaustive = durch Prüfen jedes einzelnen Blattes
 
-start-ray = Ein Strahl von { $origin } in Richtung { $direction } wird { $algorithm } durch den { $tree } verfolgt; → beginnt.
-start-point-codes = Das Blatt, dem ein Punkt gehört, wird mit Ortscodes gesucht; → beginnt.
-start-point-comparison = Das Blatt, dem ein Punkt gehört, wird durch Vergleich mit den Mittelebenen gesucht; → beginnt.
-start-region = Der kleinste Knoten, der einen Bereich enthält, wird mit Ortscodes gesucht; → beginnt.
-start-neighbour-tables = Der Nachbar eines Knotens wird mit Tabellen gesucht; → beginnt.
-start-neighbour = Der Nachbar eines Knotens wird mit Ortscodes gesucht; → beginnt.
+start-ray = Ein Strahl von { $origin } in Richtung { $direction } wird { $algorithm } durch den { $tree } verfolgt.
+start-point-codes = Das Blatt, dem ein Punkt gehört, wird mit Ortscodes gesucht.
+start-point-comparison = Das Blatt, dem ein Punkt gehört, wird durch Vergleich mit den Mittelebenen gesucht.
+start-region = Der kleinste Knoten, der einen Bereich enthält, wird mit Ortscodes gesucht.
+start-neighbour-tables = Der Nachbar eines Knotens wird mit Tabellen gesucht.
+start-neighbour = Der Nachbar eines Knotens wird mit Ortscodes gesucht.
 quadtree = Quadtree
 octree = Octree
 
@@ -147,8 +147,10 @@ end-segment = Der Strahl endet hier: Die Traversierung endet nach { $n ->
 }.
 end-looped = Der Strahl kommt nicht weiter: Dieselben Blätter würden einander endlos folgen, daher wird abgebrochen.
 end-first-full = Das erste belegte Blatt ist erreicht, mehr war nicht verlangt: Die Traversierung endet.
-end-found = Der Knoten ist gefunden: Die Suche endet.
+end-found-leaf = Die Suche endet: Gefunden ist { $node }, ein Blatt.
+end-found-node = Die Suche endet: Gefunden ist { $node }, der Kinder hat.
 end-outside = Der Ort liegt außerhalb des Gebiets: Es gibt nichts zu finden.
+end-outside-axes = Die Suche endet: Entlang { $axes } läge der Nachbar außerhalb des Gebiets, es gibt also keinen.
 
 the-node = Knoten { $code } auf Ebene { $level }
 the-node-first = Knoten { $code } auf Ebene { $level }

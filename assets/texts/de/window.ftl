@@ -189,6 +189,7 @@ compare-too-many = Der Baum hat zu viele Blätter, um jedes bei jeder Bewegung z
 timeline-name = Schritt der Aufzeichnung
 timeline-speed = Geschwindigkeit
 
+sentence-begin = Mit → geht es los.
 job-open = { $name } wird geöffnet
 job-restore = Das zuletzt Geöffnete wird geöffnet
 job-build = Der Baum wird gebaut

@@ -19,12 +19,12 @@ by-dda = walking through the finest grid
 by-dda-octree = looking up the cells of the finest grid
 by-exhaustive = testing every leaf by itself
 
-start-ray = A ray from { $origin } along { $direction } is followed through the { $tree } by { $algorithm }; press → to begin.
-start-point-codes = The leaf that owns a point is searched by location codes; press → to begin.
-start-point-comparison = The leaf that owns a point is searched by comparing it with mid planes; press → to begin.
-start-region = The smallest node that holds a region is searched by location codes; press → to begin.
-start-neighbour-tables = The neighbour of a node is searched by tables; press → to begin.
-start-neighbour = The neighbour of a node is searched by location codes; press → to begin.
+start-ray = A ray from { $origin } along { $direction } is followed through the { $tree } by { $algorithm }.
+start-point-codes = The leaf that owns a point is searched by location codes.
+start-point-comparison = The leaf that owns a point is searched by comparing it with mid planes.
+start-region = The smallest node that holds a region is searched by location codes.
+start-neighbour-tables = The neighbour of a node is searched by tables.
+start-neighbour = The neighbour of a node is searched by location codes.
 quadtree = quadtree
 octree = octree
 
@@ -138,8 +138,10 @@ end-segment = The ray ends here: the traversal ends after { $n ->
 }.
 end-looped = The ray gets no further: the same leaves would follow one another for ever, so the traversal is stopped.
 end-first-full = The first occupied leaf is reached, and no more was asked for: the traversal ends.
-end-found = The node is found: the search ends.
+end-found-leaf = The search ends: it has found { $node }, a leaf.
+end-found-node = The search ends: it has found { $node }, which has children.
 end-outside = The place lies outside the domain: there is nothing to find.
+end-outside-axes = The search ends: along { $axes } the neighbour would lie outside the domain, so there is none.
 
 the-node = the node { $code } of level { $level }
 the-node-first = Node { $code } of level { $level }

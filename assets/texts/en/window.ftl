@@ -189,6 +189,7 @@ compare-too-many = The tree has too many leaves to test each of them for every m
 timeline-name = Step of the trace
 timeline-speed = Speed
 
+sentence-begin = Press → to begin.
 job-open = Opening { $name }
 job-restore = Opening what was open last
 job-build = Building the tree

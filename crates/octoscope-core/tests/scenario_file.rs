@@ -8,6 +8,7 @@ use octoscope_core::scenario::{AnyScenario, BUILT_IN, Scenario, Source, StepAt, 
 use octoscope_core::scene::{Content, Cube, Image, Sphere};
 use octoscope_core::traverse::{Algorithm, Variant};
 use serde_json::{Value, json};
+use std::collections::BTreeSet;
 
 fn reads_back(scenario: AnyScenario) {
     let text = scenario.print();
@@ -98,36 +99,208 @@ fn a_file_without_a_domain_is_fitted_later() {
     assert!(matches!(scenario.source, Source::File { fit: false, .. }));
 }
 
+/// Checks the message of a scenario of points with these further fields, which
+/// begin in line 3.
+#[track_caller]
+fn refused_with(fields: &str, message: &str) {
+    let text = format!(
+        "{{\"octoscope\": 1, \"dimension\": 2,\n\"scene\": {{\"points\": []}},\n{fields}}}"
+    );
+    assert_eq!(AnyScenario::parse(&text).expect_err(fields).to_string(), message);
+}
+
 #[test]
-fn what_is_wrong_is_named_with_its_place() {
-    let with = |fields: &str| {
-        format!("{{\"octoscope\": 1, \"dimension\": 2,\n\"scene\": {{\"points\": []}},\n{fields}}}")
+fn unknown_fields_are_told_with_the_nearest_known_one() {
+    refused_with(
+        r#""raay": 1"#,
+        "line 3, column 1: there is no field ‘raay’ here; write ‘ray’, or one of octoscope, \
+         dimension, domain, scene, build, ray, query, algorithm, options, arithmetic, step, view",
+    );
+    refused_with(
+        r#""build": {"deph": 1}"#,
+        "line 3, column 11: there is no field ‘deph’ here; write ‘depth’, or one of depth, \
+         capacity, merge, threshold, fill",
+    );
+    let at = "there is no field ‘x’ here; there are at, method";
+    refused_with(
+        r#""query": {"point": {"at": [0, 0], "x": 1}}"#,
+        &format!("line 3, column 35: {at}"),
+    );
+    refused_with(
+        r#""options": {"x": 1}"#,
+        "line 3, column 13: there is no field ‘x’ here; there are stop-at, segment-end, variants",
+    );
+}
+
+#[test]
+fn values_that_do_not_fit_are_told_with_what_would() {
+    let numbers = "write 2 numbers in brackets, one for each axis";
+    let check =
+        |fields: &str, message: &str| refused_with(fields, &format!("line 3, column {message}"));
+    check(
+        r#""build": {"depth": "x"}"#,
+        "20: ‘build.depth’ is \"x\"; write a whole number from 0 to 20",
+    );
+    check(
+        r#""build": {"depth": 21}"#,
+        "20: 21 is above 20, the number of bits of codes; give a number from 0 to 20",
+    );
+    check(
+        r#""build": {"depth": 1.5}"#,
+        "20: ‘build.depth’ is 1.5; write a whole number from 0 to 20",
+    );
+    check(r#""build": {"capacity": 0}"#, "23: the capacity is 0; give 1 or more");
+    check(
+        r#""domain": {"min": [0], "side": 1}"#,
+        &format!("19: ‘domain.min’ is [0], \"side\": 1}}}}; {numbers}"),
+    );
+    check(
+        r#""domain": {"min": [0, 0], "side": 0}"#,
+        "11: the domain needs finite corners and a side above 0",
+    );
+    check(
+        r#""domain": {"min": [0, 0]}"#,
+        "11: the field ‘side’ is missing; write a number above 0",
+    );
+    check(
+        r#""domain": {"min": [NaN, 0], "side": 1}"#,
+        "20: NaN is no value; write a finite number or a text in quotes",
+    );
+    check(
+        r#""domain": {"min": [1e999, 0], "side": 1}"#,
+        "20: 1e999 is no number; write one below 1e308, such as -0.25",
+    );
+    let ray = r#""ray": {"origin": [0, 0], "direction": "#;
+    check(
+        &format!("{ray}[0, -0.0]}}"),
+        "40: the direction of the ray is zero; give at least one component another value",
+    );
+    check(
+        &format!("{ray}[1, \"a\"]}}"),
+        "44: ‘ray.direction[1]’ is \"a\"; write 2 numbers in brackets, one for each axis, not all of them 0",
+    );
+    check(
+        r#""algorithm": "paramtric""#,
+        &format!(
+            "14: ‘algorithm’ is \"paramtric\"; write ‘parametric’, or one of {}",
+            Algorithm::ALL.map(Algorithm::id).join(", ")
+        ),
+    );
+    check(
+        r#""step": "middle""#,
+        "9: ‘step’ is \"middle\"; write \"first\", \"last\" or a whole number from 0",
+    );
+    check(r#""step": 1, "step": 2"#, "12: the field ‘step’ is there twice; take one away");
+}
+
+#[test]
+fn what_is_no_json_is_told_with_what_would_be() {
+    let check = |text: &str, message: &str| {
+        assert_eq!(AnyScenario::parse(text).expect_err(text).to_string(), message);
     };
-    refused(&with("\"raay\": 1"), &["unknown field `raay`", "line 3 column"]);
-    refused(&with("\"build\": {\"deep\": 1}"), &["unknown field `deep`", "line 3"]);
-    refused(&with("\"options\": {\"x\": 1}"), &["unknown field `x`", "line 3"]);
-    refused(&with("\"query\": {\"point\": {\"at\": [0, 0], \"x\": 1}}"), &["unknown field `x`"]);
-    refused(&with("\"build\": {\"depth\": 21}"), &["depth is 21", "0 to 20", "line 3"]);
-    refused(&with("\"build\": {\"capacity\": 0}"), &["capacity is 0", "line 3"]);
-    refused(&with("\"domain\": {\"min\": [0], \"side\": 1}"), &["length 1", "2 numbers", "line 3"]);
-    refused(&with("\"domain\": {\"min\": [0, 0], \"side\": 0}"), &["side above 0", "line 3"]);
-    refused(&with("\"domain\": {\"min\": [NaN, 0], \"side\": 1}"), &["line 3"]);
-    refused(&with("\"domain\": {\"min\": [1e999, 0], \"side\": 1}"), &["out of range", "line 3"]);
-    let ray = |d: &str| with(&format!("\"ray\": {{\"origin\": [0, 0], \"direction\": {d}}}"));
-    refused(&ray("[0, -0.0]"), &["direction of the ray is zero", "line 3"]);
-    refused(&ray("[1, 2, 3]"), &["length 3", "2 numbers"]);
-    refused(&with("\"algorithm\": \"magic\""), &["magic", "parametric-table", "line 3"]);
-    refused(&with("\"step\": \"middle\""), &["middle", "first", "line 3"]);
-    refused(r#"{"octoscope": 2, "what": 1, "scene": {}}"#, &["version 2", "newer"]);
-    refused(r#"{"octoscope": 1, "dimension": 4, "scene": {}}"#, &["dimension is 4"]);
-    refused(r#"{"octoscope": 1, "dimension": 2}"#, &["missing field `scene`"]);
-    refused(r#"{"octoscope": 1, "dimension": 2, "scene": {}}"#, &["0 kinds"]);
-    refused(r#"{"octoscope": 1, "scene": {"built-in": "fog"}}"#, &["fog", "cloud"]);
+    let least = r#"{"octoscope": 1, "scene": {"built-in": "cloud"}}"#;
+    check(" \n", &format!("line 1, column 1: the text is empty; write {least} at least"));
+    check(
+        "[1, 2]",
+        &format!("line 1, column 1: this is no scenario; write an object such as {least}"),
+    );
+    check(
+        "{\"octoscope\": 1,\n",
+        "line 1, column 17: the text ends where a value is due; write what is missing",
+    );
+    check(
+        "{\"octoscope\": 1",
+        "line 1, column 16: the text ends within an object; close it with }",
+    );
+    check(
+        "{\"octoscope\": \"1",
+        "line 1, column 17: the text ends within quotation marks; close them",
+    );
+    check(
+        "{\"ä\": 1,}",
+        "line 1, column 9: a comma stands before the closing bracket; take it away",
+    );
+    check(
+        "{\"ä\": 1\n \"b\": 2}",
+        "line 2, column 2: a comma is missing before \"b\", or a }; write what is due",
+    );
+    check("{\"ä\" 1}", "line 1, column 6: a colon is missing before 1; write \"name\": value");
+    check(
+        "{octoscope: 1}",
+        "line 1, column 2: octoscope is no name of a field; write the name in quotation marks",
+    );
+    check(
+        "{\"ä\": True}",
+        "line 1, column 7: True is no value; write a finite number or a text in quotes",
+    );
+    check(
+        "{\"octoscope\": 1} x",
+        "line 1, column 18: x follows the end of the scenario; take it away",
+    );
+    let deep = format!("{{\"a\": {}{}}}", "[".repeat(200), "]".repeat(200));
+    let text = format!(r#"{{"octoscope": 1, "scene": {{"built-in": "cloud"}}, "view": {deep}}}"#);
+    refused(&text, &["nested more than 127 deep"]);
+}
+
+#[test]
+fn what_is_wrong_with_the_whole_is_told_with_its_place() {
+    let check = |text: &str, message: &str| {
+        assert_eq!(AnyScenario::parse(text).expect_err(text).to_string(), message);
+    };
+    check(
+        r#"{"what": 1, "scene": 7, "octoscope": 2}"#,
+        "line 1, column 38: the scenario has version 2, this program reads up to 1; use a newer program",
+    );
+    refused(r#"{"octoscope": 0, "scene": {}}"#, &["line 1, column 15", "no version 0", "write 1"]);
+    refused(r#"{"octoscope": "1"}"#, &["line 1, column 15", "‘octoscope’ is \"1\"", "write 1"]);
+    refused(r#"{"scene": {}}"#, &["line 1, column 1", "‘octoscope’ is missing", "write 1"]);
+    refused(r#"{"octoscope": 1, "dimension": 4, "scene": {}}"#, &["column 31", "dimension is 4"]);
+    refused(
+        r#"{"octoscope": 1, "scene": {"points": []}}"#,
+        &["column 1:", "‘dimension’ is missing"],
+    );
+    refused(
+        r#"{"octoscope": 1, "dimension": 2}"#,
+        &["column 1:", "‘scene’ is missing", "built-in"],
+    );
+    refused(r#"{"octoscope": 1, "dimension": 2, "scene": {}}"#, &["column 43", "0 kinds"]);
+    refused(r#"{"octoscope": 1, "scene": {"built-in": "fog"}}"#, &["column 40", "fog", "cloud"]);
     refused(
         r#"{"octoscope": 1, "scene": {"built-in": "rings", "parameters": {"seed": 1}}}"#,
-        &["‘rings’ has no parameter ‘seed’"],
+        &["column 72", "‘rings’ has no parameter ‘seed’"],
     );
-    refused("{\"octoscope\": 1,\n", &["line 2"]);
+    let scene = |scene| format!(r#"{{"octoscope": 1, "dimension": 2, "scene": {{{scene}}}}}"#);
+    refused(
+        &scene(r#""spheres": [{"centre": [0, 0], "radius": 1}, {"centre": [0, 0], "radius": -1}]"#),
+        &["column 89", "negative size"],
+    );
+    refused(
+        &scene(r#""image": {"width": 2, "height": 1, "rows": ["00"]}"#),
+        &["column 88", "row 1 of the picture"],
+    );
+    refused(&scene(r#""points": [], "hash": "x""#), &["column 66", "‘hash’ goes only with ‘file’"]);
+}
+
+#[test]
+fn damage_anywhere_is_told_with_a_place() {
+    let check = |text: &str| {
+        let Err(error) = AnyScenario::parse(text) else { return 0 };
+        let message = error.to_string();
+        assert!(message.starts_with("line ") && message.len() > 25, "{message}: {text}");
+        assert!(!message.contains(" at line ") && !message.contains('`'), "{message}: {text}");
+        1
+    };
+    let mut n_refused = 0;
+    for entry in BUILT_IN {
+        let text = built_in(entry.id).unwrap().print();
+        for i in 0..text.len() {
+            n_refused += check(&text[..i]);
+            for other in ["ä", "\"", "{", "]", ",", "\n", "-", "e", ""] {
+                n_refused += check(&format!("{}{other}{}", &text[..i], &text[i + 1..]));
+            }
+        }
+    }
+    assert!(n_refused > 10_000, "{n_refused}");
 }
 
 /// Names of the fields of an object.
@@ -153,13 +326,11 @@ fn the_schema_has_exactly_the_fields_of_a_file() {
             assert_eq!(names(&file[part]), names(&properties[part]["properties"]), "{part}");
         }
     }
-    let scene = names(&properties["scene"]["properties"]).join("`, `");
     let text = r#"{"octoscope": 1, "dimension": 2, "scene": {"x": 1}}"#;
     let message = AnyScenario::parse(text).expect_err(text).to_string();
-    for name in scene.split("`, `") {
-        assert!(message.contains(name), "{name} in {message}");
-    }
-    assert_eq!(message.matches('`').count() / 2 - 1, scene.split("`, `").count());
+    let (_, listed) = message.split_once("there are ").expect("a list");
+    let listed: BTreeSet<&str> = listed.split(", ").collect();
+    assert_eq!(listed, names(&properties["scene"]["properties"]).into_iter().collect());
 }
 
 #[test]

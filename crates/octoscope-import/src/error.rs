@@ -35,24 +35,22 @@ pub enum ImportError {
     Empty,
     /// Neither the ending of the name nor the first bytes tell the kind.
     #[error(
-        "files of this kind cannot be read; choose a file that ends in .png, .jpg, .obj, .stl, .ply, .xyz or .csv: {name}"
+        "files of this kind cannot be read; choose a file that ends in .png, .jpg, .obj, .stl, .ply, .xyz or .csv"
     )]
-    UnknownKind {
-        /// Name of the file.
-        name: String,
-    },
+    UnknownKind,
     /// The content is of another kind than the name says.
     #[error(
-        "the name says {expected}, but the file holds {found}; give it the ending of what it holds: {name}"
+        "the name says {expected}, but the file holds {found}; give it the ending of what it holds"
     )]
     WrongContent {
         /// What the ending of the name stands for.
         expected: &'static str,
         /// What the bytes look like.
         found: &'static str,
-        /// Name of the file.
-        name: String,
     },
+    /// Text that is not in UTF-8.
+    #[error("the text is in UTF-16; save it in UTF-8")]
+    Utf16,
     /// The content breaks the rules of its format.
     #[error("{place}: {fact}; {remedy}")]
     Malformed {

@@ -35,8 +35,10 @@ impl Kind {
         if let Some(kind) = by_content(bytes) {
             return Ok(kind);
         }
-        let kind =
-            by_name(name).ok_or_else(|| ImportError::UnknownKind { name: name.to_owned() })?;
+        let kind = by_name(name).ok_or(ImportError::UnknownKind)?;
+        if bytes.starts_with(b"\xff\xfe") || bytes.starts_with(b"\xfe\xff") {
+            return Err(ImportError::Utf16);
+        }
         let found = looks_like(bytes);
         let fits = match kind {
             Self::Png | Self::Jpeg | Self::Ply => false,
@@ -49,7 +51,7 @@ impl Kind {
         if fits {
             return Ok(kind);
         }
-        Err(ImportError::WrongContent { expected: kind.noun(), found, name: name.to_owned() })
+        Err(ImportError::WrongContent { expected: kind.noun(), found })
     }
 
     /// Whether the ending of `name` is that of an importable file.
@@ -107,13 +109,11 @@ const BINARY: &str = "binary data";
 
 /// Best guess at what the start of a file is, in words.
 fn looks_like(bytes: &[u8]) -> &'static str {
-    const KNOWN: [(&[u8], &str); 6] = [
+    const KNOWN: [(&[u8], &str); 4] = [
         (b"GIF8", "a GIF picture"),
         (b"%PDF", "a PDF document"),
         (b"PK\x03\x04", "a ZIP archive"),
         (b"\x1f\x8b", "compressed data (gzip)"),
-        (b"\xff\xfe", "text in UTF-16, not in UTF-8"),
-        (b"\xfe\xff", "text in UTF-16, not in UTF-8"),
     ];
     let known = KNOWN.iter().find(|(start, _)| bytes.starts_with(start));
     if let Some((_, noun)) = known {
@@ -147,23 +147,24 @@ mod tests {
         check(
             "notes.png",
             b"hello",
-            "the name says a PNG picture, but the file holds text; give it the ending of what it holds: notes.png",
+            "the name says a PNG picture, but the file holds text; give it the ending of what it holds",
         );
         check(
             "mesh.stl",
             b"v 1 2 3",
-            "the name says an STL mesh, but the file holds text; give it the ending of what it holds: mesh.stl",
+            "the name says an STL mesh, but the file holds text; give it the ending of what it holds",
         );
         check(
             "a.xyz",
             b"PK\x03\x04\0",
-            "the name says an XYZ point cloud, but the file holds a ZIP archive; give it the ending of what it holds: a.xyz",
+            "the name says an XYZ point cloud, but the file holds a ZIP archive; give it the ending of what it holds",
         );
         check(
             "a.docx",
             b"x",
-            "files of this kind cannot be read; choose a file that ends in .png, .jpg, .obj, .stl, .ply, .xyz or .csv: a.docx",
+            "files of this kind cannot be read; choose a file that ends in .png, .jpg, .obj, .stl, .ply, .xyz or .csv",
         );
+        check("a.xyz", b"\xff\xfe1\0", "the text is in UTF-16; save it in UTF-8");
         check(
             "a.obj",
             b"",

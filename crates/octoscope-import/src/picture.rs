@@ -51,7 +51,7 @@ fn decode(bytes: &[u8], format: ImageFormat) -> Result<DynamicImage, ImportError
 }
 
 fn damaged(reason: &impl ToString) -> ImportError {
-    ImportError::Picture { reason: reason.to_string() }
+    ImportError::Picture { reason: reason.to_string().trim_end_matches('.').to_owned() }
 }
 
 fn on_white([r, g, b, alpha]: [u8; 4]) -> [u8; 3] {

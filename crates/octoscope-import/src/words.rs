@@ -20,10 +20,12 @@ pub struct Word<'a> {
     pub place: Place,
 }
 
-/// Lines of `bytes`; a byte order mark is left out.
+/// Lines of `bytes`; a byte order mark is left out. Lines end in a line feed or,
+/// in a text without any, in a carriage return.
 pub fn lines(bytes: &[u8]) -> impl Iterator<Item = Line<'_>> {
     let text = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
-    text.split(|&b| b == b'\n').zip(1..).map(|(text, number)| Line { number, text })
+    let end = if text.contains(&b'\n') { b'\n' } else { b'\r' };
+    text.split(move |&b| b == end).zip(1..).map(|(text, number)| Line { number, text })
 }
 
 impl<'a> Line<'a> {
@@ -112,6 +114,14 @@ mod tests {
         let expected =
             [("a", "line 1, column 1"), ("ä", "line 2, column 3"), ("b", "line 2, column 5")];
         assert_eq!(places, expected.map(|(a, b)| (a.to_owned(), b.to_owned())));
+    }
+
+    #[test]
+    fn lines_end_as_on_any_system() {
+        for text in ["a\nb", "a\r\nb", "a\rb"] {
+            let words = lines(text.as_bytes()).map(|line| line.words().count());
+            assert_eq!(words.collect::<Vec<_>>(), [1, 1], "{text:?}");
+        }
     }
 
     #[test]

@@ -73,13 +73,12 @@ struct List {
 
 impl<const D: usize> Observer<D> for List {
     fn observe(&mut self, event: Event<D>) {
-        match event {
-            Event::Leaf { node, full: true, .. } => self.met.push(Met::Full(node)),
-            Event::Leaf { node, full: false, .. } => self.met.push(Met::Empty(node)),
-            Event::Touch { node, .. } if self.touches == Touches::Listed => {
-                self.met.push(Met::Touch(node));
-            }
-            _ => {}
+        if let Event::Leaf { node, full, .. } = event {
+            self.met.push(if full { Met::Full(node) } else { Met::Empty(node) });
+        } else if let Event::Touch { node, .. } = event
+            && self.touches == Touches::Listed
+        {
+            self.met.push(Met::Touch(node));
         }
     }
 }

@@ -5,8 +5,8 @@ mod in_order;
 mod line;
 mod summary;
 
-use super::Answer;
-use super::values::number;
+use super::values::{number, whole};
+use super::{Answer, tell};
 use crate::files::{self, Output};
 use anyhow::anyhow;
 use clap::Args;
@@ -15,7 +15,7 @@ use octoscope_core::progress::Progress;
 use octoscope_core::query::{Arithmetic, Query};
 use octoscope_core::scene::Content;
 use octoscope_core::traverse::{Algorithm, Method, MethodError, Options, StopAt};
-use octoscope_core::tree::{Domain, Merge, Recipe, Tree, build};
+use octoscope_core::tree::{Domain, MAX_ROOT_LEVEL, Merge, Recipe, Tree, build};
 use std::fmt::Display;
 use std::io::Write;
 use std::num::NonZeroUsize;
@@ -38,19 +38,20 @@ use std::path::{Path, PathBuf};
     octoscope visit --cells a.cells --depth 6 --rays a.rays --summary --repeat 9")]
 pub struct Visit {
     /// Occupied cells: one a line, integers from 0 to 2^depth − 1 between
-    /// blanks; # starts a comment.
+    /// blanks; # starts a comment. Without any cell, the tree is one empty leaf.
     #[arg(long, value_name = "FILE")]
     cells: PathBuf,
-    /// Levels below the root; the domain has 2^depth cells along each axis.
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u8).range(0..=20))]
+    /// Levels below the root, 0 to 20; the domain has 2^depth cells along each
+    /// axis.
+    #[arg(long, value_name = "N", value_parser = depth, allow_negative_numbers = true)]
     depth: u8,
     /// Rays: one a line, origin and direction, decimal or hexadecimal floats;
-    /// # starts a comment.
+    /// # starts a comment. Without any ray, nothing is printed.
     #[arg(long, value_name = "FILE")]
     rays: PathBuf,
     /// Dimension: 2 for a quadtree, 3 for an octree.
-    #[arg(long, default_value_t = 3, value_parser = clap::value_parser!(u8).range(2..=3))]
-    dim: u8,
+    #[arg(long, value_name = "N", default_value = "3", value_parser = dimension, allow_negative_numbers = true)]
+    dim: Dimension,
     /// Identifier of the algorithm (see octoscope scenes), with @ and variants
     /// as in bsp@gem; or all: runs every one, prints what the oracle finds, and
     /// fails where one differs from it.
@@ -73,7 +74,7 @@ pub struct Visit {
     #[arg(long)]
     exact: bool,
     /// Number of threads; the output stays in order.
-    #[arg(long, value_name = "N", default_value = "1")]
+    #[arg(long, value_name = "N", default_value = "1", value_parser = threads, allow_negative_numbers = true)]
     threads: NonZeroUsize,
     /// Prints for each algorithm the number of rays, of leaves and of occupied
     /// leaves, a checksum of the output (FNV-1a, 64 bits) and the time that the
@@ -81,11 +82,41 @@ pub struct Visit {
     #[arg(long)]
     summary: bool,
     /// How often the summary measures.
-    #[arg(long, value_name = "N", default_value = "5", requires = "summary")]
+    #[arg(long, value_name = "N", default_value = "5", requires = "summary", value_parser = repeat, allow_negative_numbers = true)]
     repeat: NonZeroUsize,
     /// Writes to this file, which appears whole or not at all.
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
+}
+
+/// Of what the tree is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Dimension {
+    Plane,
+    Space,
+}
+
+fn depth(text: &str) -> Result<u8, String> {
+    let why = format!("location codes have {MAX_ROOT_LEVEL} bits here");
+    whole(text, 0..=MAX_ROOT_LEVEL.into(), &why)
+}
+
+fn dimension(text: &str) -> Result<Dimension, &'static str> {
+    match text {
+        "2" => Ok(Dimension::Plane),
+        "3" => Ok(Dimension::Space),
+        _ => Err("give 2 for a quadtree or 3 for an octree"),
+    }
+}
+
+fn threads(text: &str) -> Result<NonZeroUsize, String> {
+    let count = whole::<usize>(text, 1..=1024, "more threads would only wait for each other")?;
+    Ok(NonZeroUsize::new(count).unwrap_or(NonZeroUsize::MIN))
+}
+
+fn repeat(text: &str) -> Result<NonZeroUsize, String> {
+    let count = whole::<usize>(text, 1..=1_000_000, "")?;
+    Ok(NonZeroUsize::new(count).unwrap_or(NonZeroUsize::MIN))
 }
 
 /// One algorithm or every one.
@@ -143,8 +174,8 @@ enum Touches {
 /// Says what is wrong with a file, and where.
 pub fn visit(arguments: &Visit) -> anyhow::Result<Answer> {
     match arguments.dim {
-        2 => visit_in::<2>(arguments),
-        _ => visit_in::<3>(arguments),
+        Dimension::Plane => visit_in::<2>(arguments),
+        Dimension::Space => visit_in::<3>(arguments),
     }
 }
 
@@ -186,6 +217,9 @@ fn read_tree<const D: usize>(arguments: &Visit) -> anyhow::Result<Tree<D>> {
     let path = &arguments.cells;
     let cells = octoscope_import::cells::<D>(&files::read_text(path)?, arguments.depth)
         .map_err(|error| in_file(error, path))?;
+    if cells.is_empty() {
+        tell(&format!("there is no cell, so the tree is one empty leaf: {}", path.display()));
+    }
     let recipe = Recipe {
         depth: arguments.depth,
         merge: if arguments.keep_cells { Merge::Kept } else { Merge::Whole },
@@ -197,7 +231,12 @@ fn read_tree<const D: usize>(arguments: &Visit) -> anyhow::Result<Tree<D>> {
 }
 
 fn read_rays<const D: usize>(path: &Path) -> anyhow::Result<Vec<Ray<D>>> {
-    octoscope_import::rays::<D>(&files::read_text(path)?).map_err(|error| in_file(error, path))
+    let rays = octoscope_import::rays::<D>(&files::read_text(path)?);
+    let rays = rays.map_err(|error| in_file(error, path))?;
+    if rays.is_empty() {
+        tell(&format!("there is no ray, so nothing is visited: {}", path.display()));
+    }
+    Ok(rays)
 }
 
 /// The fact first, the path last.

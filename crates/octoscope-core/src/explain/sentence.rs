@@ -9,7 +9,7 @@ use crate::locate::NeighbourMethod;
 use crate::query::{PointMethod, Query};
 use crate::text::Language;
 use crate::trace::{Frame, Moment, Trace};
-use crate::tree::{Child, Part, Tree};
+use crate::tree::{Child, NodeId, Part, Tree};
 
 /// What happens in `step` of `trace`, counted from 1, as a sentence with its
 /// numbers; step 0 says what is about to happen. Steps after the last are taken
@@ -309,11 +309,7 @@ impl<const D: usize> Teller<'_, D> {
             Event::Touch { node, at } => {
                 words.say("touch", &[("node", words.leaf(node)), ("at", approx(at))])
             }
-            Event::Found { node } => {
-                let is_leaf = words.tree.node(node).is_leaf();
-                let key = if is_leaf { "found-leaf" } else { "found-node" };
-                words.say(key, &[("node", words.node(node))])
-            }
+            Event::Found { node } => self.found("found", node),
             Event::End(End::Missed) => words.texts.get("end-missed"),
             Event::End(End::LeftRoot) => {
                 let n = self.before.leaves.len() as u64;
@@ -325,9 +321,25 @@ impl<const D: usize> Teller<'_, D> {
                 words.texts.format("end-segment", &[("n", n.into())])
             }
             Event::End(End::Looped) => words.texts.get("end-looped"),
-            Event::End(End::Found) => words.texts.get("end-found"),
-            Event::End(End::Outside) => words.texts.get("end-outside"),
+            Event::End(End::Found) => {
+                // A search that ends so has found a node before.
+                let node = self.before.found.unwrap_or(words.tree.root().id);
+                self.found("end-found", node)
+            }
+            Event::End(End::Outside) => {
+                match self.before.target.and_then(|target| target.outside) {
+                    Some(axes) => words.say("end-outside-axes", &[("axes", words.axes(axes))]),
+                    None => words.texts.get("end-outside"),
+                }
+            }
         }
+    }
+
+    /// The sentence of `key` about a node that is found.
+    fn found(&self, key: &str, node: NodeId) -> String {
+        let is_leaf = self.words.tree.node(node).is_leaf();
+        let key = format!("{key}-{}", if is_leaf { "leaf" } else { "node" });
+        self.words.say(&key, &[("node", self.words.node(node))])
     }
 
     fn mask(&self) -> Axes<D> {

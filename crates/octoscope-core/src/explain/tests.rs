@@ -201,8 +201,8 @@ fn a_ray_is_told_with_its_numbers() {
     let check =
         |english, german| check_words(&ray, &along(Algorithm::Parametric), [english, german]);
     check(
-        "A ray from (−0.25, 0.125) along (1, 0.25) is followed through the quadtree by the parametric algorithm; press → to begin.",
-        "Ein Strahl von (−0.25, 0.125) in Richtung (1, 0.25) wird mit dem parametrischen Verfahren durch den Quadtree verfolgt; → beginnt.",
+        "A ray from (−0.25, 0.125) along (1, 0.25) is followed through the quadtree by the parametric algorithm.",
+        "Ein Strahl von (−0.25, 0.125) in Richtung (1, 0.25) wird mit dem parametrischen Verfahren durch den Quadtree verfolgt.",
     );
     check(
         "Child 0 is left through the x plane: t_x1 = 0.625 < t_y1 = 1, so the x bit is set and the next state is 2.",
@@ -287,4 +287,56 @@ fn a_miss_beside_the_root_and_a_touch_are_told() {
             "Blatt (0, 4) auf Ebene 2 wird nur berührt, in einem Punkt bei t = 0.75.",
         ],
     );
+}
+
+#[test]
+fn the_end_of_a_search_names_what_was_found() {
+    let ray = Ray::new([0.0, 0.0], [1.0, 0.0]).unwrap();
+    let check = |query, expected| check_words::<2>(&ray, &query, expected);
+    check(
+        Query::Point { at: [0.9, 0.1], method: PointMethod::Codes },
+        [
+            "The search ends: it has found the node (4, 0) of level 2, a leaf.",
+            "Die Suche endet: Gefunden ist Knoten (4, 0) auf Ebene 2, ein Blatt.",
+        ],
+    );
+    check(
+        Query::Region { min: [0.1, 0.1], max: [0.3, 0.3] },
+        [
+            "The search ends: it has found the node (0, 0) of level 2, which has children.",
+            "Die Suche endet: Gefunden ist Knoten (0, 0) auf Ebene 2, der Kinder hat.",
+        ],
+    );
+    let beyond = |code, direction| Query::Neighbour {
+        level: 2,
+        code,
+        direction: Direction::new(direction).unwrap(),
+        reach: Reach::EqualOrLarger,
+        method: NeighbourMethod::Codes,
+    };
+    check(
+        beyond([0, 0], [1, 0]),
+        [
+            "The search ends: it has found the node (4, 0) of level 2, a leaf.",
+            "Die Suche endet: Gefunden ist Knoten (4, 0) auf Ebene 2, ein Blatt.",
+        ],
+    );
+    check(
+        beyond([4, 0], [1, -1]),
+        [
+            "The search ends: along x and y the neighbour would lie outside the domain, so there is none.",
+            "Die Suche endet: Entlang x und y läge der Nachbar außerhalb des Gebiets, es gibt also keinen.",
+        ],
+    );
+}
+
+#[test]
+fn the_first_sentence_tells_no_key_of_the_window() {
+    for_all_runs::<2>(|tree, ray, _, query| {
+        let trace = record(tree, ray, query);
+        for language in Language::ALL {
+            let text = sentence(tree, ray, &trace, 0, language).plain();
+            assert!(!text.contains('→'), "{text}");
+        }
+    });
 }

@@ -1,21 +1,25 @@
-//! Fields of a scenario file, as JSON has them.
+//! Fields of a scenario file, as JSON has them; whether their numbers make sense
+//! is seen later.
 
 use super::{Parameters, StepAt, View};
-use crate::geometry::Ray;
-use crate::locate::{Direction, NeighbourMethod, Reach};
+use crate::locate::{NeighbourMethod, Reach};
 use crate::query::{Arithmetic, PointMethod};
-use crate::scene::Cube;
 use crate::traverse::{Algorithm, Options};
-use crate::tree::{Fill, MAX_ROOT_LEVEL, Merge};
+use crate::tree::{Fill, Merge};
 use serde::Deserialize;
 use serde::de::{Deserializer, Error, IgnoredAny, SeqAccess, Visitor};
 use std::fmt;
 use std::marker::PhantomData;
 
+/// What has to be known before anything else.
+#[derive(Deserialize)]
+pub(super) struct Version {
+    pub octoscope: u64,
+}
+
 /// What has to be known before the rest can be read.
 #[derive(Deserialize)]
 pub(super) struct Head {
-    pub octoscope: u64,
     pub dimension: Option<u64>,
     pub scene: HeadScene,
 }
@@ -92,77 +96,25 @@ pub(super) struct Corners<const D: usize> {
 #[derive(Default, Deserialize)]
 #[serde(deny_unknown_fields, default)]
 pub(super) struct Build {
-    pub depth: Option<Depth>,
-    pub capacity: Option<Capacity>,
+    pub depth: Option<u64>,
+    pub capacity: Option<u32>,
     pub merge: Option<Merge>,
     pub threshold: Option<u8>,
     pub fill: Option<Fill>,
 }
 
 #[derive(Deserialize)]
-#[serde(try_from = "u64")]
-pub(super) struct Depth(pub u8);
-
-impl TryFrom<u64> for Depth {
-    type Error = String;
-
-    fn try_from(depth: u64) -> Result<Self, String> {
-        let most = MAX_ROOT_LEVEL;
-        let fits = u8::try_from(depth).ok().filter(|&d| d <= most);
-        fits.map(Self)
-            .ok_or_else(|| format!("the depth is {depth}; give a number from 0 to {most}"))
-    }
-}
-
-#[derive(Deserialize)]
-#[serde(try_from = "u32")]
-pub(super) struct Capacity(pub u32);
-
-impl TryFrom<u32> for Capacity {
-    type Error = &'static str;
-
-    fn try_from(capacity: u32) -> Result<Self, &'static str> {
-        if capacity == 0 { Err("the capacity is 0; give 1 or more") } else { Ok(Self(capacity)) }
-    }
+#[serde(deny_unknown_fields)]
+pub(super) struct DomainField<const D: usize> {
+    pub min: Vector<f64, D>,
+    pub side: f64,
 }
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
-struct DomainNumbers<const D: usize> {
-    min: Vector<f64, D>,
-    side: f64,
-}
-
-#[derive(Deserialize)]
-#[serde(try_from = "DomainNumbers<D>")]
-pub(super) struct DomainField<const D: usize>(pub Cube<D>);
-
-impl<const D: usize> TryFrom<DomainNumbers<D>> for DomainField<D> {
-    type Error = crate::tree::DomainError;
-
-    fn try_from(numbers: DomainNumbers<D>) -> Result<Self, Self::Error> {
-        let cube = Cube { min: numbers.min.0, side: numbers.side };
-        cube.cut(0).map(|_| Self(cube))
-    }
-}
-
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-struct RayNumbers<const D: usize> {
-    origin: Vector<f64, D>,
-    direction: Vector<f64, D>,
-}
-
-#[derive(Deserialize)]
-#[serde(try_from = "RayNumbers<D>")]
-pub(super) struct RayField<const D: usize>(pub Ray<D>);
-
-impl<const D: usize> TryFrom<RayNumbers<D>> for RayField<D> {
-    type Error = crate::geometry::RayError;
-
-    fn try_from(numbers: RayNumbers<D>) -> Result<Self, Self::Error> {
-        Ray::new(numbers.origin.0, numbers.direction.0).map(Self)
-    }
+pub(super) struct RayField<const D: usize> {
+    pub origin: Vector<f64, D>,
+    pub direction: Vector<f64, D>,
 }
 
 /// `"ray"`, or one of the others with its numbers.
@@ -180,26 +132,14 @@ pub(super) enum QueryField<const D: usize> {
         max: Vector<f64, D>,
     },
     Neighbour {
-        level: Depth,
+        level: u64,
         code: Vector<u32, D>,
-        direction: DirectionField<D>,
+        direction: Vector<i8, D>,
         #[serde(default)]
         reach: Reach,
         #[serde(default)]
         method: NeighbourMethod,
     },
-}
-
-#[derive(Deserialize)]
-#[serde(try_from = "Vector<i8, D>")]
-pub(super) struct DirectionField<const D: usize>(pub Direction<D>);
-
-impl<const D: usize> TryFrom<Vector<i8, D>> for DirectionField<D> {
-    type Error = crate::locate::DirectionError;
-
-    fn try_from(components: Vector<i8, D>) -> Result<Self, Self::Error> {
-        Direction::new(components.0).map(Self)
-    }
 }
 
 /// D numbers in brackets.

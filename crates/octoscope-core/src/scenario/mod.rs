@@ -1,13 +1,15 @@
 //! The question: what tree, what ray, what is asked of it.
 
 mod built_in;
+mod fault;
 mod fields;
+mod place;
 mod print;
 mod read;
 mod source;
 
 pub use built_in::{BUILT_IN, BuiltIn, built_in};
-pub use read::{ScenarioError, VERSION};
+pub use read::{Fault, ScenarioError, VERSION};
 pub use source::{Parameters, Source, SourceError};
 
 use crate::geometry::Ray;

@@ -1,30 +1,51 @@
 //! Reading scenario files.
 
-use super::fields::{File, Head, Picture, QueryField, Scene, Vector};
+use super::fault::{LEAST, explained};
+use super::fields::{File, Head, Picture, QueryField, Scene, Vector, Version};
+use super::place::{line_and_column, spot_of};
 use super::{
     AnyScenario, BUILT_IN, Parameters, Scenario, Source, SourceError, built_in, default_ray,
 };
-use crate::geometry::Aabb;
+use crate::geometry::{Aabb, Ray, RayError};
+use crate::locate::{Direction, DirectionError};
 use crate::query::Query;
 use crate::scene::{Content, Cube, Image, Sphere};
-use crate::tree::{DomainError, Recipe};
+use crate::tree::{DomainError, MAX_ROOT_LEVEL, Recipe};
+use serde::Deserialize;
 use thiserror::Error;
 
 /// Version of the format that is written, and the newest that is read.
 pub const VERSION: u64 = 1;
 
-/// Why a text is no scenario.
+/// Why a text is no scenario, and where.
 #[derive(Clone, Debug, Error, PartialEq)]
-pub enum ScenarioError {
-    /// No JSON, an unknown or missing field, or a value that does not fit;
-    /// the message ends with line and column.
+#[error("line {line}, column {column}: {fault}")]
+pub struct ScenarioError {
+    /// Line, from 1.
+    pub line: usize,
+    /// Column in characters, from 1.
+    pub column: usize,
+    /// What is wrong there.
+    pub fault: Fault,
+}
+
+/// What is wrong with a scenario.
+#[derive(Clone, Debug, Error, PartialEq)]
+pub enum Fault {
+    /// No JSON, an unknown or missing field, or a value that does not fit.
     #[error("{0}")]
     Field(String),
+    /// Neither empty nor an object.
+    #[error("this is no scenario; write an object such as {LEAST}")]
+    NoObject,
     /// Written by a newer program.
     #[error(
         "the scenario has version {0}, this program reads up to {VERSION}; use a newer program"
     )]
     Newer(u64),
+    /// A version that never was.
+    #[error("there is no version 0 of the format; write {VERSION}")]
+    NoVersion,
     /// Neither plane nor space.
     #[error("the dimension is {0}; give 2 for a quadtree or 3 for an octree")]
     Dimension(u64),
@@ -46,8 +67,25 @@ pub enum ScenarioError {
         with: &'static str,
     },
     /// Rows or pixels of a picture that are no colours or too many or few.
-    #[error("row {0} of the picture (counted from 1) has not as many colours as its width says")]
+    #[error(
+        "row {0} of the picture, counted from 1, does not fit; give as many rows as ‘height’ says, \
+         and in each as many colours of 2 or 6 hexadecimal digits as ‘width’ says"
+    )]
     Row(usize),
+    /// More levels than codes have bits.
+    #[error(
+        "{0} is above {MAX_ROOT_LEVEL}, the number of bits of codes; give a number from 0 to {MAX_ROOT_LEVEL}"
+    )]
+    Level(u64, &'static str),
+    /// Nodes without room for anything.
+    #[error("the capacity is 0; give 1 or more")]
+    Capacity,
+    /// Numbers that make no ray.
+    #[error(transparent)]
+    Ray(#[from] RayError),
+    /// Numbers that lead to no neighbour.
+    #[error(transparent)]
+    Direction(#[from] DirectionError),
     /// The built-in scene or its parameters.
     #[error(transparent)]
     Source(#[from] SourceError),
@@ -55,13 +93,53 @@ pub enum ScenarioError {
     #[error(transparent)]
     Domain(#[from] DomainError),
     /// An item with impossible numbers.
-    #[error("item number {0} of the scene (counted from 0) has a negative size or turned corners")]
-    Unusable(usize),
+    #[error(
+        "this item has a negative size or turned corners; give a radius from 0, and no corner \
+         ‘min’ above ‘max’"
+    )]
+    Unusable {
+        /// Field of the items.
+        kind: &'static str,
+        /// Number of the item, from 0.
+        item: usize,
+    },
 }
 
-impl From<serde_json::Error> for ScenarioError {
-    fn from(error: serde_json::Error) -> Self {
-        Self::Field(error.to_string())
+impl Fault {
+    /// The same with its place in `text`.
+    fn placed(self, text: &str) -> ScenarioError {
+        let spot = spot_of(text, &self.path());
+        let [line, column] = line_and_column(text, spot.start);
+        ScenarioError { line, column, fault: self }
+    }
+
+    /// Path of the field that is to blame.
+    fn path(&self) -> String {
+        match self {
+            Self::Field(_) | Self::NoObject | Self::NoDimension => String::new(),
+            Self::Newer(_) | Self::NoVersion => "octoscope".to_owned(),
+            Self::Dimension(_) => "dimension".to_owned(),
+            Self::Kinds(_) => "scene".to_owned(),
+            Self::Stray { field, .. } => format!("scene.{field}"),
+            Self::Row(row) => format!("scene.image.rows[{}]", row.saturating_sub(1)),
+            Self::Source(source) => match source {
+                SourceError::Unknown { .. }
+                | SourceError::Dimension { .. }
+                | SourceError::NotRead(_) => "scene.built-in".to_owned(),
+                SourceError::NoParameter { parameter, .. } => {
+                    format!("scene.parameters.{parameter}")
+                }
+                SourceError::Range { .. } => "scene.parameters.n".to_owned(),
+            },
+            Self::Level(_, path) => (*path).to_owned(),
+            Self::Capacity => "build.capacity".to_owned(),
+            Self::Ray(RayError::NotFinite) => "ray".to_owned(),
+            Self::Ray(RayError::ZeroDirection) => "ray.direction".to_owned(),
+            Self::Direction(_) => "query.neighbour.direction".to_owned(),
+            Self::Domain(DomainError::NotABox) => "domain".to_owned(),
+            Self::Domain(DomainError::TooDeep(_) | DomainError::TooFine) => "build".to_owned(),
+            Self::Unusable { kind, item } => format!("scene.{kind}[{item}]"),
+        }
     }
 }
 
@@ -75,31 +153,51 @@ impl AnyScenario {
     /// # Errors
     /// See [`ScenarioError`].
     pub fn parse(text: &str) -> Result<Self, ScenarioError> {
-        let head: Head = serde_json::from_str(text)?;
-        if head.octoscope > VERSION {
-            return Err(ScenarioError::Newer(head.octoscope));
+        if text.trim_start().starts_with(|c| c != '{') {
+            return Err(Fault::NoObject.placed(text));
         }
+        let version = read::<Version>(text, None)?.octoscope;
+        if version > VERSION {
+            return Err(Fault::Newer(version).placed(text));
+        }
+        if version == 0 {
+            return Err(Fault::NoVersion.placed(text));
+        }
+        let head: Head = read(text, None)?;
         let name = head.scene.built_in.as_deref();
         let known = BUILT_IN.iter().find(|entry| Some(entry.id) == name);
-        match head.dimension.or(known.map(|entry| entry.dimension as u64)) {
-            Some(2) => Ok(Self::Quadtree(scenario(serde_json::from_str(text)?)?)),
-            Some(3) => Ok(Self::Octree(scenario(serde_json::from_str(text)?)?)),
-            Some(other) => Err(ScenarioError::Dimension(other)),
+        let fault = match head.dimension.or(known.map(|entry| entry.dimension as u64)) {
+            Some(2) => return read_as(text).map(Self::Quadtree),
+            Some(3) => return read_as(text).map(Self::Octree),
+            Some(other) => Fault::Dimension(other),
             None => match name {
-                Some(name) => Err(built_in::unknown(name).into()),
-                None => Err(ScenarioError::NoDimension),
+                Some(name) => built_in::unknown(name).into(),
+                None => Fault::NoDimension,
             },
-        }
+        };
+        Err(fault.placed(text))
     }
 }
 
-fn scenario<const D: usize>(file: File<D>) -> Result<Scenario<D>, ScenarioError> {
+/// Scenario of dimension `D` written in `text`.
+fn read_as<const D: usize>(text: &str) -> Result<Scenario<D>, ScenarioError> {
+    scenario(read::<File<D>>(text, Some(D))?).map_err(|fault| fault.placed(text))
+}
+
+fn read<'a, T: Deserialize<'a>>(
+    text: &'a str,
+    dimension: Option<usize>,
+) -> Result<T, ScenarioError> {
+    serde_json::from_str(text).map_err(|error| explained(&error, text, dimension))
+}
+
+fn scenario<const D: usize>(file: File<D>) -> Result<Scenario<D>, Fault> {
     let mut source = source(file.scene)?;
     let mut scenario = match &source {
         Source::BuiltIn { name, parameters } => built_in::checked(name, *parameters)?,
         Source::Inline(content) => {
             if let Some(item) = content.first_unusable() {
-                return Err(ScenarioError::Unusable(item));
+                return Err(Fault::Unusable { kind: field(content), item });
             }
             Scenario::with_defaults(source.clone(), content.fit())
         }
@@ -111,18 +209,27 @@ fn scenario<const D: usize>(file: File<D>) -> Result<Scenario<D>, ScenarioError>
     scenario.source = source;
     if let Some(domain) = file.domain {
         // A ray that was left open follows a domain that was not.
-        let moved = domain.0 != scenario.domain;
-        scenario.domain = domain.0;
-        scenario.ray = if moved { default_ray(&domain.0) } else { scenario.ray };
+        let domain = Cube { min: domain.min.0, side: domain.side };
+        domain.cut(0)?;
+        let moved = domain != scenario.domain;
+        scenario.domain = domain;
+        scenario.ray = if moved { default_ray(&domain) } else { scenario.ray };
     }
     if let Some(ray) = file.ray {
-        scenario.ray = ray.0;
+        scenario.ray = Ray::new(ray.origin.0, ray.direction.0)?;
     }
 
     let recipe = &mut scenario.recipe;
     *recipe = Recipe {
-        depth: file.build.depth.map_or(recipe.depth, |depth| depth.0),
-        capacity: file.build.capacity.map_or(recipe.capacity, |capacity| capacity.0),
+        depth: match file.build.depth {
+            Some(depth) => level(depth, "build.depth")?,
+            None => recipe.depth,
+        },
+        capacity: match file.build.capacity {
+            Some(0) => return Err(Fault::Capacity),
+            Some(capacity) => capacity,
+            None => recipe.capacity,
+        },
         merge: file.build.merge.unwrap_or(recipe.merge),
         threshold: file.build.threshold.unwrap_or(recipe.threshold),
         fill: file.build.fill.unwrap_or(recipe.fill),
@@ -138,9 +245,14 @@ fn scenario<const D: usize>(file: File<D>) -> Result<Scenario<D>, ScenarioError>
         },
         Some(QueryField::Point { at, method }) => Query::Point { at: at.0, method },
         Some(QueryField::Region { min, max }) => Query::Region { min: min.0, max: max.0 },
-        Some(QueryField::Neighbour { level, code, direction, reach, method }) => {
-            let (level, code, direction) = (level.0, code.0, direction.0);
-            Query::Neighbour { level, code, direction, reach, method }
+        Some(QueryField::Neighbour { level: of, code, direction, reach, method }) => {
+            Query::Neighbour {
+                level: level(of, "query.neighbour.level")?,
+                code: code.0,
+                direction: Direction::new(direction.0)?,
+                reach,
+                method,
+            }
         }
     };
     scenario.step = file.step.map_or(scenario.step, |step| step.0);
@@ -149,9 +261,15 @@ fn scenario<const D: usize>(file: File<D>) -> Result<Scenario<D>, ScenarioError>
     Ok(scenario)
 }
 
-fn source<const D: usize>(scene: Scene<D>) -> Result<Source<D>, ScenarioError> {
+/// Level or depth `number`, which stands at `path`.
+fn level(number: u64, path: &'static str) -> Result<u8, Fault> {
+    let fits = u8::try_from(number).ok().filter(|&level| level <= MAX_ROOT_LEVEL);
+    fits.ok_or(Fault::Level(number, path))
+}
+
+fn source<const D: usize>(scene: Scene<D>) -> Result<Source<D>, Fault> {
     let all = |vectors: Vec<Vector<f64, D>>| vectors.into_iter().map(|v| v.0).collect();
-    let stray = |field, with| Err(ScenarioError::Stray { field, with });
+    let stray = |field, with| Err(Fault::Stray { field, with });
     if scene.parameters.is_some() && scene.built_in.is_none() {
         return stray("parameters", "built-in");
     }
@@ -183,19 +301,31 @@ fn source<const D: usize>(scene: Scene<D>) -> Result<Source<D>, ScenarioError> {
     let count = kinds.len();
     match (kinds.pop(), count) {
         (Some(source), 1) => Ok(source),
-        _ => Err(ScenarioError::Kinds(count)),
+        _ => Err(Fault::Kinds(count)),
     }
 }
 
-fn picture(picture: &Picture) -> Result<Image, ScenarioError> {
+/// Field of the scene that holds such content.
+fn field<const D: usize>(content: &Content<D>) -> &'static str {
+    match content {
+        Content::Points(_) => "points",
+        Content::Cells(_) => "cells",
+        Content::Image(_) => "image",
+        Content::Spheres(_) => "spheres",
+        Content::Boxes(_) => "boxes",
+        Content::Triangles(_) => "triangles",
+    }
+}
+
+fn picture(picture: &Picture) -> Result<Image, Fault> {
     let mut pixels = Vec::new();
     if picture.rows.len() != picture.height as usize {
-        return Err(ScenarioError::Row(picture.rows.len().min(picture.height as usize) + 1));
+        return Err(Fault::Row(picture.rows.len().min(picture.height as usize) + 1));
     }
     for (number, row) in picture.rows.iter().enumerate() {
         let colours: Option<Vec<[u8; 3]>> = row.split_whitespace().map(colour).collect();
         let fitting = colours.filter(|colours| colours.len() == picture.width as usize);
-        pixels.extend(fitting.ok_or(ScenarioError::Row(number + 1))?);
+        pixels.extend(fitting.ok_or(Fault::Row(number + 1))?);
     }
     Ok(Image { width: picture.width, height: picture.height, pixels })
 }

@@ -1,0 +1,11 @@
+//! The command line as its users meet it: the real program, its output, its
+//! messages and its exit status.
+
+#![allow(clippy::unwrap_used, reason = "a test may panic")]
+
+mod arguments;
+mod desk;
+mod export;
+mod files;
+mod scenario;
+mod visit;

@@ -1,0 +1,126 @@
+//! `octoscope trace` and `octoscope check`.
+
+use crate::desk::{desk_with_scenario, text};
+use std::fs;
+use std::process::Stdio;
+
+#[test]
+fn check_tells_what_files_hold() {
+    let desk = desk_with_scenario();
+    let report = desk.prints("check a.octo a.xyz scene:figure-7");
+    let lines: Vec<&str> = report.lines().collect();
+    assert_eq!(lines.len(), 3, "{report}");
+    assert!(lines[0].starts_with("a.octo: ok, quadtree, 3 points, "), "{report}");
+    assert!(lines[1].starts_with("a.xyz: ok, octree, 2 points, "), "{report}");
+    assert!(
+        lines[2].starts_with("scene:figure-7: ok, octree, 1 cell, 8 leaves, 1 occupied, depth 1"),
+        "{report}"
+    );
+}
+
+#[test]
+fn check_tells_what_lists_of_cells_and_rays_hold() {
+    let desk = desk_with_scenario();
+    desk.put("b.cells", "# none\n");
+    desk.put("b.rays", "0 0 0 1 0 0 # one\n");
+    let report = desk.prints("check a.cells b.cells a.rays b.rays");
+    let lines = [
+        "a.cells: ok, quadtree, 1 cell, depth 2 or more",
+        "b.cells: ok, octree, 0 cells, depth 0 or more",
+        "a.rays: ok, 3 rays in the plane",
+        "b.rays: ok, 1 ray in space",
+    ];
+    assert_eq!(report, lines.join("\n") + "\n");
+    desk.put("c.rays", "0 0 1 0\n0 0 0 0\n");
+    let report = desk.run("check c.rays");
+    assert_eq!(report.status.code(), Some(1));
+    assert!(text(&report.stdout).starts_with("c.rays: bad, line 2, column 5: the direction"));
+}
+
+#[test]
+fn check_and_scenes_are_quiet_when_nobody_reads_on() {
+    let desk = desk_with_scenario();
+    for arguments in ["scenes", "scenes --json", "check a.octo a.xyz", "trace a.octo", "--help"] {
+        let mut command = desk.command(arguments);
+        let mut child = command.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
+        drop(child.stdout.take());
+        let output = child.wait_with_output().unwrap();
+        assert_eq!((output.status.code(), text(&output.stderr)), (Some(0), String::new()));
+    }
+}
+
+#[test]
+fn check_answers_no_where_a_file_is_bad() {
+    let desk = desk_with_scenario();
+    let output = desk.run("check a.octo cut.octo none.octo scene:none");
+    assert_eq!(output.status.code(), Some(1));
+    assert!(text(&output.stderr).contains("3 of 4 files are bad"));
+    let report = text(&output.stdout);
+    let lines: Vec<&str> = report.lines().collect();
+    assert_eq!(lines.len(), 4, "{report}");
+    assert!(lines[0].starts_with("a.octo: ok, "), "{report}");
+    assert!(lines[1].starts_with("cut.octo: bad, ") && lines[1].contains("line "), "{report}");
+    assert_eq!(lines[2], "none.octo: bad, there is no such file or folder");
+    assert!(lines[3].starts_with("scene:none: bad, ") && lines[3].contains("cloud"), "{report}");
+    desk.refuses("check");
+}
+
+#[test]
+fn trace_tells_every_step() {
+    let desk = desk_with_scenario();
+    let english = desk.prints("trace a.octo");
+    let german = desk.prints("trace a.octo --lang de");
+    assert_eq!(english.lines().count(), german.lines().count());
+    assert_ne!(english, german);
+    let lines = desk.prints("trace a.octo --format jsonl");
+    // The header for step 0.
+    assert_eq!(lines.lines().count(), english.lines().count());
+    let objects: Vec<serde_json::Value> =
+        lines.lines().map(|line| serde_json::from_str(line).unwrap()).collect();
+    assert_eq!(objects[0]["octoscope-trace"], 1);
+    assert!(objects[1..].iter().all(|object| object["event"].is_string()));
+    let table = desk.prints("trace a.octo --format csv");
+    assert_eq!(table.lines().count(), lines.lines().count());
+    assert_eq!(desk.prints("trace a.octo --format csv -o a.csv"), "");
+    assert_eq!(fs::read_to_string(desk.0.path().join("a.csv")).unwrap(), table);
+}
+
+#[test]
+fn trace_takes_another_ray_and_another_algorithm() {
+    let desk = desk_with_scenario();
+    let leaves = |arguments: &str| {
+        let lines = desk.prints(&format!("trace {arguments} --format jsonl"));
+        let objects: Vec<serde_json::Value> =
+            lines.lines().map(|line| serde_json::from_str(line).unwrap()).collect();
+        let leaves = objects.iter().filter(|object| object["event"] == "leaf");
+        leaves.map(|leaf| leaf["node"].to_string()).collect::<Vec<_>>()
+    };
+    let ray = "scene:figure-7 --ray -1,0.25,0.25,0x1p0,0,0";
+    assert_eq!(leaves(ray), ["[0,0,0,0]", "[0,1,0,0]"]);
+    assert_eq!(leaves(&format!("{ray} --algorithm exhaustive")), leaves(ray));
+    assert_eq!(leaves("a.octo --algorithm codes"), leaves("a.octo --algorithm parametric"));
+    // This scene asks for a point.
+    assert!(!leaves("scene:figure-1 --algorithm codes").is_empty());
+    assert_eq!(leaves("a.xyz"), leaves("a.xyz --algorithm exhaustive"));
+}
+
+#[test]
+fn trace_refuses_bad_input_with_what_would_be_right() {
+    let desk = desk_with_scenario();
+    for (arguments, known) in [
+        ("a.octo --ray 1,2,3", "takes 4: ox,oy,dx,dy"),
+        ("a.xyz --ray 1,2,3,4", "takes 6"),
+        ("a.octo --ray 0,0,0,0", "--ray"),
+        ("a.octo --ray 0,0,x,1", "‘x’ is no finite number"),
+        ("a.octo --algorithm fastest", "parametric-table"),
+        ("a.octo --format xml", "jsonl"),
+        ("a.octo --lang fr", "en and de"),
+        ("none.octo", "no such file"),
+        ("cut.octo", "line "),
+        ("a.rays", "cannot be opened"),
+    ] {
+        let message = desk.refuses(&format!("trace {arguments}"));
+        assert!(message.contains(known), "{arguments}: {message}");
+    }
+    desk.refuses("trace");
+}
