@@ -110,16 +110,14 @@ fn ray<const D: usize>(numbers: &Numbers) -> anyhow::Result<Ray<D>> {
 /// `query`, if it is about the ray, else the default one that is; by
 /// `algorithm`, if there is one.
 fn along_ray<const D: usize>(query: Query<D>, algorithm: Option<Algorithm>) -> Query<D> {
-    let query = match query {
+    let mut along = match query {
         Query::Ray { .. } => query,
         Query::Point { .. } | Query::Region { .. } | Query::Neighbour { .. } => Query::default(),
     };
-    match (query, algorithm) {
-        (Query::Ray { options, arithmetic, .. }, Some(algorithm)) => {
-            Query::Ray { algorithm, options, arithmetic }
-        }
-        (query, _) => query,
+    if let (Query::Ray { algorithm, .. }, Some(wanted)) = (&mut along, algorithm) {
+        *algorithm = wanted;
     }
+    along
 }
 
 #[cfg(test)]
