@@ -10,6 +10,9 @@ use octoscope_import::{ImportError, Imported, hash, import};
 use std::path::Path;
 use std::sync::Arc;
 
+/// Longest scenario that is read, 256 MiB: what it holds takes more in memory.
+const MOST_BYTES_OF_A_SCENARIO: usize = 256 << 20;
+
 /// Document of what a user names: a built-in scene as `scene:NAME`, or else a
 /// path.
 ///
@@ -52,6 +55,9 @@ pub fn open_bytes(
     progress: &Progress,
 ) -> anyhow::Result<AnyDocument> {
     if is_scenario(name) {
+        if bytes.len() > MOST_BYTES_OF_A_SCENARIO {
+            bail!("the scenario is larger than 256 MiB; keep its data in a file of its own");
+        }
         let text = files::as_text(bytes)?;
         return open_scenario(AnyScenario::parse(text)?, folder, progress);
     }

@@ -51,6 +51,10 @@ fn every_strange_file_has_one_message() {
         let reason = bad(&desk, name);
         assert!(reason.contains(part), "{name}: {reason}");
     }
+    // A hole takes no room on the disk.
+    let large = fs::File::create(desk.0.path().join("large.octo")).unwrap();
+    large.set_len((256 << 20) + 1).unwrap();
+    assert!(bad(&desk, "large.octo").contains("larger than 256 MiB"));
     fs::create_dir(desk.0.path().join("folder.xyz")).unwrap();
     assert_eq!(bad(&desk, "folder.xyz"), "this is a folder; name a file in it");
 }

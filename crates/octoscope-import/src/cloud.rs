@@ -5,6 +5,10 @@ use crate::shape::{Shape, check_points};
 use crate::words::{Line, Word, lines};
 use octoscope_core::progress::Progress;
 
+/// Most columns that a line may have; a file that is no list of points may be
+/// one endless line.
+const MOST_COLUMNS: usize = 1000;
+
 /// Points of an XYZ file: one a line, its coordinates first, between blanks or
 /// commas; `#` starts a comment. Two columns are points in the plane; of more,
 /// the first three are taken.
@@ -19,6 +23,7 @@ pub fn read_xyz(bytes: &[u8], progress: &Progress) -> Result<Shape, ImportError>
     let Some((line, first)) = rows.peek() else { return Err(ImportError::NoPoints) };
     match first.len() {
         0 | 1 => Err(too_few(line)),
+        n if n > MOST_COLUMNS => Err(too_many(line)),
         2 => Ok(Shape::PlanePoints(points(rows, [0, 1], 2, progress)?)),
         n => Ok(Shape::Points(points(rows, [0, 1, 2], n, progress)?)),
     }
@@ -38,7 +43,7 @@ pub fn read_csv(bytes: &[u8], progress: &Progress) -> Result<Shape, ImportError>
     let mut rows = lines(bytes).filter(is_row).peekable();
     let Some(&line) = rows.peek() else { return Err(ImportError::NoPoints) };
     let separator = separator(line);
-    let first: Vec<_> = line.split(move |b| b == separator).map(bare).collect();
+    let first = fields(line, separator);
     let named = |name: &[u8]| first.iter().position(|field| field.text.eq_ignore_ascii_case(name));
     let has_names = first.iter().take(3).any(|field| !is_number(field));
     let (x, y, z) = match (named(b"x"), named(b"y")) {
@@ -48,12 +53,15 @@ pub fn read_csv(bytes: &[u8], progress: &Progress) -> Result<Shape, ImportError>
     if first.len() < 2 {
         return Err(too_few(&line));
     }
+    if first.len() > MOST_COLUMNS {
+        return Err(too_many(&line));
+    }
     if has_names {
         rows.next();
     }
     progress.start(bytes.len() as u64);
     let n = first.len();
-    let rows = rows.map(|line| (line, line.split(move |b| b == separator).map(bare).collect()));
+    let rows = rows.map(|line| (line, fields(line, separator)));
     match z {
         None => Ok(Shape::PlanePoints(points(rows, [x, y], n, progress)?)),
         Some(z) => Ok(Shape::Points(points(rows, [x, y, z], n, progress)?)),
@@ -87,7 +95,11 @@ fn points<'a, const D: usize>(
 fn coordinates(line: Line<'_>) -> Vec<Word<'_>> {
     // A comma between blanks separates once.
     let words = line.split(|b| b == b',' || b.is_ascii_whitespace());
-    words.filter(|word| !word.text.is_empty()).collect()
+    words.filter(|word| !word.text.is_empty()).take(MOST_COLUMNS + 1).collect()
+}
+
+fn fields(line: Line<'_>, separator: u8) -> Vec<Word<'_>> {
+    line.split(|b| b == separator).map(bare).take(MOST_COLUMNS + 1).collect()
 }
 
 fn is_blank(line: &Line<'_>) -> bool {
@@ -101,6 +113,11 @@ fn is_number(word: &Word<'_>) -> bool {
 fn too_few(line: &Line<'_>) -> ImportError {
     let fact = "the line has one column";
     ImportError::at(line.end(), fact, "write two or three coordinates a line")
+}
+
+fn too_many(line: &Line<'_>) -> ImportError {
+    let fact = format!("the line has more than {MOST_COLUMNS} columns");
+    ImportError::at(line.place(0), fact, "write one point a line")
 }
 
 /// The separator that occurs in the first line; a decimal comma counts last.
@@ -183,6 +200,15 @@ mod tests {
             csv("x\n1"),
             "line 1, column 2: the line has one column; write two or three coordinates a line",
         );
+    }
+
+    #[test]
+    fn endless_lines_are_refused() {
+        let message =
+            "line 1, column 1: the line has more than 1000 columns; write one point a line";
+        check(xyz(&"1 ".repeat(2000)), message);
+        check(csv(&"1,".repeat(2000)), message);
+        assert!(xyz(&"1 ".repeat(1000)).is_ok());
     }
 
     #[test]

@@ -2,9 +2,12 @@
 //! are passed over. A `\` at the end of a line joins the next one to it.
 
 use crate::error::{ImportError, Place};
-use crate::shape::{Shape, push_fan};
+use crate::shape::{Shape, check_points, push_fan};
 use crate::words::{Line, Word, lines};
 use octoscope_core::progress::Progress;
+
+/// Most words that a statement may have.
+const MOST_WORDS: usize = 1 << 20;
 
 /// Triangles of the faces of an OBJ file, or its vertices if it has no faces.
 ///
@@ -20,8 +23,12 @@ pub fn read(bytes: &[u8], progress: &Progress) -> Result<Shape, ImportError> {
     for line in lines(bytes) {
         progress.advance(line.text.len() as u64 + 1)?;
         let (line, goes_on) = without_continuation(line.without_comment());
-        words.extend(line.words());
+        words.extend(line.words().take(MOST_WORDS + 1));
         end = line.end();
+        if words.len() > MOST_WORDS {
+            let fact = format!("the statement has more than {MOST_WORDS} words");
+            return Err(ImportError::at(line.place(0), fact, "split it"));
+        }
         if !goes_on {
             mesh.add(&words, end)?;
             words.clear();
@@ -43,7 +50,10 @@ impl Mesh {
     fn add(&mut self, words: &[Word<'_>], end: Place) -> Result<(), ImportError> {
         let Some((keyword, words)) = words.split_first() else { return Ok(()) };
         match keyword.text {
-            b"v" => self.vertices.push(vertex(words, end)?),
+            b"v" => {
+                self.vertices.push(vertex(words, end)?);
+                check_points(self.vertices.len())?;
+            }
             b"f" => {
                 let corner = |word| index(word, self.vertices.len()).map(|i| self.vertices[i]);
                 let corners: Vec<_> = words.iter().map(corner).collect::<Result<_, _>>()?;
@@ -170,6 +180,14 @@ mod tests {
         check(
             "v 1 2 3,5",
             "line 7, column 7: “3,5” is not a number; write a number such as -1.25 or 3e-4",
+        );
+    }
+
+    #[test]
+    fn endless_statements_are_refused() {
+        check(
+            &format!("f{}", " 1".repeat(MOST_WORDS)),
+            "line 7, column 1: the statement has more than 1048576 words; split it",
         );
     }
 

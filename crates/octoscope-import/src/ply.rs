@@ -163,6 +163,8 @@ fn read_faces(
                     return Err(ImportError::at(numbers.place(), fact, remedy));
                 };
                 corners.push(*vertex);
+                // A polygon of n corners becomes n − 2 triangles.
+                check_triangles(corners.len().saturating_sub(2))?;
             }
             if corners.len() < 3 {
                 let fact = format!("the face has {} corners", corners.len());

@@ -92,6 +92,10 @@ fn read_text(bytes: &[u8], progress: &Progress) -> Result<Vec<[[f64; 3]; 3]>, Im
                     )),
                 };
                 corners.push([coordinate()?, coordinate()?, coordinate()?]);
+                if corners.len() > 3 {
+                    let fact = "the loop has more than 3 vertices";
+                    return Err(ImportError::at(keyword.place, fact, "give it 3"));
+                }
             }
             b"endloop" => {
                 let Ok(triangle) = <[[f64; 3]; 3]>::try_from(corners.as_slice()) else {
@@ -163,6 +167,10 @@ mod tests {
         check(
             TEXT.replace("   vertex 1 0 0\n", "").as_bytes(),
             "line 6, column 3: the loop has 2 vertices; give it 3",
+        );
+        check(
+            TEXT.replace("  endloop\n", "vertex 0 0 0\n").as_bytes(),
+            "line 7, column 1: the loop has more than 3 vertices; give it 3",
         );
         check(
             TEXT.replace(" endfacet", "end").as_bytes(),
