@@ -5,7 +5,7 @@ use octoscope_core::event::{End, Event};
 use octoscope_core::geometry::{AXIS_NAMES, Aabb, Axes, Ray};
 use octoscope_core::query::Query;
 use octoscope_core::trace::Moment;
-use octoscope_core::tree::{Child, NodeId, Tree};
+use octoscope_core::tree::{Child, NodeId, Tree, branch};
 use serde::{Deserialize, Serialize};
 
 /// What is to be seen beside the algorithm's state.
@@ -179,6 +179,7 @@ impl<const D: usize> Scene<'_, D> {
         let Some((parent, taken)) = self.choice().filter(|_| self.show.children) else {
             return;
         };
+        let visited = self.visited_children(parent);
         let parent = self.tree.node(parent);
         for (child, node) in Child::all().zip(self.tree.children(parent)) {
             let bounds = self.tree.node_box(node.id);
@@ -186,7 +187,7 @@ impl<const D: usize> Scene<'_, D> {
             if self.moment.current != Some(node.id) {
                 if child == taken {
                     marks.push(node_mark(self.tree, node.id, Role::Taken));
-                } else if !self.is_visited(node.id) {
+                } else if !visited[usize::from(child.0)] {
                     marks.push(node_mark(self.tree, node.id, Role::Rejected));
                 }
             }
@@ -195,13 +196,18 @@ impl<const D: usize> Scene<'_, D> {
         }
     }
 
-    /// Whether a visited leaf lies in a node.
-    fn is_visited(&self, node: NodeId) -> bool {
-        let (level, code) = (self.tree.level(node), self.tree.code(node));
-        self.moment.leaves.iter().any(|leaf| {
+    /// For each child of a node, whether a visited leaf lies in it: one pass
+    /// over the path for all of them.
+    fn visited_children(&self, parent: NodeId) -> [bool; 8] {
+        let (level, code) = (self.tree.level(parent), self.tree.code(parent));
+        let mut visited = [false; 8];
+        for leaf in &self.moment.leaves {
             let leaf = self.tree.code(leaf.node);
-            (0..D).all(|e| leaf[e] >> level == code[e] >> level)
-        })
+            if level > 0 && (0..D).all(|e| leaf[e] >> level == code[e] >> level) {
+                visited[usize::from(branch(leaf, level).0)] = true;
+            }
+        }
+        visited
     }
 
     fn current(&self, marks: &mut Vec<Mark<D>>) {

@@ -167,3 +167,26 @@ fn marks_of_the_slowest_ray_have_places() {
         assert!(ends.iter().flatten().all(|x| x.is_finite()), "{speed}: {ends:?}");
     }
 }
+
+#[test]
+fn a_child_is_rejected_unless_a_leaf_in_it_was_visited() {
+    let (tree, query) = (corner_tree::<2>(), along_the_ray());
+    let ray = Ray::new([-0.25, -0.2], [1.5, 1.25]).unwrap();
+    let trace = record(&tree, &ray, &query);
+    let (mut n_rejected, mut n_passed) = (0, 0);
+    for step in 1..=trace.events.len() {
+        let moment = Moment::after(&tree, &trace, step);
+        let all = marks(&tree, &ray, &query, &moment, trace.events.get(step - 1), &everything());
+        let of = |wanted: Role| all.iter().filter(move |m| m.role == wanted).filter_map(|m| m.node);
+        for child in of(Role::ChildIndex) {
+            let bounds = tree.node_box(child);
+            let mut inside = moment.leaves.iter().map(|leaf| tree.node_box(leaf.node).centre());
+            let passed = inside.any(|middle| bounds.owns(middle));
+            let rejected = of(Role::Rejected).any(|node| node == child);
+            assert!(!(passed && rejected), "step {step}: {child:?}");
+            n_rejected += usize::from(rejected);
+            n_passed += usize::from(passed);
+        }
+    }
+    assert!(n_rejected > 0 && n_passed > 0);
+}
