@@ -87,3 +87,21 @@ fn the_ray_is_turned_round_by_a_key() {
     assert_eq!(desk.plane().scenario.ray.origin(), ray.at(1.0));
     assert_eq!(desk.plane().scenario.ray.direction(), ray.direction().map(|d| -d));
 }
+
+#[test]
+fn undo_and_redo_bring_the_playhead_along() {
+    let mut desk = Desk::new();
+    desk.press(Key::Home);
+    (0..7).for_each(|_| desk.press(Key::ArrowRight));
+    let tip = desk.place(desk.plane().scenario.ray.at(1.0));
+    desk.drag([tip, tip + vec2(-120.0, -40.0)], Modifiers::NONE);
+    assert_eq!(desk.step_number(), 7, "the playhead stays while the ray turns");
+    (0..4).for_each(|_| desk.press(Key::ArrowRight));
+    desk.press_with(Modifiers::COMMAND, Key::Z);
+    assert_eq!(desk.step_number(), 7);
+    desk.press(Key::ArrowLeft);
+    desk.press_with(Modifiers::COMMAND, Key::Y);
+    assert_eq!(desk.step_number(), 11);
+    desk.press_with(Modifiers::COMMAND, Key::Z);
+    assert_eq!(desk.step_number(), 6, "where it was left");
+}
