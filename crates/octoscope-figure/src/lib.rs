@@ -11,6 +11,7 @@ mod figure;
 pub mod fonts;
 mod mark;
 mod marks;
+mod numbers;
 mod palette;
 mod png;
 mod role;

@@ -46,7 +46,8 @@ pub enum Shape<const D: usize> {
     Triangle([[f64; D]; 3]),
     /// Text at a point.
     Label([f64; D]),
-    /// Text beside a line, as near to the middle of it as there is room.
+    /// Number beside a line, left out where there is no room. The first of
+    /// these marks is number 1, and so on.
     LabelAlong([[f64; D]; 2]),
 }
 

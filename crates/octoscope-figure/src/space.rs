@@ -2,6 +2,7 @@
 
 use crate::camera::corners;
 use crate::figure::text_reach;
+use crate::numbers::{Number, Stand, stands};
 use crate::{Camera, Drawn, Figure, Form, Mark, Page, Part, Projected, Role, Shape, Style, Theme};
 use octoscope_core::geometry::Aabb;
 
@@ -12,10 +13,12 @@ pub fn space_figure<const D: usize>(marks: &[Mark<D>], camera: &Camera<D>, page:
     for mark in marks {
         canvas.draw(mark);
     }
-    // Labels look for room once everything is drawn that they may not cover.
-    for mark in marks {
-        canvas.write(mark);
-    }
+    // Labels look for room once everything is drawn that they may not cover:
+    // those of the axes first, which have but one place, numbers last.
+    let is_of_axis = |mark: &&Mark<D>| matches!(mark.role, Role::AxisLabel(_));
+    marks.iter().filter(is_of_axis).for_each(|mark| canvas.write(mark));
+    marks.iter().filter(|mark| !is_of_axis(mark)).for_each(|mark| canvas.write(mark));
+    canvas.number(marks);
     let mut drawn = canvas.drawn;
     drawn.sort_by(|(a, _), (b, _)| a.total_cmp(b));
     Figure { page, drawn: drawn.into_iter().map(|(_, drawn)| drawn).collect() }
@@ -207,18 +210,6 @@ impl<const D: usize> Canvas<'_, D> {
                     self.text(mark, at, text);
                 }
             }
-            Shape::LabelAlong(ends) => {
-                let [Some(from), Some(to)] = ends.map(place) else {
-                    return;
-                };
-                let radius = Style::of(Theme::Light, mark.role).radius;
-                let candidates = places_along(from, to, radius);
-                if let Some(at) = self.room(candidates, [radius + 1.0; 2]) {
-                    let disc = Form::Circle { centre: at, radius };
-                    self.push_at(above_space(mark.role), mark, Part::Whole, disc);
-                    self.text(mark, at, text);
-                }
-            }
             Shape::Plane { bounds, .. } => {
                 // Beyond a corner of the plane, the lowest on the page first.
                 let reach = text_reach(mark.role, text);
@@ -242,7 +233,46 @@ impl<const D: usize> Canvas<'_, D> {
             | Shape::Arrow(_)
             | Shape::Point(_)
             | Shape::Sphere { .. }
-            | Shape::Triangle(_) => {}
+            | Shape::Triangle(_)
+            | Shape::LabelAlong(_) => {}
+        }
+    }
+
+    /// Writes the labels along lines, as many as there is room for.
+    fn number(&mut self, marks: &[Mark<D>]) {
+        let page = [self.page.width, self.page.height];
+        let (mut numbers, mut labels) = (Vec::new(), Vec::new());
+        let along = marks.iter().filter_map(|mark| match (mark.shape, &mark.text) {
+            (Shape::LabelAlong(ends), Some(text)) => Some((mark, ends, text)),
+            _ => None,
+        });
+        for (index, (mark, ends, text)) in along.enumerate() {
+            let chord = self.camera.project_segment(self.page, ends).map(|line| line.map(|p| p.at));
+            if let Some(chord) = chord.and_then(|chord| clipped(chord, page)) {
+                let style = Style::of(Theme::Light, mark.role);
+                let [half_width, _] = text_reach(mark.role, text);
+                let disc = style.radius.max(half_width + 2.0);
+                let radius = disc + 0.5 * style.width;
+                numbers.push(Number { order: index + 1, chord, radius });
+                labels.push((mark, disc, text));
+            }
+        }
+        let stands = stands(&numbers, &self.taken, page);
+        let stands: Vec<_> = labels
+            .into_iter()
+            .zip(stands)
+            .filter_map(|(label, stand)| Some((label, stand?)))
+            .collect();
+        for ((mark, ..), Stand { leader, .. }) in &stands {
+            if let Some(line) = leader {
+                let line = Form::Polyline(line.to_vec());
+                self.push_at(above_space(mark.role), mark, Part::Edge, line);
+            }
+        }
+        for ((mark, radius, text), Stand { at, .. }) in stands {
+            let disc = Form::Circle { centre: at, radius };
+            self.push_at(above_space(mark.role), mark, Part::Whole, disc);
+            self.text(mark, at, text);
         }
     }
 
@@ -324,22 +354,21 @@ fn ring(axis: usize, value: usize, dimension: usize) -> Vec<usize> {
     }
 }
 
-/// Places for a disc beside a chord, the best first: beside its middle, to the
-/// upper side, then the other, then farther along and away.
-fn places_along(from: [f64; 2], to: [f64; 2], radius: f64) -> impl Iterator<Item = [f64; 2]> {
-    let length = distance(from, to).max(1e-9);
-    let along: [f64; 2] = std::array::from_fn(|e| (to[e] - from[e]) / length);
-    let mut across = [along[1], -along[0]];
-    if across[1] > 0.0 {
-        across = across.map(|x| -x);
+/// The part of a segment that lies on a page from (0, 0) to `page`.
+fn clipped([from, to]: [[f64; 2]; 2], page: [f64; 2]) -> Option<[[f64; 2]; 2]> {
+    let (mut enter, mut exit) = (0f64, 1f64);
+    for e in 0..2 {
+        let along = to[e] - from[e];
+        let ends = [-from[e], page[e] - from[e]].map(|way| way / along);
+        if along != 0.0 {
+            enter = enter.max(ends[0].min(ends[1]));
+            exit = exit.min(ends[0].max(ends[1]));
+        } else if !(0.0..=page[e]).contains(&from[e]) {
+            return None;
+        }
     }
-    let middle: [f64; 2] = std::array::from_fn(|e| 0.5 * (from[e] + to[e]));
-    [1.0, -1.0, 1.9, -1.9, 2.8, -2.8, 3.7, -3.7].into_iter().flat_map(move |away| {
-        [0.0, -0.5, 0.5, -1.0, 1.0, -1.5, 1.5].map(|shift| {
-            let (gap, shift) = (away * (radius + 6.0), shift * (2.0 * radius));
-            std::array::from_fn(|e| middle[e] + gap * across[e] + shift * along[e])
-        })
-    })
+    let at = |t: f64| std::array::from_fn(|e| from[e] + t * (to[e] - from[e]));
+    (enter <= exit).then(|| [at(enter), at(exit)])
 }
 
 fn distance(a: [f64; 2], b: [f64; 2]) -> f64 {
