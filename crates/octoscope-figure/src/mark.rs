@@ -28,6 +28,9 @@ pub enum Shape<const D: usize> {
     Arrow([[f64; D]; 2]),
     /// A point.
     Point([f64; D]),
+    /// The end of a line between two points, drawn apart from its beginning and
+    /// on the page: see [`crate::Camera::tip_handle`].
+    Tip([[f64; D]; 2]),
     /// A piece of a plane: a box that is flat across `axis`.
     Plane {
         /// The axis across which it lies.

@@ -331,7 +331,7 @@ impl<const D: usize> Scene<'_, D> {
         let (from, to) = (self.ray.origin(), self.ray.at(1.0));
         marks.push(Mark::new(Shape::Arrow([from, far_end(self.tree, self.ray)]), Role::Ray));
         marks.push(Mark::new(Shape::Point(from), Role::RayOrigin));
-        marks.push(Mark::new(Shape::Point(to), Role::RayTip));
+        marks.push(Mark::new(Shape::Tip([from, to]), Role::RayTip));
         let mask = self.moment.clip.map_or(Axes::NONE, |clip| clip.mirror);
         if self.show.mirrored_ray && !mask.is_empty() {
             let centre = self.tree.domain().root_box().centre();
@@ -346,8 +346,8 @@ impl<const D: usize> Scene<'_, D> {
     }
 }
 
-/// Where the arrow of the ray ends: a little beyond the root and its handle.
-fn far_end<const D: usize>(tree: &Tree<D>, ray: &Ray<D>) -> [f64; D] {
+/// Where the arrow of a ray ends: a little beyond the root and its handle.
+pub fn far_end<const D: usize>(tree: &Tree<D>, ray: &Ray<D>) -> [f64; D] {
     const BEYOND: f64 = 0.06;
     // Squares of small components would vanish; an infinite t times 0 is no place.
     let length = ray.direction().into_iter().fold(0.0, f64::hypot);

@@ -63,17 +63,27 @@ impl<const D: usize> Canvas<'_, D> {
                 }
             }
             Shape::Arrow(ends) => {
-                if let Some(line) = self.camera.project_segment(self.page, ends) {
-                    self.draw_arrow(mark, line.map(|p| p.at));
+                // An arrow that leaves the page ends at its border, head and all.
+                if let Some(line) = self.camera.visible_segment(self.page, ends) {
+                    self.draw_arrow(mark, line);
                 }
             }
             Shape::Point(point) => {
-                if let Some(Projected { at, .. }) = self.camera.project(self.page, point) {
-                    let radius = Style::of(Theme::Light, mark.role).radius;
+                let radius = Style::of(Theme::Light, mark.role).radius;
+                let projected = self.camera.project(self.page, point);
+                if let Some(Projected { at, .. }) = projected.filter(|p| self.is_near(p.at, radius))
+                {
                     if !matches!(mark.role, Role::Content) {
                         self.taken.push([at, [radius + 1.0; 2]]);
                     }
                     self.push(mark, point, Part::Whole, Form::Circle { centre: at, radius });
+                }
+            }
+            Shape::Tip(ends) => {
+                if let Some(at) = self.camera.tip_handle(self.page, ends) {
+                    let radius = Style::of(Theme::Light, mark.role).radius;
+                    self.taken.push([at, [radius + 1.0; 2]]);
+                    self.push(mark, ends[1], Part::Whole, Form::Circle { centre: at, radius });
                 }
             }
             Shape::Sphere { centre, radius } => {
@@ -97,6 +107,12 @@ impl<const D: usize> Canvas<'_, D> {
             }
             Shape::Label(_) | Shape::LabelAlong(_) => {}
         }
+    }
+
+    /// Whether a disc reaches the page.
+    fn is_near(&self, [x, y]: [f64; 2], radius: f64) -> bool {
+        (-radius..=self.page.width + radius).contains(&x)
+            && (-radius..=self.page.height + radius).contains(&y)
     }
 
     /// Corners of a plane box on the page, in turn.
@@ -232,6 +248,7 @@ impl<const D: usize> Canvas<'_, D> {
             | Shape::Segment(_)
             | Shape::Arrow(_)
             | Shape::Point(_)
+            | Shape::Tip(_)
             | Shape::Sphere { .. }
             | Shape::Triangle(_)
             | Shape::LabelAlong(_) => {}
@@ -247,8 +264,7 @@ impl<const D: usize> Canvas<'_, D> {
             _ => None,
         });
         for (index, (mark, ends, text)) in along.enumerate() {
-            let chord = self.camera.project_segment(self.page, ends).map(|line| line.map(|p| p.at));
-            if let Some(chord) = chord.and_then(|chord| clipped(chord, page)) {
+            if let Some(chord) = self.camera.visible_segment(self.page, ends) {
                 let style = Style::of(Theme::Light, mark.role);
                 let [half_width, _] = text_reach(mark.role, text);
                 let disc = style.radius.max(half_width + 2.0);
@@ -352,23 +368,6 @@ fn ring(axis: usize, value: usize, dimension: usize) -> Vec<usize> {
         [a, b] => vec![value, value | a, value | a | b, value | b],
         _ => Vec::new(),
     }
-}
-
-/// The part of a segment that lies on a page from (0, 0) to `page`.
-fn clipped([from, to]: [[f64; 2]; 2], page: [f64; 2]) -> Option<[[f64; 2]; 2]> {
-    let (mut enter, mut exit) = (0f64, 1f64);
-    for e in 0..2 {
-        let along = to[e] - from[e];
-        let ends = [-from[e], page[e] - from[e]].map(|way| way / along);
-        if along != 0.0 {
-            enter = enter.max(ends[0].min(ends[1]));
-            exit = exit.min(ends[0].max(ends[1]));
-        } else if !(0.0..=page[e]).contains(&from[e]) {
-            return None;
-        }
-    }
-    let at = |t: f64| std::array::from_fn(|e| from[e] + t * (to[e] - from[e]));
-    (enter <= exit).then(|| [at(enter), at(exit)])
 }
 
 fn distance(a: [f64; 2], b: [f64; 2]) -> f64 {
