@@ -23,9 +23,9 @@ use std::time::Duration;
 /// The window's whole state.
 pub struct App {
     document: AnyDocument,
-    /// The document when it was last undisturbed, for undo.
-    settled: AnyDocument,
-    history: History<AnyDocument>,
+    /// What was shown when it was last undisturbed, for undo.
+    settled: Shown,
+    history: History<Shown>,
     /// What the window remembers.
     pub view: View,
     look: Look,
@@ -36,6 +36,13 @@ pub struct App {
     status: String,
     /// Layers on the graphics adapter; `None` without one.
     layers: Option<Layers>,
+}
+
+/// What undo brings back: the document, and where the playhead was in it.
+#[derive(Clone)]
+struct Shown {
+    document: AnyDocument,
+    step: usize,
 }
 
 /// What the result of a job is for.
@@ -81,7 +88,7 @@ impl App {
     fn with_document(document: AnyDocument, view: View, layers: Option<Layers>) -> Self {
         let look_of = (view.language, view.theme);
         let mut app = Self {
-            settled: document.clone(),
+            settled: Shown { document: document.clone(), step: 0 },
             document,
             history: History::default(),
             look: theme::look(view.language, view.theme),
@@ -93,6 +100,7 @@ impl App {
             layers,
         };
         app.go_to_start();
+        app.settled.step = app.view.playback.step;
         app
     }
 
@@ -190,15 +198,16 @@ impl App {
         match (result, purpose) {
             (Ok(document), Purpose::Open) => {
                 self.settle_now();
-                self.history.record(std::mem::replace(&mut self.document, document));
-                self.settled = self.document.clone();
+                self.history.record(self.shown());
+                self.document = document;
                 self.status.clear();
                 self.go_to_start();
+                self.settled = self.shown();
             }
             (Ok(document), Purpose::Restore) => {
                 self.document = document;
-                self.settled = self.document.clone();
                 self.go_to_start();
+                self.settled = self.shown();
             }
             (Err(_), Purpose::Restore) => {}
             (Ok(rebuilt), Purpose::Rebuild) => match (&mut self.document, rebuilt) {
@@ -227,9 +236,17 @@ impl App {
     }
 
     fn settle_now(&mut self) {
-        if !self.document.is_same_state(&self.settled) {
-            self.history.record(std::mem::replace(&mut self.settled, self.document.clone()));
+        if self.document.is_same_state(&self.settled.document) {
+            // Stepping is not undone, but where it led to is part of the state.
+            self.settled.step = self.view.playback.step;
+        } else {
+            let shown = self.shown();
+            self.history.record(std::mem::replace(&mut self.settled, shown));
         }
+    }
+
+    fn shown(&self) -> Shown {
+        Shown { document: self.document.clone(), step: self.view.playback.step }
     }
 
     /// Commands whose keys were pressed.
@@ -331,20 +348,20 @@ impl App {
         self.view.playback.go_to(step, self.document.n_events());
     }
 
-    fn travel(
-        &mut self,
-        direction: impl FnOnce(&mut History<AnyDocument>, AnyDocument) -> Option<AnyDocument>,
-    ) {
+    /// Undoes or redoes. The playhead goes back to where it was in that state.
+    fn travel(&mut self, direction: impl FnOnce(&mut History<Shown>, Shown) -> Option<Shown>) {
         // What is being changed right now is a state of its own, and a tree
         // that is being built for it belongs to no other document.
         self.settle_now();
         self.job.take_if(|(_, purpose)| *purpose == Purpose::Rebuild);
-        if let Some(document) = direction(&mut self.history, self.document.clone()) {
-            if !document.is_same_place(&self.document) {
+        let present = self.shown();
+        if let Some(shown) = direction(&mut self.history, present) {
+            if !shown.document.is_same_place(&self.document) {
                 (self.view.plane_camera, self.view.orbit_camera) = (None, None);
             }
-            self.document = document;
-            self.settled = self.document.clone();
+            self.document = shown.document;
+            self.go_to(shown.step);
+            self.settled = self.shown();
         }
     }
 

@@ -17,7 +17,7 @@ use octoscope_core::query::{Arithmetic, PointMethod, Query};
 use octoscope_core::trace::record;
 use octoscope_core::traverse::{Algorithm, Options, StopAt};
 use octoscope_core::tree::{NodeId, Tree};
-use octoscope_figure::Camera;
+use octoscope_figure::{Camera, far_end};
 
 /// Points within which a handle, the shaft or a side is hit.
 const REACH: f32 = 14.0;
@@ -115,26 +115,63 @@ fn grip_at<const D: usize>(
     if secondary {
         return Grip::Camera;
     }
-    if matches!(document.scenario.query, Query::Ray { .. }) && !shift {
-        let ray = document.scenario.ray;
-        let [origin, tip] = [ray.origin(), ray.at(1.0)].map(|p| frame.place(camera, p));
-        let within = |place: Option<Pos2>| place.is_some_and(|place| place.distance(at) < REACH);
-        if within(tip) {
-            return Grip::Tip;
-        }
-        if within(origin) {
-            return Grip::Origin;
-        }
-        if let (Some(origin), Some(tip)) = (origin, tip)
-            && distance_to_segment(at, origin, tip) < SHAFT_REACH
-        {
-            return Grip::Shaft;
-        }
+    if matches!(document.scenario.query, Query::Ray { .. })
+        && !shift
+        && let Some(grip) = ray_grip_at(frame, camera, document, at)
+    {
+        return grip;
     }
     if shift || matches!(document.scenario.query, Query::Region { .. }) {
         return Grip::Region(at);
     }
     Grip::Camera
+}
+
+/// The part of the ray at `at`: the nearer handle, else the shaft.
+fn ray_grip_at<const D: usize>(
+    frame: PageInWindow,
+    camera: &Camera<D>,
+    document: &Document<D>,
+    at: Pos2,
+) -> Option<Grip> {
+    let ray = document.scenario.ray;
+    let ends = [ray.origin(), ray.at(1.0)];
+    let tip = camera.tip_handle(frame.page, ends).map(|tip| (Grip::Tip, frame.on_screen(tip)));
+    let origin = frame.place(camera, ends[0]).map(|origin| (Grip::Origin, origin));
+    let handles = [tip, origin].into_iter().flatten();
+    let distances = handles.map(|(grip, place)| (grip, place.distance(at)));
+    let nearest = distances.min_by(|a, b| a.1.total_cmp(&b.1));
+    if let Some((grip, _)) = nearest.filter(|(_, distance)| *distance < REACH) {
+        return Some(grip);
+    }
+    let arrow = [ends[0], far_end(&document.tree, &ray)];
+    let [from, to] = camera.visible_segment(frame.page, arrow)?.map(|p| frame.on_screen(p));
+    (distance_to_segment(at, from, to) < SHAFT_REACH).then_some(Grip::Shaft)
+}
+
+/// Point of the ray's line as far from the eye as a grip on it: its tip if that
+/// is in sight, else the point nearest to the middle of the tree.
+fn depth_of<const D: usize>(
+    frame: PageInWindow,
+    camera: &Camera<D>,
+    document: &Document<D>,
+    grip: Grip,
+) -> [f64; D] {
+    let ray = document.scenario.ray;
+    let [width, height] = [frame.page.width, frame.page.height];
+    let in_sight = |at: [f64; 2]| (0.0..=width).contains(&at[0]) && (0.0..=height).contains(&at[1]);
+    let tip = camera.project(frame.page, ray.at(1.0)).filter(|tip| in_sight(tip.at));
+    if grip == Grip::Tip && tip.is_some() {
+        return ray.at(1.0);
+    }
+    // Squares of very large or small components would be no numbers.
+    let largest = ray.direction().into_iter().fold(0.0, |m: f64, d| m.max(d.abs()));
+    let along = ray.direction().map(|d| d / largest);
+    let centre = document.tree.domain().root_box().centre();
+    let way = (0..D).map(|e| (centre[e] - ray.origin()[e]) * along[e]).sum::<f64>();
+    let square = along.iter().map(|d| d * d).sum::<f64>();
+    let way = (way / square).max(0.0);
+    std::array::from_fn(|e| ray.origin()[e] + way * along[e])
 }
 
 fn drag<const D: usize>(
@@ -154,9 +191,12 @@ fn drag<const D: usize>(
     };
     let ends = match grip {
         Grip::Origin => Some((frame.world(camera, at, ray.origin()), ray.at(1.0))),
-        Grip::Tip => Some((ray.origin(), frame.world(camera, at, ray.at(1.0)))),
+        Grip::Tip => {
+            let through = depth_of(frame, camera, document, grip);
+            Some((ray.origin(), frame.world(camera, at, through)))
+        }
         Grip::Shaft => {
-            let by = moved(ray.at(0.5));
+            let by = moved(depth_of(frame, camera, document, grip));
             let shifted = |p: [f64; D]| std::array::from_fn(|e| p[e] + by[e]);
             Some((shifted(ray.origin()), shifted(ray.at(1.0))))
         }

@@ -122,12 +122,23 @@ impl Desk {
 
     /// Place in the window of a point of the open quadtree.
     pub fn place(&self, point: [f64; 2]) -> Pos2 {
+        let (view, camera) = self.plane_view();
+        view.place(&camera, point).unwrap()
+    }
+
+    /// Place in the window of the handle on the ray's tip in the open quadtree.
+    pub fn tip_handle(&self) -> Pos2 {
+        let (view, camera) = self.plane_view();
+        let ray = self.plane().scenario.ray;
+        view.on_screen(camera.tip_handle(view.page, [ray.origin(), ray.at(1.0)]).unwrap())
+    }
+
+    fn plane_view(&self) -> (PageInWindow, Camera<2>) {
         let rect = self.get_by_role_and_label(Role::Canvas, "Space view").rect();
         let page = Page { width: f64::from(rect.width()), height: f64::from(rect.height()) };
-        let view = PageInWindow { page, corner: rect.min };
         let framed = || Camera::framing(&interesting(self.plane()), page);
         let camera = self.state().view.plane_camera.unwrap_or_else(framed);
-        view.place(&camera, point).unwrap()
+        (PageInWindow { page, corner: rect.min }, camera)
     }
 
     /// The open document, which is a quadtree.

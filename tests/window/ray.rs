@@ -1,7 +1,9 @@
 //! The ray, moved by mouse and numbers.
 
 use crate::desk::Desk;
-use eframe::egui::{Key, Modifiers, vec2};
+use eframe::egui::{Key, Modifiers, Pos2, vec2};
+use octoscope::document::AnyDocument;
+use octoscope_core::geometry::Ray;
 use octoscope_core::tree::NodeId;
 
 fn leaves(desk: &Desk) -> Vec<NodeId> {
@@ -86,4 +88,67 @@ fn the_ray_is_turned_round_by_a_key() {
     desk.press(Key::R);
     assert_eq!(desk.plane().scenario.ray.origin(), ray.at(1.0));
     assert_eq!(desk.plane().scenario.ray.direction(), ray.direction().map(|d| -d));
+}
+
+#[test]
+fn undo_and_redo_bring_the_playhead_along() {
+    let mut desk = Desk::new();
+    desk.press(Key::Home);
+    (0..7).for_each(|_| desk.press(Key::ArrowRight));
+    let tip = desk.place(desk.plane().scenario.ray.at(1.0));
+    desk.drag([tip, tip + vec2(-120.0, -40.0)], Modifiers::NONE);
+    assert_eq!(desk.step_number(), 7, "the playhead stays while the ray turns");
+    (0..4).for_each(|_| desk.press(Key::ArrowRight));
+    desk.press_with(Modifiers::COMMAND, Key::Z);
+    assert_eq!(desk.step_number(), 7);
+    desk.press(Key::ArrowLeft);
+    desk.press_with(Modifiers::COMMAND, Key::Y);
+    assert_eq!(desk.step_number(), 11);
+    desk.press_with(Modifiers::COMMAND, Key::Z);
+    assert_eq!(desk.step_number(), 6, "where it was left");
+}
+
+/// Sets the direction of the ray, as its fields do.
+fn set_direction(desk: &mut Desk, direction: [f64; 2]) {
+    let AnyDocument::Plane(document) = desk.state_mut().document_mut() else { panic!() };
+    let origin = document.scenario.ray.origin();
+    document.scenario.ray = Ray::new(origin, direction).unwrap();
+    desk.run();
+}
+
+#[test]
+fn origin_tip_and_shaft_are_grabbed_however_short_or_long_the_direction_is() {
+    for length in [1e-9, 0.01, 0.05, 40.0, 1e200] {
+        let check = |grab: fn(&Desk) -> Pos2| -> [Ray<2>; 2] {
+            let mut desk = Desk::new();
+            set_direction(&mut desk, [length, 0.62 * length]);
+            let before = desk.plane().scenario.ray;
+            let from = grab(&desk);
+            desk.drag([from, from + vec2(9.0, -70.0)], Modifiers::NONE);
+            [before, desk.plane().scenario.ray]
+        };
+        let [before, after] = check(|desk| desk.place(desk.plane().scenario.ray.origin()));
+        assert_ne!(after.origin(), before.origin(), "the origin, {length}");
+
+        let [before, after] = check(Desk::tip_handle);
+        assert_eq!(after.origin(), before.origin(), "the tip, {length}");
+        let slope = |ray: Ray<2>| ray.direction()[1] / ray.direction()[0];
+        assert!((slope(after) - slope(before)).abs() > 0.05, "the tip, {length}");
+
+        let [before, after] = check(|desk| desk.place([0.4, 0.13 + 0.56 * 0.62]));
+        assert_eq!(after.direction(), before.direction(), "the shaft, {length}");
+        assert_ne!(after.origin(), before.origin(), "the shaft, {length}");
+    }
+}
+
+#[test]
+fn the_tip_follows_the_pointer_from_wherever_its_handle_was() {
+    for length in [1e-9, 40.0] {
+        let mut desk = Desk::new();
+        set_direction(&mut desk, [length, 0.62 * length]);
+        let (from, to) = (desk.tip_handle(), desk.place([0.5, 0.75]));
+        desk.drag([from, to], Modifiers::NONE);
+        let tip = desk.place(desk.plane().scenario.ray.at(1.0));
+        assert!(tip.distance(to) < 1.5, "{tip:?} {to:?}");
+    }
 }

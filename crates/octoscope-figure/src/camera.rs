@@ -122,6 +122,12 @@ impl<const D: usize> Camera<D> {
         }
     }
 
+    /// The part of a world segment that is seen on the page, if any.
+    pub fn visible_segment(&self, page: Page, ends: [[f64; D]; 2]) -> Option<[[f64; 2]; 2]> {
+        let line = self.project_segment(page, ends)?.map(|end| end.at);
+        clipped(line, [[0.0; 2], [page.width, page.height]])
+    }
+
     /// World point under `at` on the page, in the plane through `through` that
     /// is parallel to the page; in 2-D simply the point. For dragging.
     pub fn unproject(&self, page: Page, at: [f64; 2], through: [f64; D]) -> [f64; D] {
@@ -274,6 +280,27 @@ pub(crate) fn corners<const D: usize>(bounds: &Aabb<D>) -> impl Iterator<Item = 
             if corner >> (D - 1 - e) & 1 == 1 { bounds.max[e] } else { bounds.min[e] }
         })
     })
+}
+
+/// The part of a segment on the page that lies in a rectangle from `min` to
+/// `max`; finite ends, however far away.
+pub(crate) fn clipped(
+    [from, to]: [[f64; 2]; 2],
+    [min, max]: [[f64; 2]; 2],
+) -> Option<[[f64; 2]; 2]> {
+    let (mut enter, mut exit) = (0f64, 1f64);
+    for e in 0..2 {
+        let along = to[e] - from[e];
+        let ends = [min[e], max[e]].map(|border| (border - from[e]) / along);
+        if along != 0.0 {
+            enter = enter.max(ends[0].min(ends[1]));
+            exit = exit.min(ends[0].max(ends[1]));
+        } else if !(min[e]..=max[e]).contains(&from[e]) {
+            return None;
+        }
+    }
+    let at = |t: f64| std::array::from_fn(|e| from[e] + t * (to[e] - from[e]));
+    (enter <= exit).then(|| [at(enter), at(exit)])
 }
 
 fn dot<const D: usize>(a: [f64; D], b: [f64; D]) -> f64 {

@@ -28,6 +28,9 @@ pub enum Shape<const D: usize> {
     Arrow([[f64; D]; 2]),
     /// A point.
     Point([f64; D]),
+    /// The end of a line between two points, drawn apart from its beginning and
+    /// on the page: see [`crate::Camera::tip_handle`].
+    Tip([[f64; D]; 2]),
     /// A piece of a plane: a box that is flat across `axis`.
     Plane {
         /// The axis across which it lies.
@@ -46,7 +49,8 @@ pub enum Shape<const D: usize> {
     Triangle([[f64; D]; 3]),
     /// Text at a point.
     Label([f64; D]),
-    /// Text beside a line, as near to the middle of it as there is room.
+    /// Number beside a line, left out where there is no room. The first of
+    /// these marks is number 1, and so on.
     LabelAlong([[f64; D]; 2]),
 }
 

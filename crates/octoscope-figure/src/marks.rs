@@ -6,7 +6,7 @@ use octoscope_core::event::{End, Event};
 use octoscope_core::geometry::{AXIS_NAMES, Aabb, Axes, Ray};
 use octoscope_core::query::Query;
 use octoscope_core::trace::Moment;
-use octoscope_core::tree::{Child, NodeId, Tree};
+use octoscope_core::tree::{Child, NodeId, Tree, branch};
 use serde::{Deserialize, Serialize};
 
 /// What is to be seen beside the algorithm's state.
@@ -196,6 +196,7 @@ impl<const D: usize> Scene<'_, D> {
         let Some((parent, taken)) = self.choice().filter(|_| self.show.children) else {
             return;
         };
+        let visited = self.visited_children(parent);
         let parent = self.tree.node(parent);
         for (child, node) in Child::all().zip(self.tree.children(parent)) {
             let bounds = self.tree.node_box(node.id);
@@ -203,7 +204,7 @@ impl<const D: usize> Scene<'_, D> {
             if self.moment.current != Some(node.id) {
                 if child == taken {
                     marks.push(node_mark(self.tree, node.id, Role::Taken));
-                } else if !self.is_visited(node.id) {
+                } else if !visited[usize::from(child.0)] {
                     marks.push(node_mark(self.tree, node.id, Role::Rejected));
                 }
             }
@@ -212,13 +213,18 @@ impl<const D: usize> Scene<'_, D> {
         }
     }
 
-    /// Whether a visited leaf lies in a node.
-    fn is_visited(&self, node: NodeId) -> bool {
-        let (level, code) = (self.tree.level(node), self.tree.code(node));
-        self.moment.leaves.iter().any(|leaf| {
+    /// For each child of a node, whether a visited leaf lies in it: one pass
+    /// over the path for all of them.
+    fn visited_children(&self, parent: NodeId) -> [bool; 8] {
+        let (level, code) = (self.tree.level(parent), self.tree.code(parent));
+        let mut visited = [false; 8];
+        for leaf in &self.moment.leaves {
             let leaf = self.tree.code(leaf.node);
-            (0..D).all(|e| leaf[e] >> level == code[e] >> level)
-        })
+            if level > 0 && (0..D).all(|e| leaf[e] >> level == code[e] >> level) {
+                visited[usize::from(branch(leaf, level).0)] = true;
+            }
+        }
+        visited
     }
 
     fn current(&self, marks: &mut Vec<Mark<D>>) {
@@ -369,7 +375,7 @@ impl<const D: usize> Scene<'_, D> {
         let (from, to) = (self.ray.origin(), self.ray.at(1.0));
         marks.push(Mark::new(Shape::Arrow([from, far_end(self.tree, self.ray)]), Role::Ray));
         marks.push(Mark::new(Shape::Point(from), Role::RayOrigin));
-        marks.push(Mark::new(Shape::Point(to), Role::RayTip));
+        marks.push(Mark::new(Shape::Tip([from, to]), Role::RayTip));
         let mask = self.moment.clip.map_or(Axes::NONE, |clip| clip.mirror);
         if self.show.mirrored_ray && !mask.is_empty() {
             let centre = self.tree.domain().root_box().centre();
@@ -384,8 +390,8 @@ impl<const D: usize> Scene<'_, D> {
     }
 }
 
-/// Where the arrow of the ray ends: a little beyond the root and its handle.
-fn far_end<const D: usize>(tree: &Tree<D>, ray: &Ray<D>) -> [f64; D] {
+/// Where the arrow of a ray ends: a little beyond the root and its handle.
+pub fn far_end<const D: usize>(tree: &Tree<D>, ray: &Ray<D>) -> [f64; D] {
     const BEYOND: f64 = 0.06;
     // Squares of small components would vanish; an infinite t times 0 is no place.
     let length = ray.direction().into_iter().fold(0.0, f64::hypot);

@@ -2,6 +2,7 @@
 
 use crate::camera::corners;
 use crate::figure::text_reach;
+use crate::numbers::{Number, Stand, stands};
 use crate::{Camera, Drawn, Figure, Form, Mark, Page, Part, Projected, Role, Shape, Style, Theme};
 use octoscope_core::geometry::Aabb;
 
@@ -12,10 +13,12 @@ pub fn space_figure<const D: usize>(marks: &[Mark<D>], camera: &Camera<D>, page:
     for mark in marks {
         canvas.draw(mark);
     }
-    // Labels look for room once everything is drawn that they may not cover.
-    for mark in marks {
-        canvas.write(mark);
-    }
+    // Labels look for room once everything is drawn that they may not cover:
+    // those of the axes first, which have but one place, numbers last.
+    let is_of_axis = |mark: &&Mark<D>| matches!(mark.role, Role::AxisLabel(_));
+    marks.iter().filter(is_of_axis).for_each(|mark| canvas.write(mark));
+    marks.iter().filter(|mark| !is_of_axis(mark)).for_each(|mark| canvas.write(mark));
+    canvas.number(marks);
     let mut drawn = canvas.drawn;
     drawn.sort_by(|(a, _), (b, _)| a.total_cmp(b));
     Figure { page, drawn: drawn.into_iter().map(|(_, drawn)| drawn).collect() }
@@ -60,17 +63,27 @@ impl<const D: usize> Canvas<'_, D> {
                 }
             }
             Shape::Arrow(ends) => {
-                if let Some(line) = self.camera.project_segment(self.page, ends) {
-                    self.draw_arrow(mark, line.map(|p| p.at));
+                // An arrow that leaves the page ends at its border, head and all.
+                if let Some(line) = self.camera.visible_segment(self.page, ends) {
+                    self.draw_arrow(mark, line);
                 }
             }
             Shape::Point(point) => {
-                if let Some(Projected { at, .. }) = self.camera.project(self.page, point) {
-                    let radius = Style::of(Theme::Light, mark.role).radius;
+                let radius = Style::of(Theme::Light, mark.role).radius;
+                let projected = self.camera.project(self.page, point);
+                if let Some(Projected { at, .. }) = projected.filter(|p| self.is_near(p.at, radius))
+                {
                     if !matches!(mark.role, Role::Content) {
                         self.taken.push([at, [radius + 1.0; 2]]);
                     }
                     self.push(mark, point, Part::Whole, Form::Circle { centre: at, radius });
+                }
+            }
+            Shape::Tip(ends) => {
+                if let Some(at) = self.camera.tip_handle(self.page, ends) {
+                    let radius = Style::of(Theme::Light, mark.role).radius;
+                    self.taken.push([at, [radius + 1.0; 2]]);
+                    self.push(mark, ends[1], Part::Whole, Form::Circle { centre: at, radius });
                 }
             }
             Shape::Sphere { centre, radius } => {
@@ -94,6 +107,12 @@ impl<const D: usize> Canvas<'_, D> {
             }
             Shape::Label(_) | Shape::LabelAlong(_) => {}
         }
+    }
+
+    /// Whether a disc reaches the page.
+    fn is_near(&self, [x, y]: [f64; 2], radius: f64) -> bool {
+        (-radius..=self.page.width + radius).contains(&x)
+            && (-radius..=self.page.height + radius).contains(&y)
     }
 
     /// Corners of a plane box on the page, in turn.
@@ -207,18 +226,6 @@ impl<const D: usize> Canvas<'_, D> {
                     self.text(mark, at, text);
                 }
             }
-            Shape::LabelAlong(ends) => {
-                let [Some(from), Some(to)] = ends.map(place) else {
-                    return;
-                };
-                let radius = Style::of(Theme::Light, mark.role).radius;
-                let candidates = places_along(from, to, radius);
-                if let Some(at) = self.room(candidates, [radius + 1.0; 2]) {
-                    let disc = Form::Circle { centre: at, radius };
-                    self.push_at(above_space(mark.role), mark, Part::Whole, disc);
-                    self.text(mark, at, text);
-                }
-            }
             Shape::Plane { bounds, .. } => {
                 // Beyond a corner of the plane, the lowest on the page first.
                 let reach = text_reach(mark.role, text);
@@ -241,8 +248,47 @@ impl<const D: usize> Canvas<'_, D> {
             | Shape::Segment(_)
             | Shape::Arrow(_)
             | Shape::Point(_)
+            | Shape::Tip(_)
             | Shape::Sphere { .. }
-            | Shape::Triangle(_) => {}
+            | Shape::Triangle(_)
+            | Shape::LabelAlong(_) => {}
+        }
+    }
+
+    /// Writes the labels along lines, as many as there is room for.
+    fn number(&mut self, marks: &[Mark<D>]) {
+        let page = [self.page.width, self.page.height];
+        let (mut numbers, mut labels) = (Vec::new(), Vec::new());
+        let along = marks.iter().filter_map(|mark| match (mark.shape, &mark.text) {
+            (Shape::LabelAlong(ends), Some(text)) => Some((mark, ends, text)),
+            _ => None,
+        });
+        for (index, (mark, ends, text)) in along.enumerate() {
+            if let Some(chord) = self.camera.visible_segment(self.page, ends) {
+                let style = Style::of(Theme::Light, mark.role);
+                let [half_width, _] = text_reach(mark.role, text);
+                let disc = style.radius.max(half_width + 2.0);
+                let radius = disc + 0.5 * style.width;
+                numbers.push(Number { order: index + 1, chord, radius });
+                labels.push((mark, disc, text));
+            }
+        }
+        let stands = stands(&numbers, &self.taken, page);
+        let stands: Vec<_> = labels
+            .into_iter()
+            .zip(stands)
+            .filter_map(|(label, stand)| Some((label, stand?)))
+            .collect();
+        for ((mark, ..), Stand { leader, .. }) in &stands {
+            if let Some(line) = leader {
+                let line = Form::Polyline(line.to_vec());
+                self.push_at(above_space(mark.role), mark, Part::Edge, line);
+            }
+        }
+        for ((mark, radius, text), Stand { at, .. }) in stands {
+            let disc = Form::Circle { centre: at, radius };
+            self.push_at(above_space(mark.role), mark, Part::Whole, disc);
+            self.text(mark, at, text);
         }
     }
 
@@ -322,24 +368,6 @@ fn ring(axis: usize, value: usize, dimension: usize) -> Vec<usize> {
         [a, b] => vec![value, value | a, value | a | b, value | b],
         _ => Vec::new(),
     }
-}
-
-/// Places for a disc beside a chord, the best first: beside its middle, to the
-/// upper side, then the other, then farther along and away.
-fn places_along(from: [f64; 2], to: [f64; 2], radius: f64) -> impl Iterator<Item = [f64; 2]> {
-    let length = distance(from, to).max(1e-9);
-    let along: [f64; 2] = std::array::from_fn(|e| (to[e] - from[e]) / length);
-    let mut across = [along[1], -along[0]];
-    if across[1] > 0.0 {
-        across = across.map(|x| -x);
-    }
-    let middle: [f64; 2] = std::array::from_fn(|e| 0.5 * (from[e] + to[e]));
-    [1.0, -1.0, 1.9, -1.9, 2.8, -2.8, 3.7, -3.7].into_iter().flat_map(move |away| {
-        [0.0, -0.5, 0.5, -1.0, 1.0, -1.5, 1.5].map(|shift| {
-            let (gap, shift) = (away * (radius + 6.0), shift * (2.0 * radius));
-            std::array::from_fn(|e| middle[e] + gap * across[e] + shift * along[e])
-        })
-    })
 }
 
 fn distance(a: [f64; 2], b: [f64; 2]) -> f64 {

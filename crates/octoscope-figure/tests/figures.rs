@@ -8,8 +8,8 @@ use octoscope_core::trace::{Moment, record};
 use octoscope_core::traverse::{Algorithm, Options};
 use octoscope_core::tree::{Cell, Domain, Split, Tree, grow};
 use octoscope_figure::{
-    Background, Camera, Figure, Page, Role, Shape, Show, SvgOptions, Theme, axes, content, leaves,
-    marks, png, space_figure, svg,
+    Background, Camera, Figure, Form, Mark, Page, Role, Shape, Show, SvgOptions, Theme, axes,
+    content, leaves, marks, png, space_figure, svg,
 };
 
 /// Tree that is divided towards the origin.
@@ -76,7 +76,7 @@ fn every_step_is_drawn_within_the_page_in_every_theme() {
                 .drawn
                 .iter()
                 .filter_map(|drawn| match &drawn.form {
-                    octoscope_figure::Form::Polygon(points) => Some(points.concat()),
+                    Form::Polygon(points) => Some(points.concat()),
                     _ => None,
                 })
                 .flatten()
@@ -128,7 +128,7 @@ fn what_is_no_picture_is_refused() {
 #[test]
 fn letters_are_drawn() {
     let with = |label: &str| {
-        let mark = octoscope_figure::Mark::new(Shape::Label([0.5, 0.5]), Role::ChildIndex);
+        let mark = Mark::new(Shape::Label([0.5, 0.5]), Role::ChildIndex);
         let page = Page { width: 40.0, height: 40.0 };
         let camera = Camera::framing(&corner_tree::<2>().domain().root_box(), page);
         let figure = space_figure(&[mark.with_text(label)], &camera, page);
@@ -165,5 +165,68 @@ fn marks_of_the_slowest_ray_have_places() {
         let shaft = marks.iter().find(|mark| mark.role == Role::Ray).expect("the ray is shown");
         let Shape::Arrow(ends) = shaft.shape else { panic!("the ray is an arrow") };
         assert!(ends.iter().flatten().all(|x| x.is_finite()), "{speed}: {ends:?}");
+    }
+}
+
+#[test]
+fn a_child_is_rejected_unless_a_leaf_in_it_was_visited() {
+    let (tree, query) = (corner_tree::<2>(), along_the_ray());
+    let ray = Ray::new([-0.25, -0.2], [1.5, 1.25]).unwrap();
+    let trace = record(&tree, &ray, &query);
+    let (mut n_rejected, mut n_passed) = (0, 0);
+    for step in 1..=trace.events.len() {
+        let moment = Moment::after(&tree, &trace, step);
+        let all = marks(&tree, &ray, &query, &moment, trace.events.get(step - 1), &everything());
+        let of = |wanted: Role| all.iter().filter(move |m| m.role == wanted).filter_map(|m| m.node);
+        for child in of(Role::ChildIndex) {
+            let bounds = tree.node_box(child);
+            let mut inside = moment.leaves.iter().map(|leaf| tree.node_box(leaf.node).centre());
+            let passed = inside.any(|middle| bounds.owns(middle));
+            let rejected = of(Role::Rejected).any(|node| node == child);
+            assert!(!(passed && rejected), "step {step}: {child:?}");
+            n_rejected += usize::from(rejected);
+            n_passed += usize::from(passed);
+        }
+    }
+    assert!(n_rejected > 0 && n_passed > 0);
+}
+
+/// Discs of the order numbers in a figure of a ray through many small leaves.
+fn discs_of_a_long_path<const D: usize>() -> Vec<[f64; 2]> {
+    let place = |t: f64| std::array::from_fn(|e| t * (1.0 - 0.25 * e as f64));
+    let path = (0..200).map(|n| {
+        let chord = [n, n + 1].map(|n| place(f64::from(n) / 200.0));
+        Mark::new(Shape::LabelAlong(chord), Role::OrderNumber).with_text((n + 1).to_string())
+    });
+    let marks: Vec<Mark<D>> = path.collect();
+    let page = Page { width: 640.0, height: 480.0 };
+    let camera = Camera::framing(&corner_tree::<D>().domain().root_box(), page);
+    let figure = space_figure(&marks, &camera, page);
+    let shown = figure.drawn.iter().filter(|drawn| drawn.role == Role::OrderNumber);
+    let texts: Vec<_> = shown
+        .clone()
+        .filter_map(|drawn| match &drawn.form {
+            Form::Text { text, .. } => Some(text.as_str()),
+            _ => None,
+        })
+        .collect();
+    for order in ["1", "50", "100", "200"] {
+        assert!(texts.contains(&order), "{order} of {texts:?}");
+    }
+    let discs = shown.filter_map(|drawn| match drawn.form {
+        Form::Circle { centre, .. } => Some(centre),
+        _ => None,
+    });
+    discs.collect()
+}
+
+#[test]
+fn numbers_of_a_long_path_can_be_told_apart() {
+    for discs in [discs_of_a_long_path::<2>(), discs_of_a_long_path::<3>()] {
+        for (index, a) in discs.iter().enumerate() {
+            for b in &discs[..index] {
+                assert!((a[0] - b[0]).hypot(a[1] - b[1]) > 18.0, "{a:?} {b:?}");
+            }
+        }
     }
 }
