@@ -1,7 +1,7 @@
 //! The window: keeps the state, shows the panels, obeys the commands.
 
 use crate::command::{COMMANDS, Command, belongs_to_focus};
-use crate::document::{AnyDocument, Document};
+use crate::document::AnyDocument;
 use crate::files::{self, Chosen};
 use crate::history::History;
 use crate::job::{Job, Poll};
@@ -109,7 +109,7 @@ impl App {
     /// Moves the playhead to where the scenario wants it.
     fn go_to_start(&mut self) {
         let length = self.document.n_events();
-        let step: StepAt = with_document!(&self.document, document => document.scenario.step);
+        let step: StepAt = with_document!(&self.document, document => document.opened().step);
         self.view.playback.playing = false;
         self.view.playback.go_to(step.position(length), length);
         (self.view.plane_camera, self.view.orbit_camera) = (None, None);
@@ -153,15 +153,11 @@ impl App {
         }
         let title = self.look.text("job-build");
         let document = self.document.clone();
-        let work = move |progress: &Progress| match document {
-            AnyDocument::Plane(document) => {
-                let document = Document::new(document.scenario, document.content, progress)?;
-                Ok(AnyDocument::Plane(Box::new(document)))
-            }
-            AnyDocument::Space(document) => {
-                let document = Document::new(document.scenario, document.content, progress)?;
-                Ok(AnyDocument::Space(Box::new(document)))
-            }
+        let work = move |progress: &Progress| {
+            Ok(match document {
+                AnyDocument::Plane(plane) => AnyDocument::Plane(Box::new(plane.rebuilt(progress)?)),
+                AnyDocument::Space(space) => AnyDocument::Space(Box::new(space.rebuilt(progress)?)),
+            })
         };
         self.job = Some((Job::start(title, context, work), Purpose::Rebuild));
     }
@@ -474,7 +470,7 @@ impl App {
         let bar = |fill| Frame::new().fill(fill).inner_margin(Margin::symmetric(12, 6));
         let palette = self.look.palette;
         let title = with_document!(&self.document, d => {
-            short_title(&d.scenario, d.tree.n_leaves(), self.view.language)
+            short_title(d.opened(), d.tree.n_leaves(), self.view.language)
         });
         Panel::top("menu").frame(bar(palette.panel)).show(ui, |ui| {
             let mut language = self.view.language;
