@@ -1,10 +1,12 @@
 //! The open scenario with all that is derived from it.
 
 use crate::comparison::{Run, compare};
+use crate::history::{Shared, Weighed};
+use octoscope_core::event::Event;
 use octoscope_core::geometry::Ray;
 use octoscope_core::progress::Progress;
 use octoscope_core::query::Query;
-use octoscope_core::scenario::{AnyScenario, Scenario, StepAt};
+use octoscope_core::scenario::{AnyScenario, Scenario, Source, StepAt};
 use octoscope_core::scene::{Content, Cube, leaf_colours};
 use octoscope_core::trace::{Counters, Moment, Trace, record};
 use octoscope_core::traverse::Options;
@@ -13,11 +15,27 @@ use std::any::Any;
 use std::path::PathBuf;
 use std::sync::Arc;
 
+/// What panels and handles change of a scenario.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Question<const D: usize> {
+    /// Cube of the root.
+    pub domain: Cube<D>,
+    /// How the tree is built.
+    pub recipe: Recipe,
+    /// The ray; kept with other queries, too.
+    pub ray: Ray<D>,
+    /// What is asked of the tree.
+    pub query: Query<D>,
+}
+
 /// A scenario, its content, the tree built from it and the trace of its query.
 #[derive(Clone, Debug)]
 pub struct Document<const D: usize> {
     /// The question; panels and handles change it.
-    pub scenario: Scenario<D>,
+    pub scenario: Question<D>,
+    /// The scenario as it was opened: its source, which nobody changes, may
+    /// hold all points of a cloud, and so all states share it.
+    opened: Arc<Scenario<D>>,
     /// What the tree is built from.
     pub content: Arc<Content<D>>,
     /// The tree; of an earlier recipe while a new one is being built.
@@ -36,6 +54,9 @@ pub struct Document<const D: usize> {
     built: (Cube<D>, Recipe),
 }
 
+/// Upper estimate of the memory that a tree takes, in bytes per node.
+const BYTES_PER_NODE: usize = 16;
+
 impl<const D: usize> Document<D> {
     /// Builds the tree of `scenario` from `content` and runs its query.
     ///
@@ -48,11 +69,13 @@ impl<const D: usize> Document<D> {
     ) -> Result<Self, BuildError> {
         let tree = Arc::new(build(&content, scenario.grid()?, &scenario.recipe, progress)?);
         let trace = Arc::new(record(&tree, &scenario.ray, &scenario.query));
-        let traced = (scenario.ray, scenario.query);
-        let built = (scenario.domain, scenario.recipe);
+        let Scenario { domain, recipe, ray, query, .. } = scenario;
+        let traced = (ray, query);
+        let built = (domain, recipe);
         let total = costs(&trace);
         Ok(Self {
-            scenario,
+            scenario: Question { domain, recipe, ray, query },
+            opened: Arc::new(scenario),
             content,
             tree,
             trace,
@@ -63,6 +86,47 @@ impl<const D: usize> Document<D> {
             traced,
             built,
         })
+    }
+
+    /// The same document with the tree that its recipe asks for.
+    ///
+    /// # Errors
+    /// See [`BuildError`].
+    pub fn rebuilt(self, progress: &Progress) -> Result<Self, BuildError> {
+        let rebuilt = Self::new(self.whole_scenario(), self.content, progress)?;
+        Ok(Self { path: self.path, folder: self.folder, opened: self.opened, ..rebuilt })
+    }
+
+    /// The scenario as it was opened: with its source, but an earlier question.
+    pub fn opened(&self) -> &Scenario<D> {
+        &self.opened
+    }
+
+    /// The scenario as it is now.
+    pub fn whole_scenario(&self) -> Scenario<D> {
+        let Question { domain, recipe, ray, query } = self.scenario;
+        Scenario { domain, recipe, ray, query, ..(*self.opened).clone() }
+    }
+
+    /// Whether both ask the same question of the same source.
+    fn is_same_state(&self, other: &Self) -> bool {
+        self.scenario == other.scenario
+            && (Arc::ptr_eq(&self.opened, &other.opened) || self.opened == other.opened)
+    }
+
+    /// Address and size in bytes of what states may share.
+    fn shared(&self) -> Vec<Shared> {
+        let events = self.trace.events.len() * size_of::<Event<D>>();
+        let kept = match &self.opened.source {
+            Source::Inline(content) => content_bytes(content),
+            Source::BuiltIn { .. } | Source::File { .. } => 0,
+        };
+        vec![
+            Shared::of(&self.tree, self.tree.n_nodes() * BYTES_PER_NODE),
+            Shared::of(&self.trace, events),
+            Shared::of(&self.content, content_bytes(&self.content)),
+            Shared::of(&self.opened, kept),
+        ]
     }
 
     /// Whether the recipe or the domain has changed since the tree was built.
@@ -148,6 +212,17 @@ fn costs<const D: usize>(trace: &Trace<D>) -> Counters {
     counters
 }
 
+fn content_bytes<const D: usize>(content: &Content<D>) -> usize {
+    match content {
+        Content::Points(points) => size_of_val(&points[..]),
+        Content::Cells(cells) => size_of_val(&cells[..]),
+        Content::Image(image) => size_of_val(&image.pixels[..]),
+        Content::Spheres(spheres) => size_of_val(&spheres[..]),
+        Content::Boxes(boxes) => size_of_val(&boxes[..]),
+        Content::Triangles(triangles) => size_of_val(&triangles[..]),
+    }
+}
+
 /// Document of either dimension.
 #[derive(Clone, Debug)]
 pub enum AnyDocument {
@@ -172,8 +247,8 @@ impl AnyDocument {
     /// The scenario, for saving.
     pub fn scenario(&self) -> AnyScenario {
         match self {
-            Self::Plane(document) => AnyScenario::Quadtree(document.scenario.clone()),
-            Self::Space(document) => AnyScenario::Octree(document.scenario.clone()),
+            Self::Plane(document) => AnyScenario::Quadtree(document.whole_scenario()),
+            Self::Space(document) => AnyScenario::Octree(document.whole_scenario()),
         }
     }
 
@@ -195,8 +270,8 @@ impl AnyDocument {
     /// Whether both show the same scenario of the same tree.
     pub fn is_same_state(&self, other: &Self) -> bool {
         match (self, other) {
-            (Self::Plane(a), Self::Plane(b)) => a.scenario == b.scenario,
-            (Self::Space(a), Self::Space(b)) => a.scenario == b.scenario,
+            (Self::Plane(a), Self::Plane(b)) => a.is_same_state(b),
+            (Self::Space(a), Self::Space(b)) => a.is_same_state(b),
             (Self::Plane(_), Self::Space(_)) | (Self::Space(_), Self::Plane(_)) => false,
         }
     }
@@ -211,11 +286,17 @@ impl AnyDocument {
     }
 }
 
+impl Weighed for AnyDocument {
+    fn shared(&self) -> Vec<Shared> {
+        with_document!(self, document => document.shared())
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::open::open_built_in;
-    use octoscope_core::scenario::BUILT_IN;
+    use octoscope_core::scenario::{BUILT_IN, built_in};
 
     #[test]
     fn a_tree_that_cannot_be_built_is_not_wanted_any_more() {
@@ -228,5 +309,34 @@ mod tests {
             assert!(!document.needs_building());
         });
         assert!(any.is_same_state(&before) && any.is_same_place(&before));
+    }
+
+    #[test]
+    fn changing_the_ray_shares_the_tree_and_the_source() {
+        let before = open_built_in(BUILT_IN[0].id, &Progress::default()).unwrap();
+        let mut after = before.clone();
+        with_document!(&mut after, document => {
+            document.reverse_ray();
+            document.refresh(0);
+        });
+        assert!(!after.is_same_state(&before));
+        let [before, after] = [&before, &after].map(|document| document.shared());
+        let same: Vec<bool> =
+            before.iter().zip(&after).map(|(a, b)| a.address == b.address).collect();
+        // Tree, trace, content and source: only the trace is another one.
+        assert_eq!(same, [true, false, true, true]);
+    }
+
+    #[test]
+    fn the_whole_scenario_is_the_opened_one_with_the_question_of_now() {
+        let Some(AnyScenario::Quadtree(opened)) = built_in(BUILT_IN[0].id) else { panic!() };
+        let content = Arc::new(opened.source.content().unwrap());
+        let mut document = Document::new(opened.clone(), content, &Progress::default()).unwrap();
+        assert_eq!(document.whole_scenario(), opened);
+        document.scenario.recipe.depth = 3;
+        let document = document.rebuilt(&Progress::default()).unwrap();
+        assert_eq!(document.whole_scenario().recipe.depth, 3);
+        assert_eq!(document.whole_scenario().source, opened.source);
+        assert_eq!(document.tree.domain().root_level(), 3);
     }
 }

@@ -1,6 +1,5 @@
 //! What the window remembers that is not part of the scenario.
 
-use crate::command::Command;
 use crate::playback::Playback;
 use octoscope_core::query::Query;
 use octoscope_core::text::Language;
@@ -158,23 +157,9 @@ impl View {
     /// Smallest and largest factor of type and lines.
     pub const SCALES: [f32; 2] = [0.7, 2.5];
 
-    /// Obeys a command that is about the view alone; others do nothing.
-    pub fn obey(&mut self, command: Command) {
-        let scaled = |factor: f32| (self.scale * factor).clamp(Self::SCALES[0], Self::SCALES[1]);
-        match command {
-            Command::Preset(index) => {
-                self.preset = Preset::ALL.get(usize::from(index)).copied().unwrap_or_default();
-            }
-            Command::NextTheme => self.theme = following(&Theme::ALL, self.theme),
-            Command::NextLanguage => self.language = following(&Language::ALL, self.language),
-            Command::ScaleUp => self.scale = scaled(1.1),
-            Command::ScaleDown => self.scale = scaled(1.0 / 1.1),
-            Command::ScaleReset => self.scale = 1.0,
-            Command::Blank => self.blank = !self.blank,
-            Command::Keys => self.dialog = Some(Dialog::Keys),
-            Command::About => self.dialog = Some(Dialog::About),
-            _ => {}
-        }
+    /// Larger or smaller type and lines, within the limits.
+    pub fn change_scale(&mut self, factor: f32) {
+        self.scale = (self.scale * factor).clamp(Self::SCALES[0], Self::SCALES[1]);
     }
 
     /// What the space view shows of trees of dimension D.
@@ -224,10 +209,4 @@ impl Default for View {
             dialog: None,
         }
     }
-}
-
-/// The element after `present`, round and round.
-fn following<T: Copy + PartialEq>(all: &[T], present: T) -> T {
-    let index = all.iter().position(|&other| other == present).unwrap_or(0);
-    all[(index + 1) % all.len()]
 }

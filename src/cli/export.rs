@@ -186,7 +186,7 @@ pub fn export(arguments: &Export) -> anyhow::Result<Answer> {
     {
         bail!("there is no step {step}; give one from 0 to {n_steps}, first or last");
     }
-    let saved = with_document!(&document, document => document.scenario.step);
+    let saved = with_document!(&document, document => document.opened().step);
     let step = arguments.step.unwrap_or(saved).position(n_steps);
     let (figure, title) = with_document!(&document, document => {
         let title = sentence(

@@ -17,7 +17,7 @@ pub fn ui<const D: usize>(
 ) -> Option<&'static str> {
     heading(ui, look, &look.text("panel-scene"), "");
     let mut chosen = None;
-    let source = match &document.scenario.source {
+    let source = match &document.opened().source {
         Source::BuiltIn { name, .. } => look.text(&format!("scene-{name}")),
         Source::File { path, .. } => path.clone(),
         Source::Inline(_) => look.text("scene-inline"),

@@ -52,9 +52,21 @@ impl<const D: usize> Rail<D> {
         if low > high {
             return [0.0, 1.0];
         }
-        let margin = ((high - low) * 0.08).max(f64::EPSILON * high.abs().max(1.0) * 16.0);
-        [low - margin, high + margin]
+        // Term by term, as the whole length may be larger than any number.
+        let margin = (high * 0.08 - low * 0.08).max(f64::EPSILON * high.abs().max(1.0) * 16.0);
+        [(low - margin).max(f64::MIN), (high + margin).min(f64::MAX)]
     }
+}
+
+/// Where `t` lies between `low` and `high`, from 0 to 1; halved, as the whole
+/// length may be larger than any number.
+fn share_of(t: f64, [low, high]: [f64; 2]) -> f64 {
+    ((t / 2.0 - low / 2.0) / (high / 2.0 - low / 2.0)).clamp(0.0, 1.0)
+}
+
+/// The parameter at this share of the way from `low` to `high`.
+fn at_share(share: f64, [low, high]: [f64; 2]) -> f64 {
+    low * (1.0 - share) + high * share
 }
 
 /// One bar per axis from t0 to t1 with tm; dragging goes to the leaf at that t.
@@ -78,15 +90,13 @@ pub fn ui<const D: usize>(
         response.widget_info(|| WidgetInfo::labeled(Role::Canvas, true, title.as_str()));
         return None;
     };
-    let [low, high] = rail.range();
+    let range = rail.range();
+    let [low, high] = range;
     let track = Rect::from_min_max(
         pos2(rect.left() + 24.0, rect.top()),
         rect.right_bottom() - vec2(8.0, 0.0),
     );
-    let x_of = |t: f64| {
-        let share = ((t - low) / (high - low)).clamp(0.0, 1.0);
-        track.left() + share as f32 * track.width()
-    };
+    let x_of = |t: f64| track.left() + share_of(t, range) as f32 * track.width();
     let (enter, exit) = (rail.enter(), rail.exit());
     let spoken = format!(
         "{title}: {} {}, {} {}",
@@ -144,7 +154,7 @@ pub fn ui<const D: usize>(
 
     let pointer = response.interact_pointer_pos()?;
     let share = f64::from((pointer.x - track.left()) / track.width()).clamp(0.0, 1.0);
-    Some(step_at(trace, low + share * (high - low)))
+    Some(step_at(trace, at_share(share, range)))
 }
 
 fn paint_axis<const D: usize>(
@@ -212,4 +222,36 @@ fn parameter_job(name: &str, value: &str, color: Color32) -> LayoutJob {
 fn step_at<const D: usize>(trace: &Trace<D>, t: f64) -> usize {
     let past = |event: &Event<D>| matches!(event, Event::Leaf { exit, .. } if *exit > t);
     trace.events.iter().position(past).map_or(trace.events.len(), |index| index + 1)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn rail(near: f64, far: f64) -> Rail<2> {
+        Rail { near: [near; 2], mid: None, far: [far; 2] }
+    }
+
+    #[test]
+    fn the_largest_parameters_lie_at_different_places_of_the_rail() {
+        for reach in [1e308, f64::MAX] {
+            let range = rail(-reach, reach).range();
+            assert!(range.iter().all(|t| t.is_finite()), "{range:?}");
+            let [near, middle, far] = [-reach, 0.0, reach].map(|t| share_of(t, range));
+            assert!(
+                near < 0.1 && (middle - 0.5).abs() < 1e-12 && far > 0.9,
+                "{near} {middle} {far}"
+            );
+            assert!(at_share(0.75, range) > at_share(0.25, range));
+        }
+    }
+
+    #[test]
+    fn the_rail_shows_something_on_both_sides_of_a_single_parameter() {
+        for t in [0.0, 1.0, -7e200] {
+            let range = rail(t, t).range();
+            assert!(range[0] < t && t < range[1], "{range:?}");
+        }
+        assert_eq!(rail(f64::NEG_INFINITY, f64::INFINITY).range(), [0.0, 1.0]);
+    }
 }

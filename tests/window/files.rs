@@ -74,7 +74,7 @@ fn a_broken_file_is_one_message_and_the_old_scene_stays() {
         ("unknown.ending", b"?"),
     ];
     let mut desk = Desk::new();
-    let (scene, texts) = (desk.plane().scenario.clone(), desk.texts());
+    let (scene, texts) = (desk.plane().scenario, desk.texts());
     for (name, bytes) in files {
         let path = folder.path().join(name);
         fs::write(&path, bytes).unwrap();

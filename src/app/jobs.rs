@@ -1,0 +1,136 @@
+//! Opening files and building trees, on another thread.
+
+use super::App;
+use crate::document::AnyDocument;
+use crate::job::{Job, Poll};
+use crate::open::{open, open_built_in, open_scenario};
+use crate::view::Dialog;
+use crate::with_document;
+use anyhow::anyhow;
+use eframe::egui::Context;
+use octoscope_core::progress::Progress;
+use octoscope_core::scenario::AnyScenario;
+use std::path::{Path, PathBuf};
+
+/// What the result of a job is for.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Purpose {
+    /// It is shown instead of the present document.
+    Open,
+    /// It is what was open last; if it cannot be opened any more, nothing is said.
+    Restore,
+    /// Its tree is taken into the present document.
+    Rebuild,
+}
+
+impl App {
+    /// Opens a file on another thread.
+    pub fn open(&mut self, context: &Context, path: PathBuf) {
+        let title = self.look.texts.format("job-open", &[("name", file_name(&path).into())]);
+        let work = move |progress: &Progress| open(&path, progress);
+        self.job = Some((Job::start(title, context, work), Purpose::Open));
+    }
+
+    /// Opens what was open last, on another thread as well.
+    pub(super) fn restore(
+        &mut self,
+        context: &Context,
+        (scenario, folder): (AnyScenario, PathBuf),
+    ) {
+        let title = self.look.text("job-restore");
+        let work = move |progress: &Progress| {
+            let mut document = open_scenario(scenario, &folder, progress)?;
+            with_document!(&mut document, document => document.folder = folder);
+            Ok(document)
+        };
+        self.job = Some((Job::start(title, context, work), Purpose::Restore));
+    }
+
+    pub(super) fn open_scene(&mut self, context: &Context, id: &'static str) {
+        let title = self.look.texts.format("job-open", &[("name", id.into())]);
+        let work = move |progress: &Progress| open_built_in(id, progress);
+        self.job = Some((Job::start(title, context, work), Purpose::Open));
+    }
+
+    pub(super) fn open_dropped(&mut self, context: &Context) {
+        let dropped = context.input(|input| input.raw.dropped_files.clone());
+        let Some(file) = dropped.into_iter().next() else { return };
+        let path = file.path().to_owned();
+        self.open(context, path);
+    }
+
+    pub(super) fn rebuild_if_needed(&mut self, context: &Context) {
+        let needs = with_document!(&self.document, document => document.needs_building());
+        if !needs || self.job.is_some() {
+            return;
+        }
+        let title = self.look.text("job-build");
+        let document = self.document.clone();
+        let work = move |progress: &Progress| {
+            Ok(match document {
+                AnyDocument::Plane(plane) => AnyDocument::Plane(Box::new(plane.rebuilt(progress)?)),
+                AnyDocument::Space(space) => AnyDocument::Space(Box::new(space.rebuilt(progress)?)),
+            })
+        };
+        self.job = Some((Job::start(title, context, work), Purpose::Rebuild));
+    }
+
+    /// Waits until what is being opened or built is there; without work, not at all.
+    pub fn finish_work(&mut self) {
+        if let Some((job, purpose)) = &self.job {
+            self.conclude(job.wait(), *purpose);
+        }
+    }
+
+    pub(super) fn poll_job(&mut self) {
+        if let Some((job, purpose)) = &self.job {
+            self.conclude(job.poll(), *purpose);
+        }
+    }
+
+    /// Takes what a job has come to.
+    pub(super) fn conclude(&mut self, poll: Poll<anyhow::Result<AnyDocument>>, purpose: Purpose) {
+        let result = match poll {
+            Poll::Running => return,
+            Poll::Done(result) => result,
+            Poll::Broken => Err(anyhow!(self.look.text("job-broken"))),
+        };
+        self.job = None;
+        match (result, purpose) {
+            (Ok(document), Purpose::Open) => {
+                self.settle_now();
+                self.history.record(self.shown());
+                self.document = document;
+                self.status.clear();
+                self.go_to_start();
+                self.settled = self.shown();
+            }
+            (Ok(document), Purpose::Restore) => {
+                self.document = document;
+                self.go_to_start();
+                self.settled = self.shown();
+            }
+            (Err(_), Purpose::Restore) => {}
+            (Ok(rebuilt), Purpose::Rebuild) => match (&mut self.document, rebuilt) {
+                (AnyDocument::Plane(now), AnyDocument::Plane(rebuilt)) => now.adopt(&rebuilt),
+                (AnyDocument::Space(now), AnyDocument::Space(rebuilt)) => now.adopt(&rebuilt),
+                (AnyDocument::Plane(_), AnyDocument::Space(_))
+                | (AnyDocument::Space(_), AnyDocument::Plane(_)) => {}
+            },
+            (Err(error), Purpose::Open | Purpose::Rebuild) => {
+                if purpose == Purpose::Rebuild {
+                    with_document!(&mut self.document, document => document.keep_tree());
+                }
+                if !error.root_cause().is::<octoscope_core::progress::Cancelled>() {
+                    self.view.dialog = Some(Dialog::Error(format!("{error:#}")));
+                }
+            }
+        }
+    }
+}
+
+/// The last part of a path, for a message.
+pub(super) fn file_name(path: &Path) -> String {
+    path.file_name()
+        .map_or_else(|| path.display().to_string(), |n| n.to_string_lossy().into_owned())
+}

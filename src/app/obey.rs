@@ -1,0 +1,211 @@
+//! Commands and what they do, undo among them.
+
+use super::jobs::{Purpose, file_name};
+use super::{App, Shown};
+use crate::command::{COMMANDS, Command, belongs_to_focus};
+use crate::files::Chosen;
+use crate::history::History;
+use crate::view::{Dialog, Preset};
+use crate::{export, save, with_document};
+use eframe::egui::{Context, ViewportCommand};
+use octoscope_core::query::Query;
+use octoscope_core::scenario::AnyScenario;
+use octoscope_core::text::Language;
+use octoscope_figure::Theme;
+use std::path::Path;
+
+impl App {
+    /// Remembers the state for undo once no gesture is going on.
+    pub(super) fn settle(&mut self, context: &Context) {
+        let busy = context.input(|input| input.pointer.any_down()) || self.job.is_some();
+        if !busy {
+            self.settle_now();
+        }
+    }
+
+    pub(super) fn settle_now(&mut self) {
+        if self.document.is_same_state(&self.settled.document) {
+            // Stepping is not undone, but where it led to is part of the state.
+            self.settled.step = self.view.playback.step;
+        } else {
+            let shown = self.shown();
+            self.history.record(std::mem::replace(&mut self.settled, shown));
+        }
+    }
+
+    pub(super) fn shown(&self) -> Shown {
+        Shown { document: self.document.clone(), step: self.view.playback.step }
+    }
+
+    /// Commands whose keys were pressed.
+    pub(super) fn pressed(&self, context: &Context) -> Vec<Command> {
+        if context.text_edit_focused() {
+            return Vec::new();
+        }
+        let focused = context.memory(|memory| memory.focused().is_some());
+        context.input_mut(|input| {
+            let keys =
+                COMMANDS.iter().flat_map(|row| row.keys.iter().map(|key| (row.command, key)));
+            let free = keys.filter(|(_, key)| !(focused && belongs_to_focus(key)));
+            // Longer shortcuts first: Ctrl+Shift+S is not Ctrl+S.
+            let mut free: Vec<_> = free.collect();
+            free.sort_by_key(|(_, key)| !key.modifiers.shift);
+            free.into_iter()
+                .filter(|(_, key)| input.consume_shortcut(key))
+                .map(|(c, _)| c)
+                .collect()
+        })
+    }
+
+    pub(super) fn is_enabled(&self, command: Command) -> bool {
+        let (step, length) = (self.view.playback.step, self.document.n_events());
+        match command {
+            Command::Undo => self.history.can_undo(),
+            Command::Redo => self.history.can_redo(),
+            Command::StepForward | Command::NextLeaf | Command::Last => step < length,
+            Command::StepBack | Command::PreviousLeaf | Command::First => step > 0,
+            Command::ReverseRay => with_document!(&self.document, d => {
+                matches!(d.scenario.query, Query::Ray { .. })
+            }),
+            Command::Open
+            | Command::Save
+            | Command::SaveAs
+            | Command::Export
+            | Command::Quit
+            | Command::Play
+            | Command::Faster
+            | Command::Slower
+            | Command::Preset(_)
+            | Command::FrameAll
+            | Command::NextTheme
+            | Command::NextLanguage
+            | Command::ScaleUp
+            | Command::ScaleDown
+            | Command::ScaleReset
+            | Command::FullScreen
+            | Command::Blank
+            | Command::Keys
+            | Command::About => true,
+        }
+    }
+
+    pub(super) fn obey(&mut self, context: &Context, command: Command) {
+        let length = self.document.n_events();
+        let step = self.view.playback.step;
+        match command {
+            Command::Open => self.chosen.ask_open(context),
+            Command::Save => self.save(context, false),
+            Command::SaveAs => self.save(context, true),
+            Command::Export => self.view.dialog = Some(Dialog::Export),
+            Command::Quit => context.send_viewport_cmd(ViewportCommand::Close),
+            Command::Undo => self.travel(History::undo),
+            Command::Redo => self.travel(History::redo),
+            Command::StepForward => self.go_to(step + 1),
+            Command::StepBack => self.go_to(step.saturating_sub(1)),
+            Command::First => self.go_to(0),
+            Command::Last => self.go_to(length),
+            Command::NextLeaf => {
+                self.go_to(with_document!(&self.document, d => d.trace.next_leaf(step)));
+            }
+            Command::PreviousLeaf => {
+                self.go_to(with_document!(&self.document, d => d.trace.previous_leaf(step)));
+            }
+            Command::Play => self.view.playback.toggle(length),
+            Command::Faster => self.view.playback.change_speed(2.0),
+            Command::Slower => self.view.playback.change_speed(0.5),
+            Command::FrameAll => (self.view.plane_camera, self.view.orbit_camera) = (None, None),
+            Command::ReverseRay => with_document!(&mut self.document, d => d.reverse_ray()),
+            Command::FullScreen => {
+                let full = context.input(|input| input.viewport().fullscreen.unwrap_or(false));
+                context.send_viewport_cmd(ViewportCommand::Fullscreen(!full));
+            }
+            Command::Preset(index) => {
+                self.view.preset = Preset::ALL.get(usize::from(index)).copied().unwrap_or_default();
+            }
+            Command::NextTheme => self.view.theme = following(&Theme::ALL, self.view.theme),
+            Command::NextLanguage => {
+                self.view.language = following(&Language::ALL, self.view.language);
+            }
+            Command::ScaleUp => self.view.change_scale(1.1),
+            Command::ScaleDown => self.view.change_scale(1.0 / 1.1),
+            Command::ScaleReset => self.view.scale = 1.0,
+            Command::Blank => self.view.blank = !self.view.blank,
+            Command::Keys => self.view.dialog = Some(Dialog::Keys),
+            Command::About => self.view.dialog = Some(Dialog::About),
+        }
+    }
+
+    pub(super) fn go_to(&mut self, step: usize) {
+        self.view.playback.playing = false;
+        self.view.playback.go_to(step, self.document.n_events());
+    }
+
+    /// Undoes or redoes. The playhead goes back to where it was in that state.
+    fn travel(&mut self, direction: impl FnOnce(&mut History<Shown>, Shown) -> Option<Shown>) {
+        // What is being changed right now is a state of its own, and a tree
+        // that is being built for it belongs to no other document.
+        self.settle_now();
+        self.job.take_if(|(_, purpose)| *purpose == Purpose::Rebuild);
+        let present = self.shown();
+        if let Some(shown) = direction(&mut self.history, present) {
+            if !shown.document.is_same_place(&self.document) {
+                (self.view.plane_camera, self.view.orbit_camera) = (None, None);
+            }
+            self.document = shown.document;
+            self.go_to(shown.step);
+            self.settled = self.shown();
+        }
+    }
+
+    /// The scenario with the playhead where it is.
+    pub(super) fn scenario_now(&self) -> AnyScenario {
+        self.document.scenario_at(self.view.playback.step)
+    }
+
+    fn save(&mut self, context: &Context, ask: bool) {
+        let path = with_document!(&self.document, document => document.path.clone());
+        match path {
+            Some(path) if !ask => self.save_to(&path),
+            Some(_) | None => self.chosen.ask_save(context),
+        }
+    }
+
+    fn save_to(&mut self, path: &Path) {
+        match save::scenario(&self.document, self.scenario_now(), path) {
+            Ok(()) => {
+                with_document!(&mut self.document, d => d.path = Some(path.to_owned()));
+                let name = file_name(path);
+                self.status = self.look.texts.format("status-saved", &[("name", name.into())]);
+            }
+            Err(error) => self.view.dialog = Some(Dialog::Error(format!("{error:#}"))),
+        }
+    }
+
+    fn export_to(&mut self, path: &Path) {
+        match export::space_view(&self.document, &self.scenario_now(), &self.view, path) {
+            Ok(()) => {
+                let name = file_name(path);
+                self.status = self.look.texts.format("status-exported", &[("name", name.into())]);
+            }
+            Err(error) => self.view.dialog = Some(Dialog::Error(format!("{error:#}"))),
+        }
+    }
+
+    pub(super) fn take_answers(&mut self, context: &Context) {
+        match self.chosen.take() {
+            None => {}
+            Some(Chosen::Open(path)) => self.open(context, path),
+            Some(Chosen::Save(path)) => self.save_to(&path),
+            Some(Chosen::Export(path)) => self.export_to(&path),
+            Some(Chosen::NoDialog) => {
+                self.view.dialog = Some(Dialog::Path(String::new()));
+            }
+        }
+    }
+}
+
+/// The element after `present`, round and round.
+fn following<T: Copy + PartialEq>(all: &[T], present: T) -> T {
+    let index = all.iter().position(|&other| other == present).unwrap_or(0);
+    all[(index + 1) % all.len()]
+}
