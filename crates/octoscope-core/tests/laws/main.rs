@@ -3,6 +3,7 @@
 
 mod queries;
 mod rays;
+mod rounding;
 mod traces;
 mod traversals;
 mod trees;
