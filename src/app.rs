@@ -14,6 +14,7 @@ use crate::{export, render, save, sidebar, theme, with_document};
 use anyhow::anyhow;
 use eframe::egui::{CentralPanel, Context, Frame, Key, Margin, Panel, Ui, ViewportCommand, vec2};
 use octoscope_core::explain::{sentence as sentence_of, short_title};
+use octoscope_core::gallery::{Degenerate, snap};
 use octoscope_core::progress::Progress;
 use octoscope_core::query::Query;
 use octoscope_core::scenario::{AnyScenario, BUILT_IN, StepAt};
@@ -34,6 +35,8 @@ pub struct App {
     chosen: files::Answers,
     /// One line that says what has just happened.
     status: String,
+    /// The ray of the gallery that was shown last.
+    degenerate: Option<Degenerate>,
     /// Layers on the graphics adapter; `None` without one.
     layers: Option<Layers>,
 }
@@ -90,6 +93,7 @@ impl App {
             job: None,
             chosen: files::Answers::default(),
             status: String::new(),
+            degenerate: None,
             layers,
         };
         app.go_to_start();
@@ -259,9 +263,10 @@ impl App {
             Command::Redo => self.history.can_redo(),
             Command::StepForward | Command::NextLeaf | Command::Last => step < length,
             Command::StepBack | Command::PreviousLeaf | Command::First => step > 0,
-            Command::ReverseRay => with_document!(&self.document, d => {
-                matches!(d.scenario.query, Query::Ray { .. })
-            }),
+            Command::ReverseRay | Command::SnapRay | Command::NextDegenerate => {
+                self.is_about_a_ray()
+            }
+            Command::Degenerate(ray) => self.is_about_a_ray() && ray.exists_in(self.dimension()),
             Command::Open
             | Command::Save
             | Command::SaveAs
@@ -310,6 +315,14 @@ impl App {
             Command::Slower => self.view.playback.change_speed(0.5),
             Command::FrameAll => (self.view.plane_camera, self.view.orbit_camera) = (None, None),
             Command::ReverseRay => with_document!(&mut self.document, d => d.reverse_ray()),
+            Command::SnapRay if self.is_enabled(command) => self.snap_ray(),
+            Command::NextDegenerate if self.is_enabled(command) => {
+                let first = Degenerate::ALL[0];
+                let dimension = self.dimension();
+                self.aim(self.degenerate.map_or(first, |last| last.following(dimension)));
+            }
+            Command::Degenerate(ray) => self.aim(ray),
+            Command::SnapRay | Command::NextDegenerate => {}
             Command::FullScreen => {
                 let full = context.input(|input| input.viewport().fullscreen.unwrap_or(false));
                 context.send_viewport_cmd(ViewportCommand::Fullscreen(!full));
@@ -323,6 +336,43 @@ impl App {
             | Command::Blank
             | Command::Keys
             | Command::About => self.view.obey(command),
+        }
+    }
+
+    fn is_about_a_ray(&self) -> bool {
+        with_document!(&self.document, d => matches!(d.scenario.query, Query::Ray { .. }))
+    }
+
+    fn dimension(&self) -> usize {
+        match self.document {
+            AnyDocument::Plane(_) => 2,
+            AnyDocument::Space(_) => 3,
+        }
+    }
+
+    /// Takes a ray of the gallery and says what is to be watched on it.
+    fn aim(&mut self, degenerate: Degenerate) {
+        self.degenerate = Some(degenerate);
+        let found = with_document!(&mut self.document, d => {
+            let ray = degenerate.ray(&d.tree);
+            ray.map(|ray| d.scenario.ray = ray).is_some()
+        });
+        if found {
+            let language = self.view.language;
+            self.status = format!("{}: {}", degenerate.name(language), degenerate.watch(language));
+        }
+    }
+
+    /// Makes the ray degenerate in the nearest way and says in which.
+    fn snap_ray(&mut self) {
+        let snapped = with_document!(&mut self.document, d => {
+            snap(&d.tree, &d.scenario.ray).map(|snapped| {
+                d.scenario.ray = snapped.ray;
+                snapped.snap
+            })
+        });
+        if let Some(snap) = snapped {
+            self.status = snap.told(self.view.language);
         }
     }
 
@@ -492,7 +542,7 @@ impl App {
                 sentence::ui(ui, &self.look, &text);
             });
             with_document!(&self.document, d => {
-                timeline::ui(ui, &self.look, &d.trace, &mut self.view.playback, commands);
+                timeline::ui(ui, &self.look, &d.trace, &d.rounded, &mut self.view.playback, commands);
             });
         });
         let layers = self.layers.as_mut();

@@ -1,6 +1,7 @@
 //! The open scenario with all that is derived from it.
 
 use crate::comparison::{Run, compare};
+use octoscope_core::explain::rounded_steps;
 use octoscope_core::geometry::Ray;
 use octoscope_core::progress::Progress;
 use octoscope_core::query::Query;
@@ -30,6 +31,8 @@ pub struct Document<const D: usize> {
     pub folder: PathBuf,
     /// What the whole run costs.
     pub total: Counters,
+    /// Steps of the trace, from 1, in which doubles would have decided otherwise.
+    pub rounded: Arc<[usize]>,
     /// All algorithms on the ray, once they are asked for.
     comparison: Option<Arc<Vec<Run>>>,
     traced: (Ray<D>, Query<D>),
@@ -51,6 +54,7 @@ impl<const D: usize> Document<D> {
         let traced = (scenario.ray, scenario.query);
         let built = (scenario.domain, scenario.recipe);
         let total = costs(&trace);
+        let rounded = rounded(&tree, &scenario.ray, &trace);
         Ok(Self {
             scenario,
             content,
@@ -59,6 +63,7 @@ impl<const D: usize> Document<D> {
             path: None,
             folder: PathBuf::new(),
             total,
+            rounded,
             comparison: None,
             traced,
             built,
@@ -111,6 +116,7 @@ impl<const D: usize> Document<D> {
         let (ray, query) = (self.scenario.ray, self.scenario.query);
         self.trace = Arc::new(record(&self.tree, &ray, &query));
         self.total = costs(&self.trace);
+        self.rounded = rounded(&self.tree, &ray, &self.trace);
         self.comparison = None;
         self.traced = (ray, query);
     }
@@ -146,6 +152,10 @@ fn costs<const D: usize>(trace: &Trace<D>) -> Counters {
     let mut counters = Counters::default();
     trace.events.iter().for_each(|event| counters.add(event));
     counters
+}
+
+fn rounded<const D: usize>(tree: &Tree<D>, ray: &Ray<D>, trace: &Trace<D>) -> Arc<[usize]> {
+    rounded_steps(tree, ray, trace).into_iter().map(|(step, _)| step).collect()
 }
 
 /// Document of either dimension.

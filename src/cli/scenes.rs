@@ -3,15 +3,19 @@
 use super::Answer;
 use crate::files::Output;
 use clap::Args;
+use octoscope_core::gallery::Degenerate;
 use octoscope_core::scenario::BUILT_IN;
+use octoscope_core::text::Language;
 use octoscope_core::traverse::{Algorithm, Variant};
 use serde_json::json;
 use std::collections::BTreeMap;
 use std::io::Write;
 
-/// Lists the built-in scenes and the algorithms, with their identifiers.
+/// Lists the built-in scenes, the algorithms and the degenerate rays, with their
+/// identifiers.
 ///
-/// A scene's identifier, scene:NAME, stands wherever a command takes a file.
+/// A scene's identifier, scene:NAME, stands wherever a command takes a file; a
+/// ray's, gallery:NAME, where one takes a ray.
 #[derive(Debug, Args)]
 pub struct Scenes {
     /// Prints the list as JSON.
@@ -42,7 +46,17 @@ fn as_text() -> String {
         let methods = variants(algorithm).map(|variant| format!(" @{}", variant.id()));
         format!("  {}{}\n", algorithm.id(), methods.collect::<String>())
     });
-    format!("Scenes\n{}\nAlgorithms\n{}", scenes.collect::<String>(), algorithms.concat())
+    let rays = Degenerate::ALL.map(|ray| {
+        let id = format!("gallery:{}", ray.id());
+        let plane = if ray.exists_in(2) { "" } else { " (in space)" };
+        format!("  {id:<24}{}{plane}\n", ray.name(Language::English))
+    });
+    format!(
+        "Scenes\n{}\nAlgorithms\n{}\nDegenerate rays\n{}",
+        scenes.collect::<String>(),
+        algorithms.concat(),
+        rays.concat()
+    )
 }
 
 fn as_json() -> String {
@@ -57,6 +71,7 @@ fn as_json() -> String {
     let list = json!({
         "scenes": scenes.collect::<Vec<_>>(),
         "algorithms": Algorithm::ALL.map(Algorithm::id),
+        "rays": Degenerate::ALL.map(|ray| format!("gallery:{}", ray.id())),
         "variants": Algorithm::ALL
             .map(|algorithm| (algorithm.id(), variants(algorithm).map(Variant::id).collect()))
             .into_iter()
@@ -74,12 +89,14 @@ mod tests {
     use super::*;
 
     #[test]
-    fn every_scene_and_algorithm_is_listed() {
+    fn every_scene_algorithm_and_ray_is_listed() {
         for list in [as_text(), as_json()] {
             for scene in &BUILT_IN {
                 assert!(list.contains(&format!("scene:{}", scene.id)));
             }
             assert!(Algorithm::ALL.iter().all(|algorithm| list.contains(algorithm.id())));
+            let named = |ray: &Degenerate| list.contains(&format!("gallery:{}", ray.id()));
+            assert!(Degenerate::ALL.iter().all(named));
         }
     }
 }
