@@ -1,6 +1,7 @@
 //! Laws on random trees: every algorithm against the oracle, every query
 //! against brute force, every trace against itself.
 
+mod agreement;
 mod queries;
 mod rays;
 mod rounding;
