@@ -16,6 +16,7 @@ use crate::view::View;
 use crate::{render, save, theme, with_document};
 use eframe::egui::{CentralPanel, Frame, Key, Ui};
 use jobs::Purpose;
+use octoscope_core::gallery::Degenerate;
 use octoscope_core::progress::Progress;
 use octoscope_core::scenario::{BUILT_IN, StepAt};
 use std::path::PathBuf;
@@ -35,6 +36,8 @@ pub struct App {
     chosen: files::Answers,
     /// One line that says what has just happened.
     status: String,
+    /// The ray of the gallery that was shown last.
+    degenerate: Option<Degenerate>,
     /// Layers on the graphics adapter; `None` without one.
     layers: Option<Layers>,
 }
@@ -93,6 +96,7 @@ impl App {
             job: None,
             chosen: files::Answers::default(),
             status: String::new(),
+            degenerate: None,
             layers,
         };
         app.go_to_start();

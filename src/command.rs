@@ -2,6 +2,7 @@
 //! from which menus, tooltips and shortcuts follow.
 
 use eframe::egui::{Key, KeyboardShortcut, Modifiers};
+use octoscope_core::gallery::Degenerate;
 
 /// Something that the user can ask for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -44,6 +45,12 @@ pub enum Command {
     FrameAll,
     /// Turn the ray round.
     ReverseRay,
+    /// Make the ray degenerate in the nearest way.
+    SnapRay,
+    /// The next ray of the gallery.
+    NextDegenerate,
+    /// A ray of the gallery.
+    Degenerate(Degenerate),
     /// Light, dark, projector in turn.
     NextTheme,
     /// English, German in turn.
@@ -75,6 +82,8 @@ pub enum Menu {
     View,
     /// The ray.
     Ray,
+    /// Degenerate rays, inside the menu of the ray.
+    Gallery,
     /// The playhead.
     Step,
     /// Help.
@@ -82,7 +91,7 @@ pub enum Menu {
 }
 
 impl Menu {
-    /// All menus from left to right.
+    /// The menus of the menu bar from left to right.
     pub const ALL: [Self; 6] =
         [Self::File, Self::Edit, Self::View, Self::Ray, Self::Step, Self::Help];
 
@@ -93,8 +102,17 @@ impl Menu {
             Self::Edit => "menu-edit",
             Self::View => "menu-view",
             Self::Ray => "menu-ray",
+            Self::Gallery => "menu-gallery",
             Self::Step => "menu-step",
             Self::Help => "menu-help",
+        }
+    }
+
+    /// The menu that opens at the end of this one.
+    pub fn inner(self) -> Option<Self> {
+        match self {
+            Self::Ray => Some(Self::Gallery),
+            Self::File | Self::Edit | Self::View | Self::Gallery | Self::Step | Self::Help => None,
         }
     }
 }
@@ -133,6 +151,10 @@ const fn row(
     Row { command, id, menu, keys }
 }
 
+const fn gallery(ray: Degenerate, id: &'static str) -> Row {
+    row(Command::Degenerate(ray), id, Menu::Gallery, &[])
+}
+
 /// All commands, in the order of the menus.
 pub const COMMANDS: &[Row] = &[
     row(Command::Open, "command-open", Menu::File, &[ctrl(Key::O)]),
@@ -157,6 +179,30 @@ pub const COMMANDS: &[Row] = &[
     row(Command::FullScreen, "command-full-screen", Menu::View, &[key(Key::F11)]),
     row(Command::Blank, "command-blank", Menu::View, &[key(Key::B), key(Key::Period)]),
     row(Command::ReverseRay, "command-reverse-ray", Menu::Ray, &[key(Key::R)]),
+    row(Command::SnapRay, "command-snap-ray", Menu::Ray, &[key(Key::N)]),
+    row(Command::NextDegenerate, "command-next-degenerate", Menu::Ray, &[key(Key::G)]),
+    gallery(Degenerate::AxisParallel, "gallery-axis-parallel"),
+    gallery(Degenerate::FacePlane, "gallery-face-plane"),
+    gallery(Degenerate::LowerFace, "gallery-lower-face"),
+    gallery(Degenerate::UpperFace, "gallery-upper-face"),
+    gallery(Degenerate::Edge, "gallery-edge"),
+    gallery(Degenerate::Corner, "gallery-corner"),
+    gallery(Degenerate::Centre, "gallery-centre"),
+    gallery(Degenerate::Diagonal, "gallery-diagonal"),
+    gallery(Degenerate::NegativeZero, "gallery-negative-zero"),
+    gallery(Degenerate::Tiny, "gallery-tiny"),
+    gallery(Degenerate::OnFace, "gallery-on-face"),
+    gallery(Degenerate::OnCorner, "gallery-on-corner"),
+    gallery(Degenerate::Inside, "gallery-inside"),
+    gallery(Degenerate::Behind, "gallery-behind"),
+    gallery(Degenerate::Leaving, "gallery-leaving"),
+    gallery(Degenerate::Grazing, "gallery-grazing"),
+    gallery(Degenerate::Miss, "gallery-miss"),
+    gallery(Degenerate::Lattice, "gallery-lattice"),
+    gallery(Degenerate::LatticeSpace, "gallery-lattice-space"),
+    gallery(Degenerate::Thirds, "gallery-thirds"),
+    gallery(Degenerate::Far, "gallery-far"),
+    gallery(Degenerate::Slow, "gallery-slow"),
     row(
         Command::StepForward,
         "command-step-forward",
@@ -209,6 +255,15 @@ mod tests {
                 let shown = (shortcut.logical_key, format!("{:?}", shortcut.modifiers));
                 assert!(keys.insert(shown), "{shortcut:?} of {} clashes", row.id);
             }
+        }
+    }
+
+    #[test]
+    fn every_degenerate_ray_has_a_command() {
+        for ray in Degenerate::ALL {
+            let row = Command::Degenerate(ray).row();
+            assert_eq!(row.id, format!("gallery-{}", ray.id()));
+            assert_eq!(Some(row.menu), Menu::Ray.inner());
         }
     }
 

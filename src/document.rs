@@ -3,6 +3,7 @@
 use crate::comparison::{Run, compare};
 use crate::history::{Shared, Weighed};
 use octoscope_core::event::Event;
+use octoscope_core::explain::rounded_steps;
 use octoscope_core::geometry::Ray;
 use octoscope_core::progress::Progress;
 use octoscope_core::query::Query;
@@ -48,6 +49,8 @@ pub struct Document<const D: usize> {
     pub folder: PathBuf,
     /// What the whole run costs.
     pub total: Counters,
+    /// Steps of the trace, from 1, in which doubles would have decided otherwise.
+    pub rounded: Arc<[usize]>,
     /// All algorithms on the ray, once they are asked for.
     comparison: Option<Arc<Vec<Run>>>,
     traced: (Ray<D>, Query<D>),
@@ -73,6 +76,7 @@ impl<const D: usize> Document<D> {
         let traced = (ray, query);
         let built = (domain, recipe);
         let total = costs(&trace);
+        let rounded = rounded(&tree, &scenario.ray, &trace);
         Ok(Self {
             scenario: Question { domain, recipe, ray, query },
             opened: Arc::new(scenario),
@@ -82,6 +86,7 @@ impl<const D: usize> Document<D> {
             path: None,
             folder: PathBuf::new(),
             total,
+            rounded,
             comparison: None,
             traced,
             built,
@@ -175,6 +180,7 @@ impl<const D: usize> Document<D> {
         let (ray, query) = (self.scenario.ray, self.scenario.query);
         self.trace = Arc::new(record(&self.tree, &ray, &query));
         self.total = costs(&self.trace);
+        self.rounded = rounded(&self.tree, &ray, &self.trace);
         self.comparison = None;
         self.traced = (ray, query);
     }
@@ -221,6 +227,10 @@ fn content_bytes<const D: usize>(content: &Content<D>) -> usize {
         Content::Boxes(boxes) => size_of_val(&boxes[..]),
         Content::Triangles(triangles) => size_of_val(&triangles[..]),
     }
+}
+
+fn rounded<const D: usize>(tree: &Tree<D>, ray: &Ray<D>, trace: &Trace<D>) -> Arc<[usize]> {
+    rounded_steps(tree, ray, trace).into_iter().map(|(step, _)| step).collect()
 }
 
 /// Document of either dimension.

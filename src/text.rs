@@ -4,11 +4,17 @@ use octoscope_core::text::{Language, Texts};
 
 /// Texts of the window in `language`.
 pub fn texts(language: Language) -> Texts {
-    let source = match language {
-        Language::English => include_str!("../assets/texts/en/window.ftl"),
-        Language::German => include_str!("../assets/texts/de/window.ftl"),
+    let sources = match language {
+        Language::English => [
+            include_str!("../assets/texts/en/window.ftl"),
+            include_str!("../assets/texts/en/gallery.ftl"),
+        ],
+        Language::German => [
+            include_str!("../assets/texts/de/window.ftl"),
+            include_str!("../assets/texts/de/gallery.ftl"),
+        ],
     };
-    Texts::new(language, &[source])
+    Texts::new(language, &sources)
 }
 
 #[cfg(test)]
@@ -39,7 +45,8 @@ mod tests {
         for language in Language::ALL {
             let texts = texts(language);
             let commands = COMMANDS.iter().map(|row| row.id.to_owned());
-            let menus = Menu::ALL.iter().map(|menu| menu.id().to_owned());
+            let inner = Menu::ALL.into_iter().filter_map(Menu::inner);
+            let menus = Menu::ALL.into_iter().chain(inner).map(|menu| menu.id().to_owned());
             let scenes = BUILT_IN.iter().map(|scene| format!("scene-{}", scene.id));
             for key in commands.chain(menus).chain(scenes) {
                 assert!(texts.has(&key), "{key} in {language:?}");

@@ -3,11 +3,13 @@
 use super::jobs::{Purpose, file_name};
 use super::{App, Shown};
 use crate::command::{COMMANDS, Command, belongs_to_focus};
+use crate::document::AnyDocument;
 use crate::files::Chosen;
 use crate::history::History;
 use crate::view::{Dialog, Preset};
 use crate::{export, save, with_document};
 use eframe::egui::{Context, ViewportCommand};
+use octoscope_core::gallery::{Degenerate, snap};
 use octoscope_core::query::Query;
 use octoscope_core::scenario::AnyScenario;
 use octoscope_core::text::Language;
@@ -64,9 +66,10 @@ impl App {
             Command::Redo => self.history.can_redo(),
             Command::StepForward | Command::NextLeaf | Command::Last => step < length,
             Command::StepBack | Command::PreviousLeaf | Command::First => step > 0,
-            Command::ReverseRay => with_document!(&self.document, d => {
-                matches!(d.scenario.query, Query::Ray { .. })
-            }),
+            Command::ReverseRay | Command::SnapRay | Command::NextDegenerate => {
+                self.is_about_a_ray()
+            }
+            Command::Degenerate(ray) => self.is_about_a_ray() && ray.exists_in(self.dimension()),
             Command::Open
             | Command::Save
             | Command::SaveAs
@@ -115,6 +118,14 @@ impl App {
             Command::Slower => self.view.playback.change_speed(0.5),
             Command::FrameAll => (self.view.plane_camera, self.view.orbit_camera) = (None, None),
             Command::ReverseRay => with_document!(&mut self.document, d => d.reverse_ray()),
+            Command::SnapRay if self.is_enabled(command) => self.snap_ray(),
+            Command::NextDegenerate if self.is_enabled(command) => {
+                let first = Degenerate::ALL[0];
+                let dimension = self.dimension();
+                self.aim(self.degenerate.map_or(first, |last| last.following(dimension)));
+            }
+            Command::Degenerate(ray) => self.aim(ray),
+            Command::SnapRay | Command::NextDegenerate => {}
             Command::FullScreen => {
                 let full = context.input(|input| input.viewport().fullscreen.unwrap_or(false));
                 context.send_viewport_cmd(ViewportCommand::Fullscreen(!full));
@@ -132,6 +143,43 @@ impl App {
             Command::Blank => self.view.blank = !self.view.blank,
             Command::Keys => self.view.dialog = Some(Dialog::Keys),
             Command::About => self.view.dialog = Some(Dialog::About),
+        }
+    }
+
+    fn is_about_a_ray(&self) -> bool {
+        with_document!(&self.document, d => matches!(d.scenario.query, Query::Ray { .. }))
+    }
+
+    fn dimension(&self) -> usize {
+        match self.document {
+            AnyDocument::Plane(_) => 2,
+            AnyDocument::Space(_) => 3,
+        }
+    }
+
+    /// Takes a ray of the gallery and says what is to be watched on it.
+    fn aim(&mut self, degenerate: Degenerate) {
+        self.degenerate = Some(degenerate);
+        let found = with_document!(&mut self.document, d => {
+            let ray = degenerate.ray(&d.tree);
+            ray.map(|ray| d.scenario.ray = ray).is_some()
+        });
+        if found {
+            let language = self.view.language;
+            self.status = format!("{}: {}", degenerate.name(language), degenerate.watch(language));
+        }
+    }
+
+    /// Makes the ray degenerate in the nearest way and says in which.
+    fn snap_ray(&mut self) {
+        let snapped = with_document!(&mut self.document, d => {
+            snap(&d.tree, &d.scenario.ray).map(|snapped| {
+                d.scenario.ray = snapped.ray;
+                snapped.snap
+            })
+        });
+        if let Some(snap) = snapped {
+            self.status = snap.told(self.view.language);
         }
     }
 

@@ -32,7 +32,7 @@ impl App {
                 sentence::ui(ui, &self.look, text, step);
             });
             with_document!(&self.document, d => {
-                timeline::ui(ui, &self.look, &d.trace, &mut self.view.playback, commands);
+                timeline::ui(ui, &self.look, &d.trace, &d.rounded, &mut self.view.playback, commands);
             });
         });
         let layers = self.layers.as_mut();

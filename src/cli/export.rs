@@ -1,5 +1,6 @@
 //! `octoscope export`: figures without a window.
 
+use super::ray::RayChoice;
 use super::values::{Numbers, language};
 use super::{Answer, tell};
 use crate::document::Document;
@@ -46,6 +47,9 @@ pub struct Export {
     /// it, where the scenario says.
     #[arg(long, value_name = "N|first|last", value_parser = step, allow_negative_numbers = true)]
     step: Option<StepAt>,
+    /// Draws this ray, as octoscope trace takes it.
+    #[arg(long, value_name = "OX,OY,OZ,DX,DY,DZ|gallery:ID", allow_hyphen_values = true)]
+    ray: Option<RayChoice>,
     /// Page in points, into which the figure is fitted; without it, the page
     /// ends around the figure.
     #[arg(long, value_name = "WIDTHxHEIGHT", allow_negative_numbers = true)]
@@ -179,7 +183,13 @@ fn theme(id: &str) -> Result<Theme, String> {
 /// Says what is wrong with the file or the arguments.
 pub fn export(arguments: &Export) -> anyhow::Result<Answer> {
     let format = chosen_format(arguments)?;
-    let document = open(&arguments.file, &Progress::default())?;
+    let mut document = open(&arguments.file, &Progress::default())?;
+    if let Some(choice) = &arguments.ray {
+        with_document!(&mut document, document => {
+            choice.aim(document)?;
+            document.refresh(0);
+        });
+    }
     let n_steps = document.n_events();
     if let Some(StepAt::At(step)) = arguments.step
         && step > n_steps

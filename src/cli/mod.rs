@@ -6,6 +6,7 @@
 
 mod check;
 mod export;
+mod ray;
 mod scenes;
 mod trace;
 mod values;

@@ -5,6 +5,7 @@ use crate::files::Output;
 use crate::text::texts;
 use clap::Args;
 use octoscope_core::explain::algorithm_name;
+use octoscope_core::gallery::Degenerate;
 use octoscope_core::scenario::BUILT_IN;
 use octoscope_core::text::Language;
 use octoscope_core::traverse::{Algorithm, Variant};
@@ -12,11 +13,13 @@ use serde_json::json;
 use std::collections::BTreeMap;
 use std::io::Write;
 
-/// Lists the built-in scenes and the algorithms, with their identifiers.
+/// Lists the built-in scenes, the algorithms and the degenerate rays, with their
+/// identifiers.
 ///
-/// A scene's identifier, scene:NAME, stands wherever a command takes a file. A
-/// scenario that names a scene may choose another seed of its random numbers,
-/// and another n, which says how many or how large.
+/// A scene's identifier, scene:NAME, stands wherever a command takes a file; a
+/// ray's, gallery:NAME, where one takes a ray. A scenario that names a scene may
+/// choose another seed of its random numbers, and another n, which says how many
+/// or how large.
 #[derive(Debug, Args)]
 pub struct Scenes {
     /// Prints the list as JSON.
@@ -59,8 +62,15 @@ fn as_text() -> String {
         let name = algorithm_name(algorithm, Language::English);
         format!("{:<22}{name}{}\n", algorithm.id(), variants.collect::<String>())
     });
+    let rays = Degenerate::ALL.map(|ray| {
+        let id = format!("gallery:{}", ray.id());
+        let plane = if ray.exists_in(2) { "" } else { " (in space)" };
+        format!("{id:<22}{}{plane}\n", ray.name(Language::English))
+    });
     let scenes: String = scenes.collect();
-    format!("{head}{scenes}\n{:<22}what it is\n{}", "algorithm", algorithms.concat())
+    let [algorithms, rays] = [algorithms.concat(), rays.concat()];
+    let heads = ["algorithm", "degenerate ray"].map(|name| format!("{name:<22}what it is"));
+    format!("{head}{scenes}\n{}\n{algorithms}\n{}\n{rays}", heads[0], heads[1])
 }
 
 fn as_json() -> String {
@@ -76,6 +86,7 @@ fn as_json() -> String {
     let list = json!({
         "scenes": scenes.collect::<Vec<_>>(),
         "algorithms": Algorithm::ALL.map(Algorithm::id),
+        "rays": Degenerate::ALL.map(|ray| format!("gallery:{}", ray.id())),
         "variants": Algorithm::ALL
             .map(|algorithm| (algorithm.id(), variants(algorithm).map(Variant::id).collect()))
             .into_iter()
@@ -93,12 +104,14 @@ mod tests {
     use super::*;
 
     #[test]
-    fn every_scene_and_algorithm_is_listed() {
+    fn every_scene_algorithm_and_ray_is_listed() {
         for list in [as_text(), as_json()] {
             for scene in &BUILT_IN {
                 assert!(list.contains(&format!("scene:{}", scene.id)));
             }
             assert!(Algorithm::ALL.iter().all(|algorithm| list.contains(algorithm.id())));
+            let named = |ray: &Degenerate| list.contains(&format!("gallery:{}", ray.id()));
+            assert!(Degenerate::ALL.iter().all(named));
         }
     }
 }

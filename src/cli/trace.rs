@@ -1,15 +1,14 @@
 //! `octoscope trace`: the steps of one query.
 
 use super::Answer;
-use super::values::{Numbers, language, number};
+use super::ray::RayChoice;
+use super::values::{language, number};
 use crate::document::Document;
 use crate::files::Output;
 use crate::open::open;
 use crate::with_document;
-use anyhow::{anyhow, bail};
 use clap::{Args, ValueEnum};
 use octoscope_core::explain::{trace_csv, trace_jsonl, trace_text};
-use octoscope_core::geometry::{AXIS_NAMES, Ray};
 use octoscope_core::progress::Progress;
 use octoscope_core::query::{Arithmetic, Query};
 use octoscope_core::text::Language;
@@ -26,6 +25,7 @@ use std::path::PathBuf;
 #[command(after_long_help = "Examples:\n  \
     octoscope trace scene:quadtree-82\n  \
     octoscope trace lecture.octo --algorithm codes --lang de\n  \
+    octoscope trace scene:cloud --ray gallery:corner --exact\n  \
     octoscope trace scene:figure-7 --ray \"1.5,0.3,0.2,-1,0.1,0.2\" --format jsonl -o a.jsonl")]
 pub struct Trace {
     /// Scenario (.octo), data file, or built-in scene as scene:NAME.
@@ -35,9 +35,10 @@ pub struct Trace {
     #[arg(long, value_name = "ID")]
     algorithm: Option<Method>,
     /// Takes this ray: origin and direction, four numbers in 2-D and six in
-    /// 3-D, decimal or hexadecimal.
-    #[arg(long, value_name = "OX,OY,OZ,DX,DY,DZ", allow_hyphen_values = true)]
-    ray: Option<Numbers>,
+    /// 3-D, decimal or hexadecimal; or a degenerate one made for the tree, as
+    /// gallery:ID (see octoscope scenes).
+    #[arg(long, value_name = "OX,OY,OZ,DX,DY,DZ|gallery:ID", allow_hyphen_values = true)]
+    ray: Option<RayChoice>,
     /// Ends the ray at this parameter t.
     #[arg(long, value_name = "T", value_parser = number, allow_hyphen_values = true)]
     end: Option<f64>,
@@ -80,12 +81,11 @@ pub fn trace(arguments: &Trace) -> anyhow::Result<Answer> {
 }
 
 fn traced<const D: usize>(mut document: Document<D>, arguments: &Trace) -> anyhow::Result<String> {
-    let scenario = &mut document.scenario;
-    if let Some(numbers) = &arguments.ray {
-        scenario.ray = ray(numbers)?;
+    if let Some(choice) = &arguments.ray {
+        choice.aim(&mut document)?;
     }
-    let about_rays = arguments.ray.is_some() || arguments.algorithm.is_some();
-    if about_rays || arguments.end.is_some() || arguments.exact {
+    let scenario = &mut document.scenario;
+    if arguments.algorithm.is_some() || arguments.end.is_some() || arguments.exact {
         scenario.query = along_ray(scenario.query, arguments);
     }
     document.refresh(0);
@@ -95,23 +95,6 @@ fn traced<const D: usize>(mut document: Document<D>, arguments: &Trace) -> anyho
         Format::Jsonl => trace_jsonl(tree, &scenario.ray, trace),
         Format::Csv => trace_csv(tree, trace),
     })
-}
-
-fn ray<const D: usize>(numbers: &Numbers) -> anyhow::Result<Ray<D>> {
-    let Numbers(numbers) = numbers;
-    if numbers.len() != 2 * D {
-        let names = |letter| AXIS_NAMES[..D].iter().map(move |axis| format!("{letter}{axis}"));
-        let order: Vec<String> = names('o').chain(names('d')).collect();
-        let tree = if D == 2 { "a quadtree" } else { "an octree" };
-        bail!(
-            "--ray has {} numbers; a ray through {tree} takes {}: {}",
-            numbers.len(),
-            2 * D,
-            order.join(",")
-        );
-    }
-    let [origin, direction] = [0, D].map(|start| std::array::from_fn(|e| numbers[start + e]));
-    Ray::new(origin, direction).map_err(|error| anyhow!("--ray: {error}"))
 }
 
 /// `query`, if it is about the ray, else the default one that is; with what the
@@ -131,18 +114,4 @@ fn along_ray<const D: usize>(query: Query<D>, arguments: &Trace) -> Query<D> {
         options.segment_end = arguments.end.or(options.segment_end);
     }
     query
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_ray_has_as_many_numbers_as_its_tree_asks() {
-        let check = |n: usize| ray::<2>(&Numbers(vec![1.0; n])).map_err(|error| error.to_string());
-        assert_eq!(check(4), Ok(Ray::new([1.0; 2], [1.0; 2]).unwrap()));
-        let message = "--ray has 6 numbers; a ray through a quadtree takes 4: ox,oy,dx,dy";
-        assert_eq!(check(6), Err(message.to_owned()));
-        assert!(ray::<2>(&Numbers(vec![0.0; 4])).is_err());
-    }
 }

@@ -19,18 +19,7 @@ pub fn ui(
 ) {
     MenuBar::new().ui(ui, |ui| {
         for menu in Menu::ALL {
-            ui.menu_button(look.text(menu.id()), |ui| {
-                for row in COMMANDS.iter().filter(|row| row.menu == menu) {
-                    let mut button = Button::new(look.text(row.id));
-                    if let Some(key) = row.keys.first() {
-                        button = button.shortcut_text(ui.ctx().format_shortcut(key));
-                    }
-                    if ui.add_enabled(enabled(row.command), button).clicked() {
-                        commands.push(row.command);
-                        ui.close();
-                    }
-                }
-            });
+            ui.menu_button(look.text(menu.id()), |ui| rows(ui, look, menu, &enabled, commands));
         }
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             if theme_button(ui, look) {
@@ -51,6 +40,29 @@ pub fn ui(
             );
         });
     });
+}
+
+/// The commands of a menu, then the menu inside it.
+fn rows(
+    ui: &mut Ui,
+    look: &Look,
+    menu: Menu,
+    enabled: &impl Fn(Command) -> bool,
+    commands: &mut Vec<Command>,
+) {
+    for row in COMMANDS.iter().filter(|row| row.menu == menu) {
+        let mut button = Button::new(look.text(row.id));
+        if let Some(key) = row.keys.first() {
+            button = button.shortcut_text(ui.ctx().format_shortcut(key));
+        }
+        if ui.add_enabled(enabled(row.command), button).clicked() {
+            commands.push(row.command);
+            ui.close();
+        }
+    }
+    if let Some(inner) = menu.inner() {
+        ui.menu_button(look.text(inner.id()), |ui| rows(ui, look, inner, enabled, commands));
+    }
 }
 
 /// A half-filled circle; true when it is clicked.

@@ -4,17 +4,19 @@ use crate::command::Command;
 use crate::look::Look;
 use crate::playback::Playback;
 use eframe::egui::{
-    Color32, FontId, Painter, Rect, Response, RichText, Sense, Shape, Stroke, Ui, WidgetInfo,
+    Color32, FontId, Painter, Pos2, Rect, Response, RichText, Sense, Shape, Stroke, Ui, WidgetInfo,
     accesskit::Role, lerp, pos2, remap_clamp, vec2,
 };
 use octoscope_core::event::Event;
 use octoscope_core::trace::Trace;
 
-/// Buttons and ruler; dragging the ruler moves the playhead.
+/// Buttons and ruler; dragging the ruler moves the playhead. Steps that doubles
+/// would have made otherwise, `rounded`, carry a badge.
 pub fn ui<const D: usize>(
     ui: &mut Ui,
     look: &Look,
     trace: &Trace<D>,
+    rounded: &[usize],
     playback: &mut Playback,
     commands: &mut Vec<Command>,
 ) {
@@ -48,7 +50,7 @@ pub fn ui<const D: usize>(
         let font = FontId::new(16.0, look.strong_family());
         let galley = ui.painter().layout_no_wrap(count.clone(), font, look.palette.ink);
         let width = ui.available_width() - galley.size().x.max(84.0) - 16.0;
-        ruler(ui, look, trace, playback, width.max(60.0));
+        ruler(ui, look, trace, rounded, playback, width.max(60.0));
         ui.label(RichText::new(count).size(16.0).strong());
     });
 }
@@ -57,6 +59,7 @@ fn ruler<const D: usize>(
     ui: &mut Ui,
     look: &Look,
     trace: &Trace<D>,
+    rounded: &[usize],
     playback: &mut Playback,
     width: f32,
 ) {
@@ -77,9 +80,22 @@ fn ruler<const D: usize>(
     let painter = ui.painter_at(rect.expand(2.0));
     painter.hline(track.x_range(), track.center().y, Stroke::new(1.0, look.palette.grid));
     paint_ticks(&painter, look, trace, playback.step, track);
+    for &step in rounded {
+        let x = lerp(track.x_range(), step as f32 / length.max(1) as f32);
+        paint_badge(&painter, look, pos2(x, track.bottom()));
+    }
     let x = lerp(track.x_range(), playback.step as f32 / length.max(1) as f32);
     painter.vline(x, track.y_range(), Stroke::new(2.0, look.palette.ray));
     painter.circle_filled(pos2(x, track.top()), 5.5, look.palette.ray);
+    if !rounded.is_empty() {
+        response.on_hover_text(look.text("timeline-rounded"));
+    }
+}
+
+/// A triangle below the tick of a step, that points at it.
+fn paint_badge(painter: &Painter, look: &Look, tip: Pos2) {
+    let corners = vec![tip - vec2(0.0, 5.0), tip + vec2(4.5, 3.0), tip + vec2(-4.5, 3.0)];
+    painter.add(Shape::convex_polygon(corners, look.palette.accent, Stroke::NONE));
 }
 
 /// One tick an event, coloured by its kind; of crowded ones the tallest.

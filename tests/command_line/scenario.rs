@@ -124,3 +124,18 @@ fn trace_refuses_bad_input_with_what_would_be_right() {
     }
     desk.refuses("trace");
 }
+
+#[test]
+fn rays_of_the_gallery_are_made_for_the_tree() {
+    let desk = desk_with_scenario();
+    let text = desk.prints("trace a.octo --ray gallery:leaving");
+    assert!(text.contains("misses"), "{text}");
+    let text = desk.prints("trace scene:figure-7 --ray gallery:edge --exact");
+    assert!(text.contains("along (1, 0, 0)"), "{text}");
+    let message = desk.refuses("trace a.octo --ray gallery:edge");
+    assert!(message.contains("through octrees only"), "{message}");
+    let message = desk.refuses("trace a.octo --ray gallery:none");
+    assert!(message.contains("axis-parallel, face-plane"), "{message}");
+    let figure = |ray: &str| desk.prints(&format!("export a.octo --format svg --ray {ray}"));
+    assert_ne!(figure("gallery:corner"), figure("gallery:centre"));
+}

@@ -1,9 +1,14 @@
 //! The ray, moved by mouse and numbers.
 
 use crate::desk::Desk;
+use eframe::egui::accesskit::Role;
 use eframe::egui::{Key, Modifiers, Pos2, vec2};
+use egui_kittest::kittest::Queryable;
 use octoscope::document::AnyDocument;
+use octoscope_core::gallery::{Degenerate, snap};
 use octoscope_core::geometry::Ray;
+use octoscope_core::query::{Arithmetic, Query};
+use octoscope_core::text::Language;
 use octoscope_core::tree::NodeId;
 
 fn leaves(desk: &Desk) -> Vec<NodeId> {
@@ -151,4 +156,59 @@ fn the_tip_follows_the_pointer_from_wherever_its_handle_was() {
         let tip = desk.place(desk.plane().scenario.ray.at(1.0));
         assert!(tip.distance(to) < 1.5, "{tip:?} {to:?}");
     }
+}
+
+#[test]
+fn one_key_shows_every_degenerate_ray_with_what_is_to_be_watched() {
+    let mut desk = Desk::new();
+    let in_the_plane = Degenerate::ALL.into_iter().filter(|ray| ray.exists_in(2));
+    for kind in in_the_plane.chain([Degenerate::ALL[0]]) {
+        desk.press(Key::G);
+        assert_eq!(Some(desk.plane().scenario.ray), kind.ray(&desk.plane().tree), "{kind:?}");
+        assert!(desk.says(&kind.watch(Language::English)), "{kind:?}");
+    }
+}
+
+#[test]
+fn a_degenerate_ray_is_chosen_from_the_gallery_and_undone() {
+    let mut desk = Desk::new();
+    let before = desk.plane().scenario.ray;
+    // The menu; the query has a button of this name as well.
+    let menu = desk.get_all_by_role_and_label(Role::Button, "Ray").next();
+    menu.expect("the menu bar comes first").click();
+    desk.run();
+    desk.click(Role::Button, "Gallery of degenerate rays");
+    desk.click(Role::Button, &Degenerate::Centre.name(Language::English));
+    assert_eq!(Some(desk.plane().scenario.ray), Degenerate::Centre.ray(&desk.plane().tree));
+    assert!(desk.says(&Degenerate::Centre.watch(Language::English)));
+    desk.press_with(Modifiers::COMMAND, Key::Z);
+    assert_eq!(desk.plane().scenario.ray, before);
+}
+
+#[test]
+fn one_key_makes_the_ray_degenerate_in_the_nearest_way() {
+    let mut desk = Desk::new();
+    let (tree, ray) = (desk.plane().tree.clone(), desk.plane().scenario.ray);
+    let nearest = snap(&tree, &ray).unwrap();
+    desk.press(Key::N);
+    assert_eq!(desk.plane().scenario.ray, nearest.ray);
+    assert!(desk.says(&nearest.snap.told(Language::English)));
+}
+
+#[test]
+fn steps_that_doubles_would_make_otherwise_are_known_to_the_window() {
+    let mut desk = Desk::new();
+    let ray = Degenerate::Thirds.ray(&desk.plane().tree).unwrap();
+    assert!(desk.plane().rounded.is_empty());
+    let AnyDocument::Plane(document) = desk.state_mut().document_mut() else { panic!() };
+    document.scenario.ray = ray;
+    let Query::Ray { arithmetic, .. } = &mut document.scenario.query else { panic!() };
+    *arithmetic = Arithmetic::Exact;
+    desk.run();
+    let Some(&step) = desk.plane().rounded.first() else { panic!("doubles err on thirds") };
+    desk.press(Key::Home);
+    for _ in 0..step {
+        desk.tap(Key::ArrowRight);
+    }
+    assert!(desk.sentence().contains("Doubles would have decided otherwise"));
 }

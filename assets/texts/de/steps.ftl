@@ -212,3 +212,10 @@ counter-calls = Rekursive Aufrufe
 counter-stack-depth = Stapeltiefe
 counter-leaves = Blätter
 counter-touches = Berührungen
+
+# Hinter einem Schritt mit exakten Vergleichen, den Doubles anders gemacht hätten.
+doubles-differ = { $ulps ->
+    [0] { " " }Doubles hätten anders entschieden: Beide Parameter werden auf dieselbe Zahl gerundet.
+    [one] { " " }Doubles hätten anders entschieden: Als Doubles liegen die Parameter 1 ulp auseinander.
+   *[other] { " " }Doubles hätten anders entschieden: Als Doubles liegen die Parameter { $ulps } ulp auseinander.
+}

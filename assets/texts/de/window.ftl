@@ -4,6 +4,7 @@ menu-file = Datei
 menu-edit = Bearbeiten
 menu-view = Ansicht
 menu-ray = Strahl
+menu-gallery = Galerie entarteter Strahlen
 menu-step = Schritt
 menu-help = Hilfe
 
@@ -29,6 +30,8 @@ command-scale-reset = Normale Größe
 command-full-screen = Vollbild
 command-blank = Bildschirm leeren
 command-reverse-ray = Strahl umkehren
+command-snap-ray = Den Strahl entarten lassen
+command-next-degenerate = Nächster Strahl der Galerie
 command-step-forward = Schritt vor
 command-step-back = Schritt zurück
 command-next-leaf = Zum nächsten Blatt
@@ -188,6 +191,7 @@ compare-comparisons = Vergleiche insgesamt
 compare-too-many = Der Baum hat zu viele Blätter, um jedes bei jeder Bewegung zu prüfen.
 timeline-name = Schritt der Aufzeichnung
 timeline-speed = Geschwindigkeit
+timeline-rounded = Schritte mit Dreieck: Doubles hätten anders entschieden
 
 sentence-begin = Mit → geht es los.
 job-open = { $name } wird geöffnet

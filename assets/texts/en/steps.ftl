@@ -203,3 +203,10 @@ counter-calls = Recursive calls
 counter-stack-depth = Stack depth
 counter-leaves = Leaves
 counter-touches = Touches
+
+# Added to a step of exact comparisons that doubles would have made otherwise.
+doubles-differ = { $ulps ->
+    [0] { " " }Doubles would have decided otherwise: both parameters round to the same number.
+    [one] { " " }Doubles would have decided otherwise: as doubles the parameters lie 1 ulp apart.
+   *[other] { " " }Doubles would have decided otherwise: as doubles the parameters lie { $ulps } ulps apart.
+}

@@ -4,6 +4,7 @@ menu-file = File
 menu-edit = Edit
 menu-view = View
 menu-ray = Ray
+menu-gallery = Gallery of degenerate rays
 menu-step = Step
 menu-help = Help
 
@@ -29,6 +30,8 @@ command-scale-reset = Normal size
 command-full-screen = Full screen
 command-blank = Blank the screen
 command-reverse-ray = Turn the ray round
+command-snap-ray = Make the ray degenerate
+command-next-degenerate = Next ray of the gallery
 command-step-forward = Step forward
 command-step-back = Step back
 command-next-leaf = To the next leaf
@@ -188,6 +191,7 @@ compare-comparisons = Comparisons in all
 compare-too-many = The tree has too many leaves to test each of them for every movement.
 timeline-name = Step of the trace
 timeline-speed = Speed
+timeline-rounded = Steps with a triangle: doubles would have decided otherwise
 
 sentence-begin = Press → to begin.
 job-open = Opening { $name }

@@ -7,7 +7,7 @@ use crate::locate::{
     neighbour, neighbour_by_tables,
 };
 use crate::traverse::{Algorithm, Options, Variant, doubles_suffice};
-use crate::tree::{Code, Tree};
+use crate::tree::{Code, Domain, Tree};
 use serde::{Deserialize, Serialize};
 
 /// One question to a tree.
@@ -87,16 +87,25 @@ impl<const D: usize> Default for Query<D> {
 }
 
 impl<const D: usize> Query<D> {
+    /// Whether parameters on `ray` are compared exactly, be it that this is asked
+    /// for or that doubles do not suffice.
+    pub fn is_exact(&self, domain: &Domain<D>, ray: &Ray<D>) -> bool {
+        let Self::Ray { algorithm, options, arithmetic } = *self else { return false };
+        if algorithm == Algorithm::Exhaustive {
+            return true;
+        }
+        let suffice = arithmetic == Arithmetic::Doubles && doubles_suffice(domain, ray);
+        !suffice && !options.variants.iter().any(Variant::is_about_doubles)
+    }
+
     /// Runs the query in `tree`; `ray` is used by [`Query::Ray`].
     pub fn run(&self, tree: &Tree<D>, ray: &Ray<D>, observe: &mut impl Observer<D>) -> Outcome {
         match *self {
-            Self::Ray { algorithm, options, arithmetic } => {
-                let suffice =
-                    arithmetic == Arithmetic::Doubles && doubles_suffice(tree.domain(), ray);
-                if suffice || options.variants.iter().any(Variant::is_about_doubles) {
-                    algorithm.run::<D, f64>(tree, ray, options, observe)
-                } else {
+            Self::Ray { algorithm, options, .. } => {
+                if self.is_exact(tree.domain(), ray) {
                     algorithm.run::<D, Exact>(tree, ray, options, observe)
+                } else {
+                    algorithm.run::<D, f64>(tree, ray, options, observe)
                 }
             }
             Self::Point { at, method: PointMethod::Codes } => locate_by_codes(tree, at, observe),

@@ -115,6 +115,8 @@ pub enum Event<const D: usize> {
     Classify {
         /// The parameter with which the mid planes are compared.
         at: f64,
+        /// The ends of the piece of the ray whose middle that is, if it is one.
+        piece: Option<[f64; 2]>,
         /// The child, in the tree's own numbering.
         child: Child<D>,
     },

@@ -2,6 +2,7 @@
 
 use super::number::{approx, distinct};
 use super::rich::{RichText, on_axis, strong};
+use super::rounding::{Disagreement, double_would_differ};
 use super::words::{Words, chain, equation, point, relation, signs, t, tuple, typographic};
 use crate::event::{End, Event, Halves};
 use crate::geometry::{AXIS_NAMES, Axes, Ray};
@@ -27,7 +28,7 @@ pub fn sentence<const D: usize>(
         None => start(&words, ray, trace),
         Some(event) => {
             let before = Moment::after(tree, trace, step - 1);
-            Teller { words: &words, ray, trace, before: &before }.tell(event)
+            Teller { words: &words, ray, trace, before: &before }.tell_all(event)
         }
     };
     RichText::parse(&marked)
@@ -45,7 +46,7 @@ pub(super) fn sentences<const D: usize>(
     let mut sentences = vec![RichText::parse(&start(&words, ray, trace))];
     let mut before = Moment::default();
     for event in &trace.events {
-        let marked = Teller { words: &words, ray, trace, before: &before }.tell(event);
+        let marked = Teller { words: &words, ray, trace, before: &before }.tell_all(event);
         sentences.push(RichText::parse(&marked));
         before.apply(tree, event);
     }
@@ -88,6 +89,21 @@ struct Teller<'a, const D: usize> {
 }
 
 impl<const D: usize> Teller<'_, D> {
+    /// The event, and whether doubles would have decided otherwise.
+    fn tell_all(&self, event: &Event<D>) -> String {
+        let Self { words, ray, trace, before } = *self;
+        let told = self.tell(event);
+        if !trace.query.is_exact(words.tree.domain(), ray) {
+            return told;
+        }
+        match double_would_differ(words.tree, ray, &trace.query, event, before) {
+            None => told,
+            Some(Disagreement { ulps, .. }) => {
+                told + &words.texts.format("doubles-differ", &[("ulps", ulps.into())])
+            }
+        }
+    }
+
     fn tell(&self, event: &Event<D>) -> String {
         let words = self.words;
         match *event {
@@ -147,7 +163,7 @@ impl<const D: usize> Teller<'_, D> {
                 self.interval("enter", words.node(node), enter, exit)
             }
             Event::Cuts { order, inside } => self.cuts(order, inside),
-            Event::Classify { at, child } => self.classify(at, child),
+            Event::Classify { at, child, .. } => self.classify(at, child),
             Event::Flip { at, axes, child } => {
                 let key = if axes.count() == 1 { "flip-one" } else { "flip-many" };
                 let child = strong(&child.0.to_string());

@@ -201,7 +201,7 @@ fn vars<const D: usize>(event: &Event<D>) -> Value {
         Event::Leaf { full, .. } => json!({ "full": full }),
         Event::End(end) => json!({ "reason": reason(end) }),
         Event::Cuts { order, inside } => json!({ "order": order.to_vec(), "inside": set(inside) }),
-        Event::Classify { at, child } => json!({ "at": number(at), "child": child.0 }),
+        Event::Classify { at, child, .. } => json!({ "at": number(at), "child": child.0 }),
         Event::Flip { at, axes, child } => {
             json!({ "at": number(at), "axes": set(axes), "child": child.0 })
         }

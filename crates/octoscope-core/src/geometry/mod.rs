@@ -5,9 +5,11 @@ mod axes;
 mod parameter;
 mod ray;
 mod scaled;
+mod short;
 
 pub use aabb::Aabb;
 pub use axes::{AXIS_NAMES, Axes};
 pub use parameter::{Exact, Parameter};
 pub use ray::{Ray, RayError};
 pub(crate) use scaled::Scaled;
+use short::Short;

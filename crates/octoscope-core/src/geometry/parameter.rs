@@ -3,7 +3,7 @@
 //! All that a traversal decides, it decides by comparing such parameters.
 //! Written over [`Parameter`], one algorithm runs in doubles and exactly.
 
-use super::Scaled;
+use super::{Scaled, Short};
 use std::cmp::Ordering;
 
 /// Parameter t at which a ray meets a plane, or ±∞, or a given number. NaN only
@@ -42,6 +42,18 @@ pub trait Parameter: Copy {
     #[inline]
     fn not_after(self, other: Self) -> bool {
         !other.before(self)
+    }
+
+    /// The latest of some parameters.
+    #[inline]
+    fn latest<const D: usize>(parameters: [Self; D]) -> Self {
+        parameters.into_iter().fold(Self::BEFORE_ALL, Self::later)
+    }
+
+    /// The earliest of some parameters.
+    #[inline]
+    fn earliest<const D: usize>(parameters: [Self; D]) -> Self {
+        parameters.into_iter().fold(Self::BEYOND_ALL, Self::earlier)
     }
 
     /// The later of the two.
@@ -138,7 +150,46 @@ impl Exact {
         ahead * sign_of(self.direction)
     }
 
-    fn compare_exactly(self, other: Self) -> Ordering {
+    /// Whether `self` comes before `other`, whatever their values. Signs and
+    /// planes of one axis tell most of what is close; fractions in integers the
+    /// rest.
+    #[cold]
+    fn comes_before(self, other: Self) -> bool {
+        // −∞ and +∞ lie outside all planes, even those whose quotient overflows;
+        // other constants are their own values.
+        match (self.direction == 0.0, other.direction == 0.0) {
+            (true, true) => return self.value < other.value,
+            (true, false) if self.value.is_infinite() => return self.value < 0.0,
+            (false, true) if other.value.is_infinite() => return other.value > 0.0,
+            (true, false) | (false, true) | (false, false) => {}
+        }
+        if self.origin == other.origin && self.direction == other.direction {
+            let forward = self.direction > 0.0;
+            return if forward { self.plane < other.plane } else { other.plane < self.plane };
+        }
+        // Signs are exact whatever the rounding; the origin is told apart by them.
+        let (i, j) = (self.sign(), other.sign());
+        if i != j || i == 0 {
+            return i < j;
+        }
+        let order = self.compare_short(other).unwrap_or_else(|| self.compare_long(other));
+        order == Ordering::Less
+    }
+
+    fn compare_short(self, other: Self) -> Option<Ordering> {
+        let fraction = |p: Self| {
+            if p.direction == 0.0 {
+                return Some([Short::of(p.value), Short::of(1.0)]);
+            }
+            let numerator = Short::difference(p.plane, p.origin)?;
+            let numerator = if p.direction > 0.0 { numerator } else { numerator.negated() };
+            Some([numerator, Short::of(p.direction.abs())])
+        };
+        let ([a, b], [c, d]) = (fraction(self)?, fraction(other)?);
+        a.times(d)?.compare(c.times(b)?)
+    }
+
+    fn compare_long(self, other: Self) -> Ordering {
         let [a, b] = self.fraction();
         let [c, d] = other.fraction();
         a.times(&d).compare(&c.times(&b))
@@ -176,32 +227,66 @@ impl Parameter for Exact {
     }
 
     #[inline]
-    fn before(self, other: Self) -> bool {
-        // −∞ and +∞ lie outside all planes, even those whose quotient overflows.
-        let infinity = |p: Self| match p.direction == 0.0 && p.value.is_infinite() {
-            true => p.value.signum(),
-            false => 0.0,
-        };
-        let (i, j) = (infinity(self), infinity(other));
-        if i != 0.0 || j != 0.0 {
-            return i < j;
+    fn latest<const D: usize>(parameters: [Self; D]) -> Self {
+        match leading(&parameters, 1.0) {
+            Some(index) => parameters[index],
+            None => parameters.into_iter().fold(Self::BEFORE_ALL, Self::later),
         }
+    }
 
-        // Difference and quotient are rounded once each: three units in 2^-53
-        // bound the relative error, unless a quotient leaves the normal range.
-        const ERROR: f64 = 3.0 * f64::EPSILON;
+    #[inline]
+    fn earliest<const D: usize>(parameters: [Self; D]) -> Self {
+        match leading(&parameters, -1.0) {
+            Some(index) => parameters[index],
+            None => parameters.into_iter().fold(Self::BEYOND_ALL, Self::earlier),
+        }
+    }
+
+    #[inline]
+    fn before(self, other: Self) -> bool {
         let (a, b) = (self.value, other.value);
         let gap = (a - b).abs();
-        if a.is_normal() && b.is_normal() && gap > ERROR * a.abs().max(b.abs()) {
+        let larger = if a.abs() < b.abs() { b.abs() } else { a.abs() };
+        let is_told = (gap > ERROR * larger + f64::MIN_POSITIVE) & (gap < f64::INFINITY);
+        // Often a parameter is compared with the earliest of several: itself. No
+        // branches here: which one it is cannot be predicted.
+        let is_itself = (self.plane == other.plane)
+            & (self.origin == other.origin)
+            & (self.direction == other.direction)
+            & (a == b);
+        if is_told | is_itself {
             return a < b;
         }
-        // Signs are exact whatever the rounding; the origin is told apart by them.
-        let (i, j) = (self.sign(), other.sign());
-        if i != j || i == 0 {
-            return i < j;
-        }
-        self.compare_exactly(other) == Ordering::Less
+        self.comes_before(other)
     }
+}
+
+/// Bound of the error of two parameters, relative to the larger one: difference
+/// and quotient are rounded once each, so that a finite value is off by 2^-52 of
+/// itself at most, and by less than the smallest normal number where the quotient
+/// is too small for that.
+const ERROR: f64 = 3.0 * f64::EPSILON;
+
+/// Index of the largest of some values, or of the smallest if `sign` is −1; `None`
+/// if rounding may have made it so.
+#[inline]
+fn leading<const D: usize>(parameters: &[Exact; D], sign: f64) -> Option<usize> {
+    let mut values = [0.0; D];
+    for index in 0..D {
+        values[index] = sign * parameters[index].value;
+    }
+    let mut first = 0;
+    for index in 1..D {
+        first = if values[index] > values[first] { index } else { first };
+    }
+    // A value of more than twice this one's size is far enough from it anyway.
+    let bound = 2.0 * ERROR * values[first].abs() + f64::MIN_POSITIVE;
+    let mut is_told = true;
+    for index in 0..D {
+        let gap = values[first] - values[index];
+        is_told &= (index == first) | ((gap > bound) & (gap < f64::INFINITY));
+    }
+    is_told.then_some(first)
 }
 
 #[cfg(test)]
@@ -251,5 +336,83 @@ mod tests {
     fn negative_directions_keep_the_order() {
         let (a, b) = (at(0.0, 1.0, -2.0), at(0.0, 1.0, -1.0));
         assert!(a.before(b) && !b.before(a));
+    }
+
+    /// Order of two parameters by integers of any length alone.
+    fn order(a: Exact, b: Exact) -> Ordering {
+        let infinite = |p: Exact| match p.direction == 0.0 && p.value.is_infinite() {
+            true => p.value.signum() as i8,
+            false => 0,
+        };
+        match infinite(a).cmp(&infinite(b)) {
+            Ordering::Equal if infinite(a) == 0 => a.compare_long(b),
+            order => order,
+        }
+    }
+
+    #[test]
+    fn shortcuts_decide_as_integers_do() {
+        let mut random = crate::random::Random::new(2);
+        let smallest = f64::from_bits(1);
+        let special = [
+            0.0,
+            -0.0,
+            1.0,
+            -1.0,
+            3.0,
+            1.0 / 3.0,
+            smallest,
+            -smallest,
+            f64::MIN_POSITIVE,
+            f64::MIN_POSITIVE.next_down(),
+            f64::MAX,
+            f64::MIN,
+            f64::MAX / 3.0,
+            1.0f64.next_up(),
+            1e-300,
+            1e300,
+        ];
+        let mut number = move || {
+            let x = special[random.below(special.len() as u64) as usize];
+            match random.below(6) {
+                0 => x.next_up().clamp(f64::MIN, f64::MAX),
+                1 => x.next_down().clamp(f64::MIN, f64::MAX),
+                2 => random.between(-2.0, 2.0),
+                3 | 4 => random.below(8) as f64 - 4.0,
+                _ => x,
+            }
+        };
+        let mut parameter = move || {
+            let [plane, origin, direction] = std::array::from_fn(|_| number());
+            if direction != 0.0 {
+                return at(plane, origin, direction);
+            }
+            match plane {
+                0.0 => Exact::ORIGIN,
+                1.0 => Exact::BEYOND_ALL,
+                -1.0 => Exact::BEFORE_ALL,
+                other => Exact::given(other),
+            }
+        };
+        let mut ties = 0;
+        for _ in 0..200_000 {
+            let (a, b) = (parameter(), parameter());
+            let expected = order(a, b);
+            assert_eq!(a.before(b), expected == Ordering::Less, "{a:?} {b:?}");
+            assert_eq!(b.before(a), expected == Ordering::Greater, "{a:?} {b:?}");
+            assert!(!a.before(a));
+            ties += usize::from(expected == Ordering::Equal);
+        }
+        assert!(ties > 300, "{ties}");
+    }
+
+    #[test]
+    fn a_zero_of_either_sign_is_the_origin() {
+        for origin in [0.0, -0.0] {
+            for direction in [1.0, -1.0, f64::from_bits(1), f64::MAX] {
+                let now = at(-0.0, origin, direction);
+                assert!(!now.before(Exact::ORIGIN) && !Exact::ORIGIN.before(now));
+            }
+        }
     }
 }

@@ -113,7 +113,8 @@ fn as_node<const D: usize>(tree: &Tree<D>, node: Node, part: Part<D>) -> (Node, 
 
 /// Halves that the ray is in between `from` and `to`, and whether the near one
 /// is the upper one. `at` is the parameter of the plane.
-fn halves<P: Parameter>(
+#[inline]
+pub fn halves<P: Parameter>(
     plane: f64,
     at: P,
     [origin, direction]: [f64; 2],

@@ -80,13 +80,13 @@ pub fn slabs<const D: usize, P: Parameter>(
 /// The latest of some parameters.
 #[inline]
 pub fn latest<const D: usize, P: Parameter>(parameters: [P; D]) -> P {
-    parameters.into_iter().fold(P::BEFORE_ALL, P::later)
+    P::latest(parameters)
 }
 
 /// The earliest of some parameters.
 #[inline]
 pub fn earliest<const D: usize, P: Parameter>(parameters: [P; D]) -> P {
-    parameters.into_iter().fold(P::BEYOND_ALL, P::earlier)
+    P::earliest(parameters)
 }
 
 /// Parameters of three planes, one per axis, at grid indices `planes`: what
@@ -99,14 +99,14 @@ pub fn at_planes<const D: usize, P: Parameter>(
     planes: [u32; D],
 ) -> [P; D] {
     let (origin, direction) = (ray.origin(), ray.direction());
-    std::array::from_fn(|e| {
+    let mut parameters = [P::BEFORE_ALL; D];
+    for e in 0..D {
         let plane = domain.plane(e, planes[e]);
         if direction[e] != 0.0 {
-            P::at_plane(plane, origin[e], direction[e])
+            parameters[e] = P::at_plane(plane, origin[e], direction[e]);
         } else if origin[e] < plane {
-            P::BEYOND_ALL
-        } else {
-            P::BEFORE_ALL
+            parameters[e] = P::BEYOND_ALL;
         }
-    })
+    }
+    parameters
 }

@@ -59,7 +59,7 @@ pub fn traverse<const D: usize, P: Parameter>(
             stack[usize::from(level)] = Level { node, code, mid, far };
             let passed = Child::<D>::from_upper_halves(mid.map(|t| t.not_after(entry)));
             let child = passed.mirrored(mirror);
-            observe.observe(Event::Classify { at: entry.value(), child });
+            observe.observe(Event::Classify { at: entry.value(), piece: None, child });
             (node, code, far) = below(tree, &stack[usize::from(level)], level, child, mirror);
             level -= 1;
             observe.observe(entered(node, entry, far));

@@ -83,8 +83,9 @@ impl<const D: usize, P: Parameter, O: Observer<D>> Walk<'_, D, P, O> {
             // Classify: on which side of the mid planes is the middle of the piece?
             let passed = mid.map(|plane| P::passed_midway(plane, from, to));
             let child = Child::<D>::from_upper_halves(passed).mirrored(self.mirror);
-            let middle = 0.5 * from.value() + 0.5 * to.value();
-            self.observe.observe(Event::Classify { at: middle, child });
+            let ends = [from.value(), to.value()];
+            let middle = 0.5 * ends[0] + 0.5 * ends[1];
+            self.observe.observe(Event::Classify { at: middle, piece: Some(ends), child });
 
             // Recurse with the piece.
             let child_node = self.tree.child(node, child);

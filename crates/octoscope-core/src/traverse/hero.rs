@@ -72,7 +72,7 @@ impl<const D: usize, P: Parameter, O: Observer<D>> Walk<'_, D, P, O> {
         // First child: the mask, with the bits flipped whose planes are passed.
         let passed = Child::<D>::from_upper_halves(mid.map(|t| t.not_after(enter)));
         let mut child = passed.mirrored(self.mask);
-        self.observe.observe(Event::Classify { at: enter.value(), child });
+        self.observe.observe(Event::Classify { at: enter.value(), piece: None, child });
 
         // Sort: the planes that are still to be met, in their order.
         let order = sorted(mid);
@@ -107,7 +107,7 @@ impl<const D: usize, P: Parameter, O: Observer<D>> Walk<'_, D, P, O> {
 /// The axes in the order of these parameters, by insertion; equal ones in the
 /// order of the axes.
 #[inline]
-pub(super) fn sorted<const D: usize, P: Parameter>(parameters: [P; D]) -> [usize; D] {
+pub fn sorted<const D: usize, P: Parameter>(parameters: [P; D]) -> [usize; D] {
     let mut order = std::array::from_fn(|axis| axis);
     for end in 1..D {
         let mut place = end;

@@ -27,6 +27,10 @@ mod variant;
 
 pub use agree::{Difference, SLIVER, Slivers, doubles_suffice, first_difference};
 pub use algorithm::{Algorithm, Method, MethodError, Options, StopAt, UnknownAlgorithm};
+pub(crate) use beyond::{Exit, code_of_entry, target_of};
+pub(crate) use bsp::halves;
+pub(crate) use clip::slabs;
 pub use clip::{Clip, clip};
+pub(crate) use hero::sorted;
 pub use parametric_table::{TABLE_1, TABLE_2, TABLE_3, entry_axes, transition};
 pub use variant::{UnknownVariant, Variant, Variants};

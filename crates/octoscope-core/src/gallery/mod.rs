@@ -1,0 +1,217 @@
+//! Degenerate rays: those on which traversals go wrong.
+//!
+//! Each is made for the tree at hand, so that it meets the very corner, plane or
+//! tie that it is about, exactly in doubles.
+
+mod rays;
+mod snap;
+
+pub use snap::{Snap, Snapped, snap};
+
+use crate::geometry::Ray;
+use crate::text::{Language, Texts};
+use crate::tree::Tree;
+use std::sync::LazyLock;
+use thiserror::Error;
+
+/// A degenerate ray.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Degenerate {
+    /// Along one axis, beside all planes.
+    AxisParallel,
+    /// In a mid plane, with its axis at rest.
+    FacePlane,
+    /// Along an edge of cells, where two mid planes meet.
+    Edge,
+    /// Through a corner of the smallest cells.
+    Corner,
+    /// Through the centre of the root, with equal components.
+    Centre,
+    /// Down the main diagonal of the root, from corner to corner.
+    Diagonal,
+    /// In a mid plane, with a component −0.0.
+    NegativeZero,
+    /// From a mid plane, down across it.
+    OnFace,
+    /// From a corner of cells.
+    OnCorner,
+    /// From the inside of the root.
+    Inside,
+    /// Away from the root.
+    Behind,
+    /// From a face of the root, out of it.
+    Leaving,
+    /// Past the root, which it touches in one point.
+    Grazing,
+    /// In the lower face of the root.
+    LowerFace,
+    /// In the upper face of the root.
+    UpperFace,
+    /// Nearly along an axis, from a mid plane: another component is 10⁻⁷ of it.
+    Tiny,
+    /// From a million sides away.
+    Far,
+    /// Past the root.
+    Miss,
+    /// From one lattice point to another, with a tie of two axes.
+    Lattice,
+    /// From one lattice point to another, with a tie of three axes.
+    LatticeSpace,
+    /// From one lattice point towards another in thirds, which doubles round.
+    Thirds,
+    /// So slow that t is of the order 10³⁰⁰.
+    Slow,
+}
+
+/// No degenerate ray has this name.
+#[derive(Clone, Debug, Error, PartialEq, Eq)]
+#[error("there is no ray ‘{0}’ in the gallery; there are {list}", list = all_ids())]
+pub struct UnknownDegenerate(pub String);
+
+fn all_ids() -> String {
+    Degenerate::ALL.map(Degenerate::id).join(", ")
+}
+
+impl Degenerate {
+    /// The whole gallery.
+    pub const ALL: [Self; 22] = [
+        Self::AxisParallel,
+        Self::FacePlane,
+        Self::LowerFace,
+        Self::UpperFace,
+        Self::Edge,
+        Self::Corner,
+        Self::Centre,
+        Self::Diagonal,
+        Self::NegativeZero,
+        Self::Tiny,
+        Self::OnFace,
+        Self::OnCorner,
+        Self::Inside,
+        Self::Behind,
+        Self::Leaving,
+        Self::Grazing,
+        Self::Miss,
+        Self::Lattice,
+        Self::LatticeSpace,
+        Self::Thirds,
+        Self::Far,
+        Self::Slow,
+    ];
+
+    /// Name on the command line.
+    pub fn id(self) -> &'static str {
+        match self {
+            Self::AxisParallel => "axis-parallel",
+            Self::FacePlane => "face-plane",
+            Self::Edge => "edge",
+            Self::Corner => "corner",
+            Self::Centre => "centre",
+            Self::Diagonal => "diagonal",
+            Self::NegativeZero => "negative-zero",
+            Self::OnFace => "on-face",
+            Self::OnCorner => "on-corner",
+            Self::Inside => "inside",
+            Self::Behind => "behind",
+            Self::Leaving => "leaving",
+            Self::Grazing => "grazing",
+            Self::LowerFace => "lower-face",
+            Self::UpperFace => "upper-face",
+            Self::Tiny => "tiny",
+            Self::Far => "far",
+            Self::Miss => "miss",
+            Self::Lattice => "lattice",
+            Self::LatticeSpace => "lattice-space",
+            Self::Thirds => "thirds",
+            Self::Slow => "slow",
+        }
+    }
+
+    /// Whether there is such a ray in this dimension. In the plane an edge is a
+    /// face, and three axes do not tie.
+    pub fn exists_in(self, dimension: usize) -> bool {
+        dimension > 2 || !matches!(self, Self::Edge | Self::LatticeSpace)
+    }
+
+    /// The ray for `tree`, or `None` if there is none in its dimension. O(leaves).
+    pub fn ray<const D: usize>(self, tree: &Tree<D>) -> Option<Ray<D>> {
+        self.exists_in(D).then(|| rays::ray(self, tree))
+    }
+
+    /// The next one in this dimension, round and round.
+    pub fn following(self, dimension: usize) -> Self {
+        let rest = Self::ALL.into_iter().skip_while(|&other| other != self).skip(1);
+        let mut all = rest.chain(Self::ALL).filter(|other| other.exists_in(dimension));
+        all.next().unwrap_or(self)
+    }
+
+    /// Name, in a few words.
+    pub fn name(self, language: Language) -> String {
+        texts(language).get(&format!("gallery-{}", self.id()))
+    }
+
+    /// What is to be watched on the ray, in one sentence.
+    pub fn watch(self, language: Language) -> String {
+        texts(language).get(&format!("watch-{}", self.id()))
+    }
+}
+
+impl std::str::FromStr for Degenerate {
+    type Err = UnknownDegenerate;
+
+    fn from_str(id: &str) -> Result<Self, UnknownDegenerate> {
+        let found = Self::ALL.into_iter().find(|ray| ray.id() == id);
+        found.ok_or_else(|| UnknownDegenerate(id.to_owned()))
+    }
+}
+
+const ENGLISH: &str = include_str!("../../../../assets/texts/en/gallery.ftl");
+const GERMAN: &str = include_str!("../../../../assets/texts/de/gallery.ftl");
+
+fn texts(language: Language) -> &'static Texts {
+    static IN_ENGLISH: LazyLock<Texts> =
+        LazyLock::new(|| Texts::new(Language::English, &[ENGLISH]));
+    static IN_GERMAN: LazyLock<Texts> = LazyLock::new(|| Texts::new(Language::German, &[GERMAN]));
+    match language {
+        Language::English => &IN_ENGLISH,
+        Language::German => &IN_GERMAN,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_ray_and_every_snap_is_told_in_both_languages() {
+        for language in Language::ALL {
+            for ray in Degenerate::ALL {
+                assert_eq!(ray.id().parse(), Ok(ray));
+                let (name, watch) = (ray.name(language), ray.watch(language));
+                assert!(!name.contains("gallery-") && !name.ends_with('.'), "{name}");
+                assert!(watch.ends_with('.') && !watch.contains("watch-"), "{watch}");
+            }
+            for snap in Snap::ALL {
+                let told = snap.told(language);
+                assert!(told.ends_with('.') && !told.contains("snap-"), "{told}");
+            }
+        }
+        let keys = |source: &str| source.lines().filter(|line| line.contains(" = ")).count();
+        let n_keys = 2 * Degenerate::ALL.len() + Snap::ALL.len();
+        assert_eq!((keys(ENGLISH), keys(GERMAN)), (n_keys, n_keys));
+    }
+
+    #[test]
+    fn the_gallery_goes_round() {
+        for dimension in [2, 3] {
+            let n = Degenerate::ALL.iter().filter(|ray| ray.exists_in(dimension)).count();
+            let mut seen = vec![Degenerate::Slow];
+            while seen.len() <= n {
+                seen.push(seen[seen.len() - 1].following(dimension));
+            }
+            assert_eq!(seen.pop(), Some(Degenerate::Slow));
+            assert!(seen.iter().all(|ray| ray.exists_in(dimension)));
+        }
+        assert!("fast".parse::<Degenerate>().unwrap_err().to_string().contains("lattice-space"));
+    }
+}
