@@ -208,6 +208,11 @@ impl<const D: usize> Camera<D> {
         }
     }
 
+    /// How far a world point lies before the eye.
+    pub(crate) fn depth(&self, world: [f64; D]) -> f64 {
+        self.eye(world)[2]
+    }
+
     /// Coordinates to the right and up from the target, and before the eye.
     fn eye(&self, world: [f64; D]) -> [f64; 3] {
         let offset = std::array::from_fn(|e| world[e] - self.target[e]);

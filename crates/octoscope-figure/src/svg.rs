@@ -77,6 +77,16 @@ fn style_sheet(figure: &Figure, theme: Theme) -> String {
             let head = paint("fill", style.stroke);
             out += &format!(".{class}.head{{{head}stroke:none}}\n");
         }
+        for light in 0..=Part::MOST_LIGHT {
+            let part = Part::Lit(light);
+            if figure.drawn.iter().any(|d| d.part == part && d.role.class() == class) {
+                let lit = Style::lit(theme, role, light);
+                let fill = paint("fill-opacity:1;fill", lit.fill);
+                let stroke = paint("stroke-opacity:1;stroke", lit.stroke);
+                let width = number(lit.width);
+                out += &format!(".{class}.lit-{light}{{{fill}{stroke}stroke-width:{width}}}\n");
+            }
+        }
         if let Some(text) = style.text {
             let (weight, family) = match text.weight {
                 Weight::Regular => (400, SANS),
@@ -108,6 +118,7 @@ fn write_drawn(out: &mut String, drawn: &Drawn, theme: Theme) {
         Part::Whole => {}
         Part::Face(_) => attributes += " face",
         Part::Head => attributes += " head",
+        Part::Lit(light) => attributes += &format!(" lit-{light}"),
         Part::Edge | Part::HiddenEdge => attributes += " edge",
     }
     attributes += "\"";

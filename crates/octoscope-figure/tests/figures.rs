@@ -230,3 +230,25 @@ fn numbers_of_a_long_path_can_be_told_apart() {
         }
     }
 }
+
+/// Figure of a cube that is divided into 8 · 8 · 8 leaves.
+fn figure_of_a_cube(leaf: Split<()>) -> Figure {
+    let tree: Tree<3> = grow(Domain::unit(3), (), &Progress::default(), |cell, ()| {
+        if cell.level == 0 { leaf.clone() } else { Split::Inner(vec![(); 8]) }
+    })
+    .expect("nobody cancels");
+    let page = Page { width: 640.0, height: 480.0 };
+    let camera = Camera::framing(&tree.domain().root_box(), page);
+    space_figure(&leaves(&tree, &everything()), &camera, page)
+}
+
+#[test]
+fn only_what_can_be_seen_of_full_leaves_is_drawn() {
+    let figure = figure_of_a_cube(Split::Full(Vec::new()));
+    assert_eq!(figure.drawn.len(), 3 * 8 * 8, "the sides of the cube that face the eye");
+}
+
+#[test]
+fn edges_that_leaves_share_are_drawn_once() {
+    assert_eq!(figure_of_a_cube(Split::Empty).drawn.len(), 3 * 9 * 9);
+}
