@@ -12,7 +12,9 @@ use crate::space::Layers;
 use crate::view::{Dialog, View};
 use crate::{export, render, save, sidebar, theme, with_document};
 use anyhow::anyhow;
-use eframe::egui::{CentralPanel, Context, Frame, Key, Margin, Panel, Ui, ViewportCommand, vec2};
+use eframe::egui::{
+    CentralPanel, Context, Frame, Key, Margin, Panel, Popup, Ui, ViewportCommand, vec2,
+};
 use octoscope_core::explain::{sentence as sentence_of, short_title};
 use octoscope_core::progress::Progress;
 use octoscope_core::query::Query;
@@ -255,10 +257,19 @@ impl App {
             return Vec::new();
         }
         let focused = context.memory(|memory| memory.focused().is_some());
+        // Escape closes first what lies over the picture.
+        let is_covered = Popup::is_any_open(context)
+            || self.view.dialog.is_some()
+            || self.view.blank
+            || !self.status.is_empty();
+        let escape_is_free = !is_covered && self.is_enabled(Command::BackToRay);
         context.input_mut(|input| {
             let keys =
                 COMMANDS.iter().flat_map(|row| row.keys.iter().map(|key| (row.command, key)));
-            let free = keys.filter(|(_, key)| !(focused && belongs_to_focus(key)));
+            let free = keys.filter(|(_, key)| match key.logical_key {
+                Key::Escape => escape_is_free,
+                _ => !(focused && belongs_to_focus(key)),
+            });
             // Longer shortcuts first: Ctrl+Shift+S is not Ctrl+S.
             let mut free: Vec<_> = free.collect();
             free.sort_by_key(|(_, key)| !key.modifiers.shift);
@@ -276,9 +287,8 @@ impl App {
             Command::Redo => self.history.can_redo(),
             Command::StepForward | Command::NextLeaf | Command::Last => step < length,
             Command::StepBack | Command::PreviousLeaf | Command::First => step > 0,
-            Command::ReverseRay => with_document!(&self.document, d => {
-                matches!(d.scenario.query, Query::Ray { .. })
-            }),
+            Command::ReverseRay => self.asks_for_ray(),
+            Command::BackToRay => !self.asks_for_ray(),
             Command::Open
             | Command::Save
             | Command::SaveAs
@@ -327,6 +337,12 @@ impl App {
             Command::Slower => self.view.playback.change_speed(0.5),
             Command::FrameAll => (self.view.plane_camera, self.view.orbit_camera) = (None, None),
             Command::ReverseRay => with_document!(&mut self.document, d => d.reverse_ray()),
+            Command::BackToRay => {
+                if self.is_enabled(command) {
+                    let step = with_document!(&mut self.document, d => d.back_to_ray());
+                    self.go_to(step);
+                }
+            }
             Command::FullScreen => {
                 let full = context.input(|input| input.viewport().fullscreen.unwrap_or(false));
                 context.send_viewport_cmd(ViewportCommand::Fullscreen(!full));
@@ -341,6 +357,10 @@ impl App {
             | Command::Keys
             | Command::About => self.view.obey(command),
         }
+    }
+
+    fn asks_for_ray(&self) -> bool {
+        with_document!(&self.document, d => matches!(d.scenario.query, Query::Ray { .. }))
     }
 
     fn go_to(&mut self, step: usize) {
@@ -467,6 +487,9 @@ impl eframe::App for App {
         }
         self.rebuild_if_needed(&context);
         self.settle(&context);
+        if self.view.hover.turn() {
+            context.request_repaint();
+        }
 
         if self.job.is_some() {
             context.request_repaint_after(Duration::from_millis(30));

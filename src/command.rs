@@ -44,6 +44,8 @@ pub enum Command {
     FrameAll,
     /// Turn the ray round.
     ReverseRay,
+    /// From a point, region or neighbour back to the ray.
+    BackToRay,
     /// Light, dark, projector in turn.
     NextTheme,
     /// English, German in turn.
@@ -157,6 +159,7 @@ pub const COMMANDS: &[Row] = &[
     row(Command::FullScreen, "command-full-screen", Menu::View, &[key(Key::F11)]),
     row(Command::Blank, "command-blank", Menu::View, &[key(Key::B), key(Key::Period)]),
     row(Command::ReverseRay, "command-reverse-ray", Menu::Ray, &[key(Key::R)]),
+    row(Command::BackToRay, "command-back-to-ray", Menu::Ray, &[key(Key::Escape)]),
     row(
         Command::StepForward,
         "command-step-forward",

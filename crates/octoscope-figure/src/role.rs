@@ -58,6 +58,10 @@ pub enum Role {
     MirroredRay,
     /// What was there before a change, or what is being drawn.
     Ghost,
+    /// The node under the pointer, in whichever view.
+    Hover,
+    /// The side of it that is pointed at.
+    HoverSide,
     /// Where the ray enters the current node.
     EntryPoint,
     /// Where the ray leaves the current node.
@@ -79,7 +83,7 @@ pub enum Role {
 impl Role {
     /// One role of every kind, in the order in which they cover each other,
     /// the lowest first.
-    pub const KINDS: [Self; 38] = [
+    pub const KINDS: [Self; 40] = [
         Self::Pixel([128; 3]),
         Self::EmptyLeaf,
         Self::FullLeaf,
@@ -100,6 +104,8 @@ impl Role {
         Self::Current,
         Self::Found,
         Self::OwnedSide,
+        Self::Hover,
+        Self::HoverSide,
         Self::MidPlane(0),
         Self::MidPlane(1),
         Self::MidPlane(2),
@@ -149,6 +155,8 @@ impl Role {
             Self::RayTip => "ray-tip",
             Self::MirroredRay => "mirrored-ray",
             Self::Ghost => "ghost",
+            Self::Hover => "hover",
+            Self::HoverSide => "hover-side",
             Self::EntryPoint => "entry-point",
             Self::ExitPoint => "exit-point",
             Self::MidPlane(axis) => ["mid-plane-x", "mid-plane-y", "mid-plane-z"][axis],

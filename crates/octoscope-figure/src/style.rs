@@ -128,6 +128,8 @@ impl Style {
                 dash: Dash::Dashed,
                 ..line(p.quiet_ink.faded(0.8), 1.2)
             },
+            Role::Hover => line(p.quiet_ink, 1.6),
+            Role::HoverSide => Self { fill: Some(p.accent.faded(0.3)), ..line(p.accent, 4.0) },
             Role::EntryPoint => Self { fill: Some(p.ray), radius: 4.5, ..line(p.background, 1.2) },
             Role::ExitPoint => Self { fill: Some(p.background), radius: 4.0, ..line(p.ray, 1.8) },
             Role::MidPlane(axis) => Self {
