@@ -160,6 +160,7 @@ impl<const D: usize> View<'_, D> {
             | Shape::Tip(_)
             | Shape::Plane { .. }
             | Shape::Label(_)
+            | Shape::LabelIn { .. }
             | Shape::LabelAlong(_) => Vec::new(),
         }
     }

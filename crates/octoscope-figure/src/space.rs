@@ -64,6 +64,10 @@ fn painted<const D: usize>(
 const ABOVE_SPACE: f64 = f64::MAX / 4.0;
 /// Place of what is only a hint in space, below all else there.
 const HINT: f64 = -f64::MAX / 4.0;
+/// Leaves of less than this side, in page units, have finer lines.
+const FINE: f64 = 12.0;
+/// Planes of less than this length, in page units, bear no letter.
+const LEGIBLE: f64 = 36.0;
 /// Place of areas on which everything else lies.
 const GROUND: f64 = -f64::MAX / 2.0;
 
@@ -96,7 +100,13 @@ impl<const D: usize> Canvas<'_, D> {
                     let line = points.iter().chain(points.first()).copied().collect();
                     self.push_at(above_space(mark.role), mark, Part::Edge, Form::Polyline(line));
                 } else {
-                    self.push(mark, bounds, Part::Whole, Form::Polygon(points));
+                    let side = bounds.size()[0] / self.camera.unit(self.page);
+                    let is_leaf = matches!(
+                        mark.role,
+                        Role::EmptyLeaf | Role::FullLeaf | Role::Pixel(_) | Role::Visited { .. }
+                    );
+                    let part = if is_leaf && side < FINE { Part::Fine } else { Part::Whole };
+                    self.push(mark, bounds, part, Form::Polygon(points));
                 }
             }
             Shape::Box(bounds) => self.draw_box(mark, &bounds),
@@ -160,7 +170,7 @@ impl<const D: usize> Canvas<'_, D> {
                     self.push(mark, point_box(middle), Part::Whole, form);
                 }
             }
-            Shape::Label(_) | Shape::LabelAlong(_) => {}
+            Shape::Label(_) | Shape::LabelIn { .. } | Shape::LabelAlong(_) => {}
         }
     }
 
@@ -262,6 +272,15 @@ impl<const D: usize> Canvas<'_, D> {
         };
         let place = |world| self.camera.project(self.page, world).map(|p| p.at);
         match mark.shape {
+            Shape::Label(at) if D == 2 && matches!(mark.role, Role::AxisLabel(_)) => {
+                if let Some(at) = place(at) {
+                    let reach = text_reach(mark.role, text);
+                    let at = self.outside(mark.role, at, reach);
+                    if let Some(at) = self.room([at], reach) {
+                        self.text(mark, at, text);
+                    }
+                }
+            }
             Shape::Label(at) => {
                 let reach = text_reach(mark.role, text);
                 let candidates = place(at).into_iter().flat_map(|[x, y]| {
@@ -272,7 +291,22 @@ impl<const D: usize> Canvas<'_, D> {
                     self.text(mark, at, text);
                 }
             }
+            Shape::LabelIn { at, bounds } => {
+                let reach = text_reach(mark.role, text);
+                let [width, height] = self.extent(&bounds);
+                let fits = width > 2.0 * reach[0] + 4.0 && height > 2.0 * reach[1] + 2.0;
+                let places = [at, bounds.centre()].map(place);
+                let places = places.into_iter().flatten().filter(|_| fits);
+                if let Some(at) = self.room(places, reach) {
+                    self.text(mark, at, text);
+                }
+            }
             Shape::Plane { bounds, .. } => {
+                // A letter beside a small plane would hide what it names.
+                let [width, height] = self.extent(&bounds);
+                if width.max(height) < LEGIBLE {
+                    return;
+                }
                 // Beyond a corner of the plane, the lowest on the page first.
                 let reach = text_reach(mark.role, text);
                 let Some(middle) = place(bounds.centre()) else {
@@ -299,6 +333,31 @@ impl<const D: usize> Canvas<'_, D> {
             | Shape::Triangle(_)
             | Shape::LabelAlong(_) => {}
         }
+    }
+
+    /// Width and height of a box on the page.
+    fn extent(&self, bounds: &Aabb<D>) -> [f64; 2] {
+        let on_page = corners(bounds).filter_map(|c| self.camera.project(self.page, c));
+        let (mut min, mut max) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
+        for Projected { at, .. } in on_page {
+            min = std::array::from_fn(|e| min[e].min(at[e]));
+            max = std::array::from_fn(|e| max[e].max(at[e]));
+        }
+        std::array::from_fn(|e| (max[e] - min[e]).max(0.0))
+    }
+
+    /// Where a label stands beside the tick `at` of its axis: below the x axis,
+    /// left of the y axis, on the page if the tick is.
+    fn outside(&self, role: Role, [x, y]: [f64; 2], reach: [f64; 2]) -> [f64; 2] {
+        const GAP: f64 = 7.0;
+        let page = [self.page.width, self.page.height];
+        let is_along_x = matches!(role, Role::AxisLabel(0));
+        let beside = if is_along_x { [x, y + reach[1] + GAP] } else { [x - reach[0] - GAP, y] };
+        let is_on_page = (0..2).all(|e| (0.0..=page[e]).contains(&[x, y][e]));
+        if !is_on_page {
+            return beside;
+        }
+        std::array::from_fn(|e| beside[e].min(page[e] - reach[e]).max(reach[e]))
     }
 
     /// Writes the labels along lines, as many as there is room for.

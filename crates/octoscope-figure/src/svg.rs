@@ -77,6 +77,10 @@ fn style_sheet(figure: &Figure, theme: Theme) -> String {
             let head = paint("fill", style.stroke);
             out += &format!(".{class}.head{{{head}stroke:none}}\n");
         }
+        if figure.drawn.iter().any(|d| d.part == Part::Fine && d.role.class() == class) {
+            let width = number(Part::Fine.width() * style.width);
+            out += &format!(".{class}.fine{{stroke-width:{width}}}\n");
+        }
         for light in 0..=Part::MOST_LIGHT {
             let part = Part::Lit(light);
             if figure.drawn.iter().any(|d| d.part == part && d.role.class() == class) {
@@ -116,6 +120,7 @@ fn write_drawn(out: &mut String, drawn: &Drawn, theme: Theme) {
     let mut attributes = format!(" class=\"{}", drawn.role.class());
     match drawn.part {
         Part::Whole => {}
+        Part::Fine => attributes += " fine",
         Part::Face(_) => attributes += " face",
         Part::Head => attributes += " head",
         Part::Lit(light) => attributes += &format!(" lit-{light}"),
