@@ -66,7 +66,7 @@ fn label(ui: &mut Ui, look: &Look, rect: Rect, at: Pos2, anchor: Align2, text: S
     let color = look.palette.quiet;
     let size = ui.painter().layout_no_wrap(text.clone(), font.clone(), color).size();
     let ground = anchor.anchor_size(at, size + vec2(12.0, 6.0));
-    let overhang = (ground.max - rect.max).max(vec2(0.0, 0.0));
+    let overhang = (ground.max - rect.shrink(8.0).max).max(vec2(0.0, 0.0));
     let ground = ground.translate(-overhang);
     ui.painter().rect_filled(ground, 4.0, look.palette.panel);
     let text = RichText::new(text).font(font).color(color);
