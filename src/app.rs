@@ -174,6 +174,9 @@ impl eframe::App for App {
         }
         self.rebuild_if_needed(&context);
         self.settle(&context);
+        if self.view.hover.turn() {
+            context.request_repaint();
+        }
 
         if self.job.is_some() {
             context.request_repaint_after(Duration::from_millis(30));

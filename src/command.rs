@@ -51,6 +51,8 @@ pub enum Command {
     NextDegenerate,
     /// A ray of the gallery.
     Degenerate(Degenerate),
+    /// From a point, region or neighbour back to the ray.
+    BackToRay,
     /// Light, dark, projector in turn.
     NextTheme,
     /// English, German in turn.
@@ -203,6 +205,7 @@ pub const COMMANDS: &[Row] = &[
     gallery(Degenerate::Thirds, "gallery-thirds"),
     gallery(Degenerate::Far, "gallery-far"),
     gallery(Degenerate::Slow, "gallery-slow"),
+    row(Command::BackToRay, "command-back-to-ray", Menu::Ray, &[key(Key::Escape)]),
     row(
         Command::StepForward,
         "command-step-forward",

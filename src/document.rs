@@ -54,6 +54,8 @@ pub struct Document<const D: usize> {
     /// All algorithms on the ray, once they are asked for.
     comparison: Option<Arc<Vec<Run>>>,
     traced: (Ray<D>, Query<D>),
+    /// The query along the ray before the present one, and the playhead in it.
+    left_ray: Option<(Query<D>, usize)>,
     built: (Cube<D>, Recipe),
 }
 
@@ -89,6 +91,7 @@ impl<const D: usize> Document<D> {
             rounded,
             comparison: None,
             traced,
+            left_ray: None,
             built,
         })
     }
@@ -147,10 +150,23 @@ impl<const D: usize> Document<D> {
         if self.traced == wanted {
             return step;
         }
+        let is_of_ray = |query: &Query<D>| matches!(query, Query::Ray { .. });
+        if is_of_ray(&self.traced.1) && !is_of_ray(&wanted.1) {
+            self.left_ray = Some((self.traced.1, step));
+        }
         let was_at_end = step > 0 && step >= self.trace.events.len();
-        let asked_anew = self.traced.1 != wanted.1 && !matches!(wanted.1, Query::Ray { .. });
+        let asked_anew = self.traced.1 != wanted.1 && !is_of_ray(&wanted.1);
         self.run();
         if was_at_end || asked_anew { self.trace.events.len() } else { step }
+    }
+
+    /// Goes back from another query to the one along the ray that was left for
+    /// it. Returns where the playhead was.
+    pub fn back_to_ray(&mut self) -> usize {
+        let (query, step) = self.left_ray.take().unwrap_or_default();
+        self.scenario.query = query;
+        self.run();
+        step
     }
 
     /// Takes over the tree of `rebuilt`, made meanwhile from an earlier state of

@@ -57,7 +57,7 @@ pub fn space<const D: usize>(
     let moment = document.moment(step);
     let event = step.checked_sub(1).and_then(|index| document.trace.events.get(index));
     let mut all = Vec::new();
-    if n_leaves_shown(document, show) <= most_leaves::<D>() {
+    if n_leaves_shown(document, show) <= MOST_LEAVES {
         all.extend(leaves(&document.tree, show));
         all.extend(pixels(document, show));
     }
@@ -81,14 +81,10 @@ fn pixels<const D: usize>(document: &Document<D>, show: &Show) -> Vec<Mark<D>> {
     coloured.collect()
 }
 
-/// More points or solids than this are left out of figures: nobody could tell
-/// them apart, and the files would be huge.
+/// More points or solids than this, and more leaves, are left out of figures:
+/// nobody could tell them apart, and the files would be huge.
 const MOST_PRIMITIVES: usize = 200_000;
-
-/// The same for leaves; in space, each is a dozen shapes.
-fn most_leaves<const D: usize>() -> usize {
-    if D == 2 { 200_000 } else { 20_000 }
-}
+const MOST_LEAVES: usize = 200_000;
 
 fn n_leaves_shown<const D: usize>(document: &Document<D>, show: &Show) -> usize {
     document.tree.leaves().filter(|leaf| leaf.is_full() || show.empty_leaves).count()
@@ -113,7 +109,7 @@ pub fn left_out<const D: usize>(document: &Document<D>, show: &Show) -> Option<S
         (n > most).then(|| format!("{n} {what} are left out; figures show at most {most}"))
     };
     let left_out = [
-        too_many(n_leaves_shown(document, show), most_leaves::<D>(), "leaves beside the ray"),
+        too_many(n_leaves_shown(document, show), MOST_LEAVES, "leaves beside the ray"),
         too_many(n_primitives_shown(document, show), MOST_PRIMITIVES, "points or solids"),
     ];
     left_out.into_iter().flatten().reduce(|a, b| format!("{a}; {b}"))

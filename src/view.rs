@@ -4,6 +4,7 @@ use crate::playback::Playback;
 use octoscope_core::query::Query;
 use octoscope_core::text::Language;
 use octoscope_core::traverse::Algorithm;
+use octoscope_core::tree::{NodeId, Tree};
 use octoscope_figure::{Camera, Show, Theme};
 use serde::{Deserialize, Serialize};
 use std::any::Any;
@@ -32,12 +33,41 @@ pub struct View {
     /// Camera of octrees; `None` fits everything.
     #[serde(skip)]
     pub orbit_camera: Option<Camera<3>>,
+    /// The node under the pointer.
+    #[serde(skip)]
+    pub hover: Hover,
     /// Whether the window is blank.
     #[serde(skip)]
     pub blank: bool,
     /// The window that lies over everything else.
     #[serde(skip)]
     pub dialog: Option<Dialog>,
+}
+
+/// The node under the pointer: every view lights it, and the one that is pointed
+/// at offers it for the next frame.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Hover {
+    lit: Option<NodeId>,
+    offered: Option<NodeId>,
+}
+
+impl Hover {
+    /// The node to be lit, if it is one of `tree`, which may have changed.
+    pub fn lit<const D: usize>(&self, tree: &Tree<D>) -> Option<NodeId> {
+        self.lit.filter(|node| node.index() < tree.n_nodes())
+    }
+
+    /// Offers the node that is pointed at in this frame.
+    pub fn offer(&mut self, node: NodeId) {
+        self.offered = Some(node);
+    }
+
+    /// Ends the frame: what was offered is lit. Tells whether that is new.
+    pub fn turn(&mut self) -> bool {
+        let before = std::mem::replace(&mut self.lit, self.offered.take());
+        before != self.lit
+    }
 }
 
 /// Window over the window.
@@ -205,6 +235,7 @@ impl Default for View {
             playback: Playback::default(),
             plane_camera: None,
             orbit_camera: None,
+            hover: Hover::default(),
             blank: false,
             dialog: None,
         }

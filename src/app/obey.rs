@@ -8,7 +8,7 @@ use crate::files::Chosen;
 use crate::history::History;
 use crate::view::{Dialog, Preset};
 use crate::{export, save, with_document};
-use eframe::egui::{Context, ViewportCommand};
+use eframe::egui::{Context, Key, Popup, ViewportCommand};
 use octoscope_core::gallery::{Degenerate, snap};
 use octoscope_core::query::Query;
 use octoscope_core::scenario::AnyScenario;
@@ -45,10 +45,19 @@ impl App {
             return Vec::new();
         }
         let focused = context.memory(|memory| memory.focused().is_some());
+        // Escape closes first what lies over the picture.
+        let is_covered = Popup::is_any_open(context)
+            || self.view.dialog.is_some()
+            || self.view.blank
+            || !self.status.is_empty();
+        let escape_is_free = !is_covered && self.is_enabled(Command::BackToRay);
         context.input_mut(|input| {
             let keys =
                 COMMANDS.iter().flat_map(|row| row.keys.iter().map(|key| (row.command, key)));
-            let free = keys.filter(|(_, key)| !(focused && belongs_to_focus(key)));
+            let free = keys.filter(|(_, key)| match key.logical_key {
+                Key::Escape => escape_is_free,
+                _ => !(focused && belongs_to_focus(key)),
+            });
             // Longer shortcuts first: Ctrl+Shift+S is not Ctrl+S.
             let mut free: Vec<_> = free.collect();
             free.sort_by_key(|(_, key)| !key.modifiers.shift);
@@ -69,6 +78,7 @@ impl App {
             Command::ReverseRay | Command::SnapRay | Command::NextDegenerate => {
                 self.is_about_a_ray()
             }
+            Command::BackToRay => !self.is_about_a_ray(),
             Command::Degenerate(ray) => self.is_about_a_ray() && ray.exists_in(self.dimension()),
             Command::Open
             | Command::Save
@@ -118,6 +128,12 @@ impl App {
             Command::Slower => self.view.playback.change_speed(0.5),
             Command::FrameAll => (self.view.plane_camera, self.view.orbit_camera) = (None, None),
             Command::ReverseRay => with_document!(&mut self.document, d => d.reverse_ray()),
+            Command::BackToRay => {
+                if self.is_enabled(command) {
+                    let step = with_document!(&mut self.document, d => d.back_to_ray());
+                    self.go_to(step);
+                }
+            }
             Command::SnapRay if self.is_enabled(command) => self.snap_ray(),
             Command::NextDegenerate if self.is_enabled(command) => {
                 let first = Degenerate::ALL[0];

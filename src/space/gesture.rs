@@ -34,14 +34,35 @@ enum Grip {
     Region(Pos2),
 }
 
-/// Lets the mouse change the camera, the ray and the query.
+/// What a click asks for.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Click<const D: usize> {
+    /// The leaf that owns the point.
+    Point,
+    /// The neighbour of the leaf under the pointer.
+    Neighbour(Direction<D>),
+}
+
+/// What lies under the pointer.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Under<const D: usize> {
+    /// Where the pointer is on the page.
+    pub at: [f64; 2],
+    /// The leaf there.
+    pub leaf: NodeId,
+    /// What a click there asks for, if anything.
+    pub click: Option<Click<D>>,
+}
+
+/// Lets the mouse change the camera, the ray and the query. Returns what it
+/// points at, unless that is the ray or something is being dragged.
 pub fn handle<const D: usize>(
     ui: &Ui,
     response: &Response,
     frame: PageInWindow,
     camera: &mut Camera<D>,
     document: &mut Document<D>,
-) {
+) -> Option<Under<D>> {
     zoom(ui, response, frame, camera, document);
     let memory = grip_id(response);
     if response.drag_started() {
@@ -70,7 +91,10 @@ pub fn handle<const D: usize>(
     } else if response.clicked()
         && let Some(at) = response.interact_pointer_pos()
     {
-        click(frame, camera, document, at);
+        match grip_at(ui, frame, camera, document, at) {
+            Grip::Camera | Grip::Region(_) => click(frame, camera, document, at),
+            Grip::Origin | Grip::Tip | Grip::Shaft => {}
+        }
     }
     if let Some(at) = response.hover_pos() {
         let over = grip.unwrap_or_else(|| grip_at(ui, frame, camera, document, at));
@@ -80,7 +104,28 @@ pub fn handle<const D: usize>(
             (Grip::Region(_), _) => CursorIcon::Crosshair,
             (Grip::Camera, _) => CursorIcon::Default,
         });
+        let is_free = grip.is_none() && matches!(over, Grip::Camera | Grip::Region(_));
+        return is_free.then(|| under(frame, camera, document, at)).flatten();
     }
+    None
+}
+
+fn under<const D: usize>(
+    frame: PageInWindow,
+    camera: &Camera<D>,
+    document: &Document<D>,
+    at: Pos2,
+) -> Option<Under<D>> {
+    let (leaf, _) = leaf_at(frame, camera, &document.tree, at)?;
+    let side = || side_at(frame, camera, &document.tree, at).map(|(_, direction)| direction);
+    let click = match document.scenario.query {
+        // In space a click is too often the beginning of a turn.
+        Query::Ray { .. } if D == 2 => side().map(Click::Neighbour),
+        Query::Ray { .. } | Query::Region { .. } => None,
+        Query::Point { .. } => Some(Click::Point),
+        Query::Neighbour { direction, .. } => Some(Click::Neighbour(side().unwrap_or(direction))),
+    };
+    Some(Under { at: frame.on_page(at), leaf, click })
 }
 
 /// Paints the box that is being drawn.
@@ -267,22 +312,16 @@ fn click<const D: usize>(
     document: &mut Document<D>,
     at: Pos2,
 ) {
-    match document.scenario.query {
-        Query::Ray { .. } => {
-            if let Some((leaf, direction)) = side_at(frame, camera, &document.tree, at)
-                && D == 2
-            {
-                ask_neighbour(document, leaf, direction, Reach::default());
-            }
-        }
-        Query::Point { .. } => ask_point(frame, camera, document, at),
-        Query::Region { .. } => {}
-        Query::Neighbour { direction, reach, .. } => {
-            if let Some((leaf, direction)) = side_at(frame, camera, &document.tree, at) {
-                ask_neighbour(document, leaf, direction, reach);
-            } else if let Some((leaf, _)) = leaf_at(frame, camera, &document.tree, at) {
-                ask_neighbour(document, leaf, direction, reach);
-            }
+    let Some(Under { leaf, click, .. }) = under(frame, camera, document, at) else { return };
+    match click {
+        None => {}
+        Some(Click::Point) => ask_point(frame, camera, document, at),
+        Some(Click::Neighbour(direction)) => {
+            let reach = match document.scenario.query {
+                Query::Neighbour { reach, .. } => reach,
+                Query::Ray { .. } | Query::Point { .. } | Query::Region { .. } => Reach::default(),
+            };
+            ask_neighbour(document, leaf, direction, reach);
         }
     }
 }
@@ -404,7 +443,8 @@ fn side_at<const D: usize>(
     let (leaf, point) = leaf_at(frame, camera, tree, at)?;
     let bounds = tree.node_box(leaf);
     if D == 2 {
-        let reach = camera.unit(frame.page) * f64::from(SIDE_REACH);
+        // Small cells keep a middle that is near none of their sides.
+        let reach = (camera.unit(frame.page) * f64::from(SIDE_REACH)).min(0.25 * bounds.size()[0]);
         let distances = (0..D).flat_map(|e| {
             [(e, -1i8, point[e] - bounds.min[e]), (e, 1i8, bounds.max[e] - point[e])]
         });

@@ -2,6 +2,7 @@
 
 mod base;
 mod gesture;
+mod hover;
 mod paint;
 
 use crate::document::Document;
@@ -41,7 +42,13 @@ pub fn ui<const D: usize>(ui: &mut Ui, look: &Look, space: Space<'_, D>) {
     let mut camera: Camera<D> =
         view.camera().unwrap_or_else(|| Camera::framing(&interesting(document), frame.page));
     let before = camera;
-    gesture::handle(ui, &response, frame, &mut camera, document);
+    let under = gesture::handle(ui, &response, frame, &mut camera, document);
+    if let Some(under) = &under {
+        view.hover.offer(under.leaf);
+    }
+    let tree = std::sync::Arc::clone(&document.tree);
+    // What is pointed at here is lit at once, what is elsewhere a frame later.
+    let hovered = under.as_ref().map(|under| under.leaf).or_else(|| view.hover.lit(&tree));
     if camera != before {
         view.set_camera(camera);
     }
@@ -57,6 +64,7 @@ pub fn ui<const D: usize>(ui: &mut Ui, look: &Look, space: Space<'_, D>) {
         painted.extend(content(&document.content));
     }
     painted.extend(marks);
+    painted.extend(hover::marks(&tree, hovered, under.as_ref()));
     if let Some(layers) = layers {
         layers.paint(ui, rect, &camera, document, (view.show::<D>(), view.theme), &painted);
         painted.retain(|mark| !base::draws(mark));
@@ -67,6 +75,7 @@ pub fn ui<const D: usize>(ui: &mut Ui, look: &Look, space: Space<'_, D>) {
     let figure = space_figure(&painted, &camera, frame.page);
     paint::figure(&painter, look, view.theme, frame, &figure);
     gesture::paint_region_being_drawn(ui, &painter, look, &response);
+    hover::labels(ui, look, (rect, frame), &tree, hovered, under.as_ref());
 }
 
 /// Where the page of a camera lies in the window.

@@ -14,18 +14,23 @@ pub fn figure(painter: &Painter, look: &Look, theme: Theme, frame: PageInWindow,
 }
 
 fn paint(painter: &Painter, look: &Look, theme: Theme, frame: PageInWindow, drawn: &Drawn) {
-    let style = Style::of(theme, drawn.role);
+    let style = match drawn.part {
+        Part::Lit(light) => Style::lit(theme, drawn.role, light),
+        Part::Whole | Part::Fine | Part::Face(_) | Part::Head | Part::Edge | Part::HiddenEdge => {
+            Style::of(theme, drawn.role)
+        }
+    };
     let opacity = drawn.part.opacity();
     let shown = |colour: Option<Colour>| {
         colour.map_or(Color32::TRANSPARENT, |c| color32(c.faded(c.opacity * opacity)))
     };
     let (fill, line) = match drawn.part {
-        Part::Whole => (shown(style.fill), shown(style.stroke)),
+        Part::Whole | Part::Fine | Part::Lit(_) => (shown(style.fill), shown(style.stroke)),
         Part::Face(_) => (shown(style.fill), Color32::TRANSPARENT),
         Part::Head => (shown(style.stroke), Color32::TRANSPARENT),
         Part::Edge | Part::HiddenEdge => (Color32::TRANSPARENT, shown(style.stroke)),
     };
-    let stroke = Stroke::new(style.width as f32, line);
+    let stroke = Stroke::new((style.width * drawn.part.width()) as f32, line);
     let place =
         |points: &[[f64; 2]]| -> Vec<Pos2> { points.iter().map(|&p| frame.on_screen(p)).collect() };
     match &drawn.form {

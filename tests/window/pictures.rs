@@ -148,6 +148,16 @@ fn a_neighbour_and_its_bits() {
 }
 
 #[test]
+fn a_side_that_is_pointed_at() {
+    compare("hover-side", |desk| {
+        desk.open_scenario(&plane("quadtree-82", |_| ()));
+        desk.press(Key::End);
+        desk.hover_at(desk.place([0.756, 0.4]));
+        desk.run();
+    });
+}
+
+#[test]
 fn the_window_in_german() {
     compare("german", |desk| {
         desk.open_scenario(&plane("rings", |_| ()));
@@ -176,9 +186,8 @@ fn compare_sized(name: &str, size: [f32; 2], show: impl FnOnce(&mut Desk)) {
     }
     let builder = Harness::builder().with_render_cursor(false).wgpu_setup(software_setup());
     let mut desk = Desk::of(builder, size);
-    show(&mut desk);
     desk.remove_cursor();
-    desk.run();
+    show(&mut desk);
     let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/screenshots");
     desk.snapshot_options(name, &SnapshotOptions::new().output_path(folder));
 }

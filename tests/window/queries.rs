@@ -83,3 +83,61 @@ fn the_kind_of_query_is_chosen_by_a_button_and_undone() {
     desk.press_with(Modifiers::COMMAND, Key::Z);
     assert_eq!(desk.plane().scenario.query, before);
 }
+
+/// A point of a leaf, three points of the window inside its right side.
+fn inside_the_right_side(desk: &Desk, leaf: Node) -> [f64; 2] {
+    let bounds = desk.plane().tree.node_box(leaf.id);
+    let unit = bounds.size()[0] / f64::from(desk.place(bounds.max).x - desk.place(bounds.min).x);
+    [bounds.max[0] - 3.0 * unit, bounds.centre()[1]]
+}
+
+#[test]
+fn pointing_at_a_cell_tells_its_level_and_codes_and_what_a_click_does() {
+    let mut desk = Desk::new();
+    let leaf = large_leaf(&desk);
+    let (tree, hint) = (desk.plane().tree.clone(), "Click: the neighbour across this side");
+    let [x, y] = tree.code(leaf.id);
+    let note = format!("level {}, codes {x}, {y}", tree.level(leaf.id));
+    desk.hover_at(desk.place(tree.node_box(leaf.id).centre()));
+    desk.run();
+    assert!(desk.says(&note), "{note} in {:?}", desk.texts());
+    assert!(!desk.says(hint), "a click in the middle does nothing");
+
+    desk.hover_at(desk.place(inside_the_right_side(&desk, leaf)));
+    desk.run();
+    assert!(desk.says(&note) && desk.says(hint), "{:?}", desk.texts());
+
+    desk.hover_at(desk.place(desk.plane().scenario.ray.at(0.5)));
+    desk.run();
+    assert!(!desk.says(hint), "the ray is in the way");
+    desk.remove_cursor();
+    desk.run();
+    assert!(!desk.says(&note));
+}
+
+#[test]
+fn escape_goes_back_to_the_ray_and_to_the_place_in_its_trace() {
+    let mut desk = Desk::new();
+    let before = desk.plane().scenario.query;
+    desk.press(Key::Home);
+    (0..5).for_each(|_| desk.press(Key::ArrowRight));
+    let leaf = large_leaf(&desk);
+    desk.click_at(desk.place(inside_the_right_side(&desk, leaf)), 1);
+    assert!(matches!(desk.plane().scenario.query, Query::Neighbour { .. }));
+    desk.run_steps(40);
+    desk.click(Role::Button, "Point");
+    assert!(matches!(desk.plane().scenario.query, Query::Point { .. }));
+
+    desk.press(Key::F1);
+    desk.press(Key::Escape);
+    assert_eq!(desk.state().view.dialog, None);
+    let still = desk.plane().scenario.query;
+    assert!(matches!(still, Query::Point { .. }), "Escape closed the keys alone");
+
+    desk.press(Key::Escape);
+    assert_eq!((desk.plane().scenario.query, desk.step_number()), (before, 5));
+    desk.press(Key::Escape);
+    assert_eq!(desk.plane().scenario.query, before);
+    desk.press_with(Modifiers::COMMAND, Key::Z);
+    assert_eq!(desk.plane().scenario.query, still);
+}

@@ -74,7 +74,11 @@ impl<const D: usize> Camera<D> {
         let size = bounds.size().into_iter().fold(f64::MIN_POSITIVE, f64::max);
         self.height = if D == 2 {
             let [width, height] = [bounds.size()[0], bounds.size()[1]];
-            height.max(width * page.height / page.width).max(size * 1e-9) * MARGIN
+            // Room for what is written beside the axes, which is not scaled.
+            const ROOM: f64 = 28.0;
+            let margin = |side: f64| MARGIN.max(side / (side - 2.0 * ROOM).max(0.5 * side));
+            let by_width = width * page.height / page.width * margin(page.width);
+            (height * margin(page.height)).max(by_width).max(size * 1e-9)
         } else {
             // A first guess, made exact by what it shows.
             let mut height = 2.0 * size;
@@ -206,6 +210,11 @@ impl<const D: usize> Camera<D> {
                 std::array::from_fn(|e| self.target[e] + self.distance() * back[e] - world[e])
             }
         }
+    }
+
+    /// How far a world point lies before the eye.
+    pub(crate) fn depth(&self, world: [f64; D]) -> f64 {
+        self.eye(world)[2]
     }
 
     /// Coordinates to the right and up from the target, and before the eye.

@@ -33,9 +33,9 @@ pub fn axes<const D: usize>(domain: &Domain<D>) -> Vec<Mark<D>> {
     let label = |axis: usize, at: [f64; D], text: String| {
         Mark::new(Shape::Label(at), Role::AxisLabel(axis)).with_text(text)
     };
-    // A place along `axis`, beside the edge at the smallest other coordinates.
-    let beside = |axis: usize, along: f64, gap: f64| -> [f64; D] {
-        std::array::from_fn(|e| if e == axis { along } else { bounds.min[e] - gap })
+    // A place along `axis`, on the edge at the smallest other coordinates.
+    let beside = |axis: usize, along: f64| -> [f64; D] {
+        std::array::from_fn(|e| if e == axis { along } else { bounds.min[e] })
     };
     let mut marks = Vec::new();
     for axis in 0..D {
@@ -43,14 +43,13 @@ pub fn axes<const D: usize>(domain: &Domain<D>) -> Vec<Mark<D>> {
             let n_ticks = domain.grid_size().min(4);
             for tick in 0..=n_ticks {
                 let code = domain.grid_size() / n_ticks * tick;
-                let mut at = beside(axis, domain.plane(axis, code), gap);
-                at[axis] = domain.plane(axis, code);
+                let at = beside(axis, domain.plane(axis, code));
                 marks.push(label(axis, at, code.to_string()));
             }
         } else {
-            let edge = [bounds.min[axis], bounds.max[axis]].map(|x| beside(axis, x, 0.0));
+            let edge = [bounds.min[axis], bounds.max[axis]].map(|x| beside(axis, x));
             marks.push(Mark::new(Shape::Segment(edge), Role::AxisLabel(axis)));
-            let at = beside(axis, bounds.max[axis] + 2.0 * gap, 0.0);
+            let at = beside(axis, bounds.max[axis] + 2.0 * gap);
             marks.push(label(axis, at, AXIS_NAMES[axis].to_string()));
         }
     }

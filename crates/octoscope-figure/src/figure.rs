@@ -53,10 +53,15 @@ pub enum Form {
 pub enum Part {
     /// All of it: area and line.
     Whole,
+    /// All of it, with a finer line: a cell of which little is seen otherwise.
+    Fine,
     /// Only the area: a side of a box across this axis, which is shaded by it.
     Face(usize),
     /// Only the area, in the colour of the line: the head of an arrow.
     Head,
+    /// Only the area, covering what is behind it: a side of something solid,
+    /// and how much light falls on it, 0 … [`Part::MOST_LIGHT`].
+    Lit(u8),
     /// Only the line.
     Edge,
     /// Only the line, behind the box to which it belongs.
@@ -64,10 +69,26 @@ pub enum Part {
 }
 
 impl Part {
+    /// The most light that falls on an area.
+    pub const MOST_LIGHT: u8 = 7;
+
+    /// Share of the role's width that lines of this part have.
+    pub fn width(self) -> f64 {
+        match self {
+            Self::Fine => 0.4,
+            Self::Whole
+            | Self::Head
+            | Self::Lit(_)
+            | Self::Edge
+            | Self::Face(_)
+            | Self::HiddenEdge => 1.0,
+        }
+    }
+
     /// Share of the role's opacity that areas and lines of this part have.
     pub fn opacity(self) -> f64 {
         match self {
-            Self::Whole | Self::Head | Self::Edge => 1.0,
+            Self::Whole | Self::Fine | Self::Head | Self::Lit(_) | Self::Edge => 1.0,
             Self::Face(axis) => [1.0, 0.8, 0.62][axis],
             Self::HiddenEdge => 0.3,
         }

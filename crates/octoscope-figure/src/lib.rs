@@ -7,15 +7,19 @@
 
 mod camera;
 mod content;
+mod depth_map;
 mod figure;
 pub mod fonts;
+mod ground;
 mod handle;
 mod mark;
 mod marks;
 mod numbers;
+mod painter;
 mod palette;
 mod png;
 mod role;
+mod sides;
 mod space;
 mod style;
 mod svg;

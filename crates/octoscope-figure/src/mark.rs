@@ -49,6 +49,13 @@ pub enum Shape<const D: usize> {
     Triangle([[f64; D]; 3]),
     /// Text at a point.
     Label([f64; D]),
+    /// Text at a point of a box, left out where the box is too small for it.
+    LabelIn {
+        /// Middle of the text.
+        at: [f64; D],
+        /// The box.
+        bounds: Aabb<D>,
+    },
     /// Number beside a line, left out where there is no room. The first of
     /// these marks is number 1, and so on.
     LabelAlong([[f64; D]; 2]),

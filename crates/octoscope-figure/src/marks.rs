@@ -127,7 +127,8 @@ impl<const D: usize> Scene<'_, D> {
 
     fn code_label(&self, node: NodeId) -> Mark<D> {
         let codes = self.tree.code(node).map(|code| code.to_string()).join(", ");
-        let label = Mark::new(Shape::Label(self.tree.node_box(node).centre()), Role::CellCode);
+        let bounds = self.tree.node_box(node);
+        let label = Mark::new(Shape::LabelIn { at: bounds.centre(), bounds }, Role::CellCode);
         label.of_node(node).with_text(codes)
     }
 
@@ -208,7 +209,8 @@ impl<const D: usize> Scene<'_, D> {
                     marks.push(node_mark(self.tree, node.id, Role::Rejected));
                 }
             }
-            let label = Mark::new(Shape::Label(index_place(&bounds, child)), Role::ChildIndex);
+            let at = index_place(&bounds, child);
+            let label = Mark::new(Shape::LabelIn { at, bounds }, Role::ChildIndex);
             marks.push(label.of_node(node.id).with_text(child.0.to_string()));
         }
     }

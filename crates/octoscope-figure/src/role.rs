@@ -72,6 +72,10 @@ pub enum Role {
     MirroredRay,
     /// What was there before a change, or what is being drawn.
     Ghost,
+    /// The node under the pointer, in whichever view.
+    Hover,
+    /// The side of it that is pointed at.
+    HoverSide,
     /// Where the ray enters the current node.
     EntryPoint,
     /// Where the ray leaves the current node.
@@ -93,7 +97,7 @@ pub enum Role {
 impl Role {
     /// One role of every kind, in the order in which they cover each other,
     /// the lowest first.
-    pub const KINDS: [Self; 47] = [
+    pub const KINDS: [Self; 49] = [
         Self::Pixel([128; 3]),
         Self::EmptyLeaf,
         Self::FullLeaf,
@@ -116,6 +120,8 @@ impl Role {
         Self::GridCell,
         Self::Found,
         Self::OwnedSide,
+        Self::Hover,
+        Self::HoverSide,
         Self::MidPlane(0),
         Self::MidPlane(1),
         Self::MidPlane(2),
@@ -179,6 +185,8 @@ impl Role {
             Self::RayTip => "ray-tip",
             Self::MirroredRay => "mirrored-ray",
             Self::Ghost => "ghost",
+            Self::Hover => "hover",
+            Self::HoverSide => "hover-side",
             Self::EntryPoint => "entry-point",
             Self::ExitPoint => "exit-point",
             Self::MidPlane(axis) => ["mid-plane-x", "mid-plane-y", "mid-plane-z"][axis],

@@ -2,15 +2,21 @@
 
 use crate::camera::corners;
 use crate::figure::text_reach;
+use crate::ground::{bounds_of, ground, is_ground};
 use crate::numbers::{Number, Stand, stands};
+use crate::painter::{Half, back_to_front};
+use crate::sides::sides_to_eye;
 use crate::{Camera, Drawn, Figure, Form, Mark, Page, Part, Projected, Role, Shape, Style, Theme};
 use octoscope_core::geometry::Aabb;
 
-/// Figure of `marks` as `camera` shows them on `page`. In space, boxes are
-/// drawn from the farthest to the nearest by their middles.
+/// Figure of `marks` as `camera` shows them on `page`. In space, boxes of one
+/// tree cover each other as they do for the eye; leaves and solids lie below
+/// the marks of the path, and what cannot be seen of them is left out.
 pub fn space_figure<const D: usize>(marks: &[Mark<D>], camera: &Camera<D>, page: Page) -> Figure {
-    let mut canvas = Canvas { camera, page, drawn: Vec::new(), taken: Vec::new() };
-    for mark in marks {
+    let mut canvas =
+        Canvas { camera, page, drawn: Vec::new(), in_space: Vec::new(), taken: Vec::new() };
+    let (ground_marks, others): (Vec<_>, Vec<_>) = marks.iter().partition(|mark| is_ground(mark));
+    for mark in others {
         canvas.draw(mark);
     }
     // Labels look for room once everything is drawn that they may not cover:
@@ -19,16 +25,49 @@ pub fn space_figure<const D: usize>(marks: &[Mark<D>], camera: &Camera<D>, page:
     marks.iter().filter(is_of_axis).for_each(|mark| canvas.write(mark));
     marks.iter().filter(|mark| !is_of_axis(mark)).for_each(|mark| canvas.write(mark));
     canvas.number(marks);
-    let mut drawn = canvas.drawn;
+
+    let root: Vec<_> = marks.iter().filter(|mark| mark.role == Role::Root).collect();
+    let root = bounds_of(&root).or_else(|| bounds_of(&marks.iter().collect::<Vec<_>>()));
+    let Canvas { mut drawn, in_space, .. } = canvas;
     drawn.sort_by(|(a, _), (b, _)| a.total_cmp(b));
-    Figure { page, drawn: drawn.into_iter().map(|(_, drawn)| drawn).collect() }
+    let mut figure = Figure { page, drawn: Vec::new() };
+    if let Some(root) = root {
+        figure.drawn = ground(&ground_marks, &root, camera, page);
+    }
+    let above = drawn.partition_point(|(order, _)| *order < ABOVE_SPACE);
+    let above = drawn.split_off(above);
+    figure.drawn.extend(drawn.into_iter().map(|(_, drawn)| drawn));
+    figure.drawn.extend(painted(in_space, root.as_ref(), camera));
+    figure.drawn.extend(above.into_iter().map(|(_, drawn)| drawn));
+    figure
 }
 
-/// Place in the drawing order of what lies in space, by its depth, and of what
-/// lies above all of it, by its role.
+/// What lies in space, the farthest first.
+fn painted<const D: usize>(
+    mut in_space: Vec<InSpace<D>>,
+    root: Option<&Aabb<D>>,
+    camera: &Camera<D>,
+) -> Vec<Drawn> {
+    let boxes: Vec<Aabb<D>> = in_space.iter().map(|item| item.bounds).collect();
+    let Some(root) = root.copied().or_else(|| Aabb::around(boxes.iter().map(|b| b.min))) else {
+        return Vec::new();
+    };
+    let order = back_to_front(&root, &boxes, camera).into_iter();
+    let half = order.flat_map(|(index, half)| match half {
+        Half::Behind => std::mem::take(&mut in_space[index].behind),
+        Half::Front => std::mem::take(&mut in_space[index].front),
+    });
+    half.collect()
+}
+
+/// Place in the drawing order of what lies above all of space, by its role.
 const ABOVE_SPACE: f64 = f64::MAX / 4.0;
 /// Place of what is only a hint in space, below all else there.
 const HINT: f64 = -f64::MAX / 4.0;
+/// Leaves of less than this side, in page units, have finer lines.
+const FINE: f64 = 12.0;
+/// Planes of less than this length, in page units, bear no letter.
+const LEGIBLE: f64 = 36.0;
 /// Place of areas on which everything else lies.
 const GROUND: f64 = -f64::MAX / 2.0;
 
@@ -36,8 +75,18 @@ struct Canvas<'a, const D: usize> {
     camera: &'a Camera<D>,
     page: Page,
     drawn: Vec<(f64, Drawn)>,
+    /// What is drawn in the order of its depth.
+    in_space: Vec<InSpace<D>>,
     /// Middles and half extents of what labels may not cover.
     taken: Vec<[[f64; 2]; 2]>,
+}
+
+/// A mark in space.
+struct InSpace<const D: usize> {
+    bounds: Aabb<D>,
+    /// What is drawn before, and after, what lies in it.
+    behind: Vec<Drawn>,
+    front: Vec<Drawn>,
 }
 
 impl<const D: usize> Canvas<'_, D> {
@@ -51,7 +100,13 @@ impl<const D: usize> Canvas<'_, D> {
                     let line = points.iter().chain(points.first()).copied().collect();
                     self.push_at(above_space(mark.role), mark, Part::Edge, Form::Polyline(line));
                 } else {
-                    self.push(mark, bounds.centre(), Part::Whole, Form::Polygon(points));
+                    let side = bounds.size()[0] / self.camera.unit(self.page);
+                    let is_leaf = matches!(
+                        mark.role,
+                        Role::EmptyLeaf | Role::FullLeaf | Role::Pixel(_) | Role::Visited { .. }
+                    );
+                    let part = if is_leaf && side < FINE { Part::Fine } else { Part::Whole };
+                    self.push(mark, bounds, part, Form::Polygon(points));
                 }
             }
             Shape::Box(bounds) => self.draw_box(mark, &bounds),
@@ -59,7 +114,7 @@ impl<const D: usize> Canvas<'_, D> {
             Shape::Segment(ends) => {
                 if let Some(line) = self.camera.project_segment(self.page, ends) {
                     let line = Form::Polyline(line.map(|p| p.at).to_vec());
-                    self.push(mark, ends[0], Part::Edge, line);
+                    self.push(mark, point_box(ends[0]), Part::Edge, line);
                 }
             }
             Shape::Arrow(ends) => {
@@ -76,14 +131,24 @@ impl<const D: usize> Canvas<'_, D> {
                     if !matches!(mark.role, Role::Content) {
                         self.taken.push([at, [radius + 1.0; 2]]);
                     }
-                    self.push(mark, point, Part::Whole, Form::Circle { centre: at, radius });
+                    self.push(
+                        mark,
+                        point_box(point),
+                        Part::Whole,
+                        Form::Circle { centre: at, radius },
+                    );
                 }
             }
             Shape::Tip(ends) => {
                 if let Some(at) = self.camera.tip_handle(self.page, ends) {
                     let radius = Style::of(Theme::Light, mark.role).radius;
                     self.taken.push([at, [radius + 1.0; 2]]);
-                    self.push(mark, ends[1], Part::Whole, Form::Circle { centre: at, radius });
+                    self.push(
+                        mark,
+                        point_box(ends[1]),
+                        Part::Whole,
+                        Form::Circle { centre: at, radius },
+                    );
                 }
             }
             Shape::Sphere { centre, radius } => {
@@ -93,7 +158,7 @@ impl<const D: usize> Canvas<'_, D> {
                 if let [Some(middle), Some(rim)] = ends {
                     let radius = distance(middle.at, rim.at);
                     let form = Form::Circle { centre: middle.at, radius };
-                    self.push(mark, centre, Part::Whole, form);
+                    self.push(mark, point_box(centre), Part::Whole, form);
                 }
             }
             Shape::Triangle(points) => {
@@ -102,10 +167,10 @@ impl<const D: usize> Canvas<'_, D> {
                 if projected.len() == 3 {
                     let middle = std::array::from_fn(|e| points.iter().map(|p| p[e] / 3.0).sum());
                     let form = Form::Polygon(projected.iter().map(|p| p.at).collect());
-                    self.push(mark, middle, Part::Whole, form);
+                    self.push(mark, point_box(middle), Part::Whole, form);
                 }
             }
-            Shape::Label(_) | Shape::LabelAlong(_) => {}
+            Shape::Label(_) | Shape::LabelIn { .. } | Shape::LabelAlong(_) => {}
         }
     }
 
@@ -122,54 +187,45 @@ impl<const D: usize> Canvas<'_, D> {
         [0, 2, 3, 1].into_iter().filter_map(|i| corners.get(i)).map(|p| p.at).collect()
     }
 
-    /// Sides that face the eye, edges, and edges behind.
+    /// Edges behind, sides that face the eye, and their edges.
     fn draw_box(&mut self, mark: &Mark<D>, bounds: &Aabb<D>) {
         let ends: Vec<[f64; D]> = corners(bounds).collect();
-        let on_page: Vec<_> = ends.iter().map(|&c| self.camera.project(self.page, c)).collect();
-        let style = Style::of(Theme::Light, mark.role);
-        let centre = bounds.centre();
-
-        // For each axis, the bit of the sides whose outside is seen.
+        let seen = sides_to_eye(self.camera, self.page, bounds);
         let bit = |axis: usize| 1usize << (D - 1 - axis);
-        let seen: Vec<(usize, usize)> = (0..D)
-            .filter_map(|axis| {
-                [0, bit(axis)].into_iter().find_map(|value| {
-                    let side = side_of(bounds, axis, value != 0);
-                    let polygon: Option<Vec<_>> =
-                        ring(axis, value, D).iter().map(|&i| on_page[i].map(|p| p.at)).collect();
-                    (self.faces_eye(&side, axis, value != 0) && polygon.is_some())
-                        .then_some((axis, value))
-                })
-            })
-            .collect();
         let in_sight = |corner: usize, axis: usize| {
-            seen.iter().any(|&(a, value)| a != axis && corner & bit(a) == value)
+            seen.iter().any(|s| s.axis != axis && (corner & bit(s.axis) != 0) == s.is_upper)
         };
+        let (mut behind, mut front) = (Vec::new(), Vec::new());
+        if Style::of(Theme::Light, mark.role).fill.is_some() {
+            for side in &seen {
+                let polygon = side.polygon.iter().map(|p| p.at).collect();
+                front.push((Part::Face(side.axis), Form::Polygon(polygon)));
+            }
+        }
         for axis in 0..D {
             for corner in (0..1 << D).filter(|corner| corner & bit(axis) == 0) {
                 let segment = [ends[corner], ends[corner | bit(axis)]];
                 if let Some(line) = self.camera.project_segment(self.page, segment) {
-                    let part = match in_sight(corner, axis) {
-                        true => Part::Edge,
-                        false => Part::HiddenEdge,
-                    };
                     let line = Form::Polyline(line.map(|p| p.at).to_vec());
-                    self.push(mark, centre, part, line);
+                    match in_sight(corner, axis) {
+                        true => front.push((Part::Edge, line)),
+                        false => behind.push((Part::HiddenEdge, line)),
+                    }
                 }
             }
         }
-        for &(axis, value) in seen.iter().filter(|_| style.fill.is_some()) {
-            let ring = ring(axis, value, D);
-            let polygon = ring.iter().filter_map(|&i| on_page[i]).map(|p| p.at).collect();
-            self.push(mark, centre, Part::Face(axis), Form::Polygon(polygon));
+        let drawn = |(part, form)| Drawn { form, role: mark.role, part, node: mark.node };
+        let [behind, front] =
+            [behind, front].map(|parts| parts.into_iter().map(drawn).collect::<Vec<_>>());
+        if is_hint(mark.role) {
+            let hint = behind.into_iter().chain(front).map(|drawn| (HINT, drawn));
+            self.drawn.extend(hint);
+        } else if is_above(mark.role) {
+            let order = above_space(mark.role);
+            self.drawn.extend(behind.into_iter().chain(front).map(|drawn| (order, drawn)));
+        } else {
+            self.in_space.push(InSpace { bounds: *bounds, behind, front });
         }
-    }
-
-    /// Whether the outside of a side of a box is turned to the eye.
-    fn faces_eye(&self, side: &Aabb<D>, axis: usize, upper: bool) -> bool {
-        let middle = side.centre();
-        let to_eye = self.camera.towards_eye(middle)[axis];
-        if upper { to_eye > 0.0 } else { to_eye < 0.0 }
     }
 
     fn draw_plane(&mut self, mark: &Mark<D>, axis: usize, bounds: &Aabb<D>) {
@@ -182,7 +238,7 @@ impl<const D: usize> Canvas<'_, D> {
         if let [from, to] = own[..] {
             if let Some(line) = self.camera.project_segment(self.page, [from, to]) {
                 let line = Form::Polyline(line.map(|p| p.at).to_vec());
-                self.push(mark, bounds.centre(), Part::Edge, line);
+                self.push(mark, *bounds, Part::Edge, line);
             }
         } else if let [a, b, c, d] = own[..] {
             let polygon: Vec<_> = [a, b, d, c]
@@ -190,7 +246,7 @@ impl<const D: usize> Canvas<'_, D> {
                 .filter_map(|p| self.camera.project(self.page, p))
                 .map(|p| p.at)
                 .collect();
-            self.push(mark, bounds.centre(), Part::Whole, Form::Polygon(polygon));
+            self.push(mark, *bounds, Part::Whole, Form::Polygon(polygon));
         }
     }
 
@@ -216,6 +272,15 @@ impl<const D: usize> Canvas<'_, D> {
         };
         let place = |world| self.camera.project(self.page, world).map(|p| p.at);
         match mark.shape {
+            Shape::Label(at) if D == 2 && matches!(mark.role, Role::AxisLabel(_)) => {
+                if let Some(at) = place(at) {
+                    let reach = text_reach(mark.role, text);
+                    let at = self.outside(mark.role, at, reach);
+                    if let Some(at) = self.room([at], reach) {
+                        self.text(mark, at, text);
+                    }
+                }
+            }
             Shape::Label(at) => {
                 let reach = text_reach(mark.role, text);
                 let candidates = place(at).into_iter().flat_map(|[x, y]| {
@@ -226,7 +291,22 @@ impl<const D: usize> Canvas<'_, D> {
                     self.text(mark, at, text);
                 }
             }
+            Shape::LabelIn { at, bounds } => {
+                let reach = text_reach(mark.role, text);
+                let [width, height] = self.extent(&bounds);
+                let fits = width > 2.0 * reach[0] + 4.0 && height > 2.0 * reach[1] + 2.0;
+                let places = [at, bounds.centre()].map(place);
+                let places = places.into_iter().flatten().filter(|_| fits);
+                if let Some(at) = self.room(places, reach) {
+                    self.text(mark, at, text);
+                }
+            }
             Shape::Plane { bounds, .. } => {
+                // A letter beside a small plane would hide what it names.
+                let [width, height] = self.extent(&bounds);
+                if width.max(height) < LEGIBLE {
+                    return;
+                }
                 // Beyond a corner of the plane, the lowest on the page first.
                 let reach = text_reach(mark.role, text);
                 let Some(middle) = place(bounds.centre()) else {
@@ -253,6 +333,31 @@ impl<const D: usize> Canvas<'_, D> {
             | Shape::Triangle(_)
             | Shape::LabelAlong(_) => {}
         }
+    }
+
+    /// Width and height of a box on the page.
+    fn extent(&self, bounds: &Aabb<D>) -> [f64; 2] {
+        let on_page = corners(bounds).filter_map(|c| self.camera.project(self.page, c));
+        let (mut min, mut max) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
+        for Projected { at, .. } in on_page {
+            min = std::array::from_fn(|e| min[e].min(at[e]));
+            max = std::array::from_fn(|e| max[e].max(at[e]));
+        }
+        std::array::from_fn(|e| (max[e] - min[e]).max(0.0))
+    }
+
+    /// Where a label stands beside the tick `at` of its axis: below the x axis,
+    /// left of the y axis, on the page if the tick is.
+    fn outside(&self, role: Role, [x, y]: [f64; 2], reach: [f64; 2]) -> [f64; 2] {
+        const GAP: f64 = 7.0;
+        let page = [self.page.width, self.page.height];
+        let is_along_x = matches!(role, Role::AxisLabel(0));
+        let beside = if is_along_x { [x, y + reach[1] + GAP] } else { [x - reach[0] - GAP, y] };
+        let is_on_page = (0..2).all(|e| (0.0..=page[e]).contains(&[x, y][e]));
+        if !is_on_page {
+            return beside;
+        }
+        std::array::from_fn(|e| beside[e].min(page[e] - reach[e]).max(reach[e]))
     }
 
     /// Writes the labels along lines, as many as there is room for.
@@ -314,16 +419,16 @@ impl<const D: usize> Canvas<'_, D> {
         Some(at)
     }
 
-    fn push(&mut self, mark: &Mark<D>, middle: [f64; D], part: Part, form: Form) {
-        let depth = self.camera.project(self.page, middle).map_or(0.0, |p| p.depth);
-        let order = match (D == 3 && !is_above(mark.role), is_hint(mark.role)) {
-            (false, _) => above_space(mark.role),
-            // Hints by their depth among themselves: a double has no digits
-            // left beside so large a number.
-            (true, true) => HINT * (1.0 + depth / (1.0 + depth.abs()) / 2.0),
-            (true, false) => -depth,
-        };
-        self.push_at(order, mark, part, form);
+    /// Draws a form of a mark that lies in `bounds`.
+    fn push(&mut self, mark: &Mark<D>, bounds: Aabb<D>, part: Part, form: Form) {
+        if D == 2 || is_above(mark.role) {
+            self.push_at(above_space(mark.role), mark, part, form);
+        } else if is_hint(mark.role) {
+            self.push_at(HINT, mark, part, form);
+        } else {
+            let front = vec![Drawn { form, role: mark.role, part, node: mark.node }];
+            self.in_space.push(InSpace { bounds, behind: Vec::new(), front });
+        }
     }
 
     fn push_at(&mut self, order: f64, mark: &Mark<D>, part: Part, form: Form) {
@@ -343,7 +448,7 @@ fn is_above(role: Role) -> bool {
 
 /// Whether a role is but a hint beside the path, and must not cover it.
 fn is_hint(role: Role) -> bool {
-    matches!(role, Role::EmptyLeaf | Role::FullLeaf | Role::Pixel(_) | Role::Rejected)
+    matches!(role, Role::Rejected)
 }
 
 /// Whether, in the plane, the area of a role lies below everything in it.
@@ -351,23 +456,9 @@ fn has_ground(role: Role) -> bool {
     matches!(role, Role::Current | Role::Found | Role::Region)
 }
 
-/// Side of a box across `axis`.
-fn side_of<const D: usize>(bounds: &Aabb<D>, axis: usize, upper: bool) -> Aabb<D> {
-    let mut side = *bounds;
-    let at = if upper { bounds.max[axis] } else { bounds.min[axis] };
-    (side.min[axis], side.max[axis]) = (at, at);
-    side
-}
-
-/// Corners, in turn, of the side of a box across `axis` whose corners have
-/// `value` in the axis's bit.
-fn ring(axis: usize, value: usize, dimension: usize) -> Vec<usize> {
-    let bits: Vec<usize> =
-        (0..dimension).filter(|&e| e != axis).map(|e| 1 << (dimension - 1 - e)).collect();
-    match bits[..] {
-        [a, b] => vec![value, value | a, value | a | b, value | b],
-        _ => Vec::new(),
-    }
+/// The point as a box without extent.
+fn point_box<const D: usize>(point: [f64; D]) -> Aabb<D> {
+    Aabb { min: point, max: point }
 }
 
 fn distance(a: [f64; 2], b: [f64; 2]) -> f64 {

@@ -1,7 +1,7 @@
 //! How roles look.
 
-use crate::Role;
 use crate::palette::{Colour, Palette, Theme, ramp};
+use crate::{Part, Role};
 
 /// Look of a role in a theme. Lengths are page units (points, logical pixels).
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -136,6 +136,8 @@ impl Style {
                 dash: Dash::Dashed,
                 ..line(p.quiet_ink.faded(0.8), 1.2)
             },
+            Role::Hover => line(p.quiet_ink, 1.6),
+            Role::HoverSide => Self { fill: Some(p.accent.faded(0.3)), ..line(p.accent, 4.0) },
             Role::EntryPoint => Self { fill: Some(p.ray), radius: 4.5, ..line(p.background, 1.2) },
             Role::ExitPoint => Self { fill: Some(p.background), radius: 4.0, ..line(p.ray, 1.8) },
             Role::MidPlane(axis) => Self {
@@ -155,6 +157,27 @@ impl Style {
             }
         };
         style.for_theme(theme)
+    }
+
+    /// Look of a side of something solid on which `light` falls, 0 …
+    /// [`Part::MOST_LIGHT`]: it hides what is behind it.
+    pub fn lit(theme: Theme, role: Role, light: u8) -> Self {
+        let p = Palette::of(theme);
+        // Where the background is dark, ink is what shines.
+        let is_dark = theme == Theme::Dark;
+        let light = f64::from(light) / f64::from(Part::MOST_LIGHT);
+        let shade = if is_dark { light } else { 1.0 - light };
+        let is_leaf = matches!(role, Role::FullLeaf | Role::EmptyLeaf | Role::Pixel(_));
+        // Leaves are a hint, and told by their lines alone on a projector.
+        let [least, most] = match (is_leaf, theme.weakest_fill() > 0.0) {
+            (true, true) => [0.0, 0.0],
+            (true, false) => [0.02, 0.12],
+            (false, true) => [0.35, 0.7],
+            (false, false) => [0.14, 0.58],
+        };
+        let colour = p.quiet_ink.faded(least + shade * (most - least)).over(p.background);
+        let (stroke, width) = if is_leaf { (p.grid, 0.6) } else { (colour, 0.5) };
+        Self { fill: Some(colour), stroke: Some(stroke), width, ..Self::default() }
     }
 
     fn lettered(self, colour: Colour, size: f64, weight: Weight) -> Self {

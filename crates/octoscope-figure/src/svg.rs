@@ -77,6 +77,20 @@ fn style_sheet(figure: &Figure, theme: Theme) -> String {
             let head = paint("fill", style.stroke);
             out += &format!(".{class}.head{{{head}stroke:none}}\n");
         }
+        if figure.drawn.iter().any(|d| d.part == Part::Fine && d.role.class() == class) {
+            let width = number(Part::Fine.width() * style.width);
+            out += &format!(".{class}.fine{{stroke-width:{width}}}\n");
+        }
+        for light in 0..=Part::MOST_LIGHT {
+            let part = Part::Lit(light);
+            if figure.drawn.iter().any(|d| d.part == part && d.role.class() == class) {
+                let lit = Style::lit(theme, role, light);
+                let fill = paint("fill-opacity:1;fill", lit.fill);
+                let stroke = paint("stroke-opacity:1;stroke", lit.stroke);
+                let width = number(lit.width);
+                out += &format!(".{class}.lit-{light}{{{fill}{stroke}stroke-width:{width}}}\n");
+            }
+        }
         if let Some(text) = style.text {
             let (weight, family) = match text.weight {
                 Weight::Regular => (400, SANS),
@@ -106,8 +120,10 @@ fn write_drawn(out: &mut String, drawn: &Drawn, theme: Theme) {
     let mut attributes = format!(" class=\"{}", drawn.role.class());
     match drawn.part {
         Part::Whole => {}
+        Part::Fine => attributes += " fine",
         Part::Face(_) => attributes += " face",
         Part::Head => attributes += " head",
+        Part::Lit(light) => attributes += &format!(" lit-{light}"),
         Part::Edge | Part::HiddenEdge => attributes += " edge",
     }
     attributes += "\"";

@@ -8,8 +8,8 @@ use octoscope_core::trace::{Moment, record};
 use octoscope_core::traverse::{Algorithm, Options};
 use octoscope_core::tree::{Cell, Domain, Split, Tree, grow};
 use octoscope_figure::{
-    Background, Camera, Figure, Form, Mark, Page, Role, Shape, Show, SvgOptions, Theme, axes,
-    content, leaves, marks, png, space_figure, svg,
+    Background, Camera, Drawn, Figure, Form, Mark, Page, Part, Role, Shape, Show, SvgOptions,
+    Theme, axes, content, leaves, marks, png, space_figure, svg,
 };
 
 /// Tree that is divided towards the origin.
@@ -229,4 +229,73 @@ fn numbers_of_a_long_path_can_be_told_apart() {
             }
         }
     }
+}
+
+/// Figure of a cube that is divided into 8 · 8 · 8 leaves.
+fn figure_of_a_cube(leaf: Split<()>) -> Figure {
+    let tree: Tree<3> = grow(Domain::unit(3), (), &Progress::default(), |cell, ()| {
+        if cell.level == 0 { leaf.clone() } else { Split::Inner(vec![(); 8]) }
+    })
+    .expect("nobody cancels");
+    let page = Page { width: 640.0, height: 480.0 };
+    let camera = Camera::framing(&tree.domain().root_box(), page);
+    space_figure(&leaves(&tree, &everything()), &camera, page)
+}
+
+#[test]
+fn only_what_can_be_seen_of_full_leaves_is_drawn() {
+    let figure = figure_of_a_cube(Split::Full(Vec::new()));
+    assert_eq!(figure.drawn.len(), 3 * 8 * 8, "the sides of the cube that face the eye");
+}
+
+#[test]
+fn edges_that_leaves_share_are_drawn_once() {
+    assert_eq!(figure_of_a_cube(Split::Empty).drawn.len(), 3 * 9 * 9);
+}
+
+#[test]
+fn the_codes_of_the_axes_stand_on_a_page_of_any_size_and_beside_the_root() {
+    let domain = Domain::<2>::unit(7);
+    for [width, height] in [[300.0, 300.0], [400.0, 300.0], [200.0, 600.0], [1280.0, 720.0]] {
+        let (page, bounds) = (Page { width, height }, domain.root_box());
+        let camera = Camera::framing(&bounds, page);
+        let root = camera.project(page, bounds.min).unwrap().at;
+        for drawn in space_figure(&axes(&domain), &camera, page).drawn {
+            let Form::Text { at, text } = drawn.form else { panic!("{:?}", drawn.form) };
+            let half = 0.5 * 6.8 * text.len() as f64;
+            assert!(at[0] >= half && at[0] + half <= width && at[1] + 6.0 <= height, "{at:?}");
+            assert!(at[0] + half < root[0] || at[1] > root[1] + 6.0, "{text} at {at:?}");
+        }
+    }
+}
+
+#[test]
+fn lines_of_tiny_leaves_are_fine() {
+    let tree = corner_tree::<2>();
+    let part = |side: f64| {
+        let page = Page { width: side, height: side };
+        let camera = Camera::framing(&tree.domain().root_box(), page);
+        let figure = space_figure(&leaves(&tree, &everything()), &camera, page);
+        figure.drawn.iter().filter(|drawn| drawn.part == Part::Fine).count()
+    };
+    assert_eq!([part(400.0), part(70.0)], [0, 4]);
+}
+
+#[test]
+fn small_nodes_are_not_written_on() {
+    let n_texts = |side: f64| {
+        let tree = corner_tree::<2>();
+        let (ray, query) = (Ray::new([-0.25; 2], [1.5, 1.25]).unwrap(), along_the_ray());
+        let trace = record(&tree, &ray, &query);
+        let step = 4;
+        let moment = Moment::after(&tree, &trace, step);
+        let all = marks(&tree, &ray, &query, &moment, trace.events.get(step - 1), &everything());
+        let page = Page { width: side, height: side };
+        let camera = Camera::framing(&tree.domain().root_box(), page);
+        let figure = space_figure(&all, &camera, page);
+        let is_text = |drawn: &&Drawn| matches!(drawn.form, Form::Text { .. });
+        figure.drawn.iter().filter(is_text).count()
+    };
+    assert!(n_texts(400.0) >= 4, "{}", n_texts(400.0));
+    assert_eq!(n_texts(30.0), 0);
 }

@@ -1,0 +1,273 @@
+//! What lies below the marks of an octree: the lines of its empty leaves, the
+//! surface of its full leaves, and the solids in them; only what can be seen.
+
+use crate::camera::corners;
+use crate::depth_map::DepthMap;
+use crate::painter::{Half, back_to_front};
+use crate::sides::sides_to_eye;
+use crate::{Camera, Drawn, Form, Mark, Page, Part, Projected, Role, Shape};
+use octoscope_core::geometry::Aabb;
+use octoscope_core::tree::NodeId;
+use std::collections::{BTreeMap, HashSet};
+
+/// Whether a mark of an octree belongs to the ground.
+pub(crate) fn is_ground<const D: usize>(mark: &Mark<D>) -> bool {
+    let is_leaf = matches!(mark.role, Role::EmptyLeaf | Role::FullLeaf | Role::Pixel(_));
+    D == 3 && (is_leaf && matches!(mark.shape, Shape::Box(_)) || mark.role == Role::Solid)
+}
+
+/// Draws the marks of the ground in a tree over `root`, the lowest first:
+/// lines, leaves, solids. Full leaves and solids are opaque; solids are drawn
+/// over the leaves that hold them.
+pub(crate) fn ground<const D: usize>(
+    marks: &[&Mark<D>],
+    root: &Aabb<D>,
+    camera: &Camera<D>,
+    page: Page,
+) -> Vec<Drawn> {
+    let view = View { camera, page, root };
+    let of = |role: Role| marks.iter().filter(move |mark| mark.role == role).copied();
+    let boxes = |role: Role| {
+        of(role).filter_map(|mark| match mark.shape {
+            Shape::Box(bounds) => Some((bounds, mark.node)),
+            _ => None,
+        })
+    };
+    let mut drawn = view.lines(&boxes(Role::EmptyLeaf).map(|(b, _)| b).collect::<Vec<_>>());
+    let solids: Vec<Area<D>> = of(Role::Solid).flat_map(|mark| view.solid(mark)).collect();
+    let mut map = DepthMap::new(page, camera.lens);
+    solids.iter().for_each(|area| map.add(&area.polygon));
+    drawn.extend(view.leaves(&boxes(Role::FullLeaf).collect::<Vec<_>>(), &map));
+    drawn.extend(view.painted(solids, Role::Solid, |area| match area.ball {
+        Some(_) => true,
+        None => map.shows(&area.polygon),
+    }));
+    drawn
+}
+
+/// A flat area that hides what is behind it, or a ball.
+struct Area<const D: usize> {
+    bounds: Aabb<D>,
+    polygon: Vec<Projected>,
+    ball: Option<([f64; 2], f64)>,
+    light: u8,
+    node: Option<NodeId>,
+}
+
+struct View<'a, const D: usize> {
+    camera: &'a Camera<D>,
+    page: Page,
+    root: &'a Aabb<D>,
+}
+
+impl<const D: usize> View<'_, D> {
+    /// Edges of boxes, each piece of a line once.
+    fn lines(&self, boxes: &[Aabb<D>]) -> Vec<Drawn> {
+        let Some(grid) = Grid::of(boxes, self.root) else { return Vec::new() };
+        let mut lines: BTreeMap<(usize, [i64; D]), Vec<[i64; 2]>> = BTreeMap::new();
+        for bounds in boxes {
+            let [min, max] = [bounds.min, bounds.max].map(|p| grid.place(p));
+            for axis in 0..D {
+                for corner in (0..1usize << D).filter(|corner| corner >> axis & 1 == 0) {
+                    let line = std::array::from_fn(|e| match (e == axis, corner >> e & 1) {
+                        (true, _) => 0,
+                        (false, 0) => min[e],
+                        (false, _) => max[e],
+                    });
+                    lines.entry((axis, line)).or_default().push([min[axis], max[axis]]);
+                }
+            }
+        }
+        let mut drawn = Vec::new();
+        for ((axis, line), pieces) in lines {
+            for ends in joined(pieces) {
+                let ends = ends.map(|end| {
+                    let place = std::array::from_fn(|e| if e == axis { end } else { line[e] });
+                    grid.world(place)
+                });
+                if let Some(line) = self.camera.project_segment(self.page, ends) {
+                    let form = Form::Polyline(line.map(|p| p.at).to_vec());
+                    drawn.push(Drawn { form, role: Role::EmptyLeaf, part: Part::Edge, node: None });
+                }
+            }
+        }
+        drawn
+    }
+
+    /// Sides of full leaves that are neither turned away, nor covered by a
+    /// neighbour, nor behind other leaves or `solids`.
+    fn leaves(&self, leaves: &[(Aabb<D>, Option<NodeId>)], solids: &DepthMap) -> Vec<Drawn> {
+        let boxes: Vec<Aabb<D>> = leaves.iter().map(|(bounds, _)| *bounds).collect();
+        let Some(grid) = Grid::of(&boxes, self.root) else { return Vec::new() };
+        let full: HashSet<_> = boxes.iter().map(|bounds| grid.cell(bounds)).collect();
+        let mut areas = Vec::new();
+        for (bounds, node) in leaves {
+            for side in sides_to_eye(self.camera, self.page, bounds) {
+                let (level, mut beyond) = grid.cell(bounds);
+                beyond[side.axis] += if side.is_upper { 1 << level } else { -1 };
+                let is_covered = (level..64)
+                    .map(|level| (level, beyond.map(|c| c >> level << level)))
+                    .take(grid.n_levels)
+                    .any(|cell| full.contains(&cell));
+                if !is_covered {
+                    let light = self.light(side.normal());
+                    let polygon = side.polygon;
+                    areas.push(Area { bounds: *bounds, polygon, ball: None, light, node: *node });
+                }
+            }
+        }
+        let mut map = DepthMap::new(self.page, self.camera.lens);
+        areas.iter().for_each(|area| map.add(&area.polygon));
+        let is_seen = |area: &Area<D>| map.shows(&area.polygon) && solids.is_bare(&area.polygon);
+        self.painted(areas, Role::FullLeaf, is_seen)
+    }
+
+    /// Areas of a solid that may be seen.
+    fn solid(&self, mark: &Mark<D>) -> Vec<Area<D>> {
+        let project = |p| self.camera.project(self.page, p);
+        let node = mark.node;
+        match mark.shape {
+            Shape::Box(bounds) => {
+                let sides = sides_to_eye(self.camera, self.page, &bounds).into_iter();
+                sides
+                    .map(|side| {
+                        let light = self.light(side.normal());
+                        Area { bounds, polygon: side.polygon, ball: None, light, node }
+                    })
+                    .collect()
+            }
+            Shape::Triangle(points) => {
+                let polygon: Option<Vec<_>> = points.into_iter().map(project).collect();
+                let bounds = Aabb::around(points);
+                let (Some(polygon), Some(bounds)) = (polygon, bounds) else { return Vec::new() };
+                let light = self.light(normal(points));
+                vec![Area { bounds, polygon, ball: None, light, node }]
+            }
+            Shape::Sphere { centre, radius } => {
+                let [_, up, _] = self.camera.basis();
+                let rim = std::array::from_fn(|e| centre[e] + radius * up[e]);
+                let (Some(middle), Some(rim)) = (project(centre), project(rim)) else {
+                    return Vec::new();
+                };
+                let on_page = (middle.at[0] - rim.at[0]).hypot(middle.at[1] - rim.at[1]);
+                let bounds = Aabb { min: centre, max: centre };
+                let ball = Some((middle.at, on_page));
+                vec![Area { bounds, polygon: Vec::new(), ball, light: 0, node }]
+            }
+            Shape::Segment(_)
+            | Shape::Arrow(_)
+            | Shape::Point(_)
+            | Shape::Tip(_)
+            | Shape::Plane { .. }
+            | Shape::Label(_)
+            | Shape::LabelIn { .. }
+            | Shape::LabelAlong(_) => Vec::new(),
+        }
+    }
+
+    /// The areas that are seen, the farthest first.
+    fn painted(
+        &self,
+        areas: Vec<Area<D>>,
+        role: Role,
+        is_seen: impl Fn(&Area<D>) -> bool,
+    ) -> Vec<Drawn> {
+        let areas: Vec<Area<D>> = areas.into_iter().filter(is_seen).collect();
+        let boxes: Vec<Aabb<D>> = areas.iter().map(|area| area.bounds).collect();
+        let mut drawn = Vec::new();
+        for (index, half) in back_to_front(self.root, &boxes, self.camera) {
+            let Area { polygon, ball, light, node, .. } = &areas[index];
+            let mut draw = |form, light| {
+                drawn.push(Drawn { form, role, part: Part::Lit(light), node: *node });
+            };
+            match (half, ball) {
+                (Half::Behind, _) => {}
+                (Half::Front, None) => {
+                    draw(Form::Polygon(polygon.iter().map(|p| p.at).collect()), *light);
+                }
+                // Lit from the upper left, as everything.
+                (Half::Front, &Some(([x, y], radius))) => {
+                    for (share, shift, light) in [(1.0, 0.0, 1), (0.8, 0.13, 4), (0.5, 0.26, 6)] {
+                        let centre = [x - shift * radius, y - shift * radius];
+                        draw(Form::Circle { centre, radius: share * radius }, light);
+                    }
+                }
+            }
+        }
+        drawn
+    }
+
+    /// How much light falls on an area with this normal, from either side:
+    /// 0 … [`Part::MOST_LIGHT`].
+    fn light(&self, normal: [f64; D]) -> u8 {
+        let [right, up, back] = self.camera.basis();
+        let (mut along, mut square, mut light_square) = (0.0, 0.0, 0.0);
+        for e in 0..D {
+            let light = -0.45 * right[e] + 0.75 * up[e] + 0.6 * back[e];
+            along += normal[e] * light;
+            square += normal[e] * normal[e];
+            light_square += light * light;
+        }
+        let share = (along.abs() / (square * light_square).sqrt().max(f64::MIN_POSITIVE)).min(1.0);
+        (share * f64::from(Part::MOST_LIGHT)).round() as u8
+    }
+}
+
+/// Grid of the smallest of some boxes of a tree.
+struct Grid<const D: usize> {
+    min: [f64; D],
+    cell: f64,
+    n_levels: usize,
+}
+
+impl<const D: usize> Grid<D> {
+    fn of(boxes: &[Aabb<D>], root: &Aabb<D>) -> Option<Self> {
+        let cell = boxes.iter().map(|bounds| bounds.size()[0]).reduce(f64::min)?;
+        let n_levels = (root.size()[0] / cell).log2().round().max(0.0) as usize + 1;
+        Some(Self { min: root.min, cell, n_levels })
+    }
+
+    fn place(&self, point: [f64; D]) -> [i64; D] {
+        std::array::from_fn(|e| ((point[e] - self.min[e]) / self.cell).round() as i64)
+    }
+
+    fn world(&self, place: [i64; D]) -> [f64; D] {
+        std::array::from_fn(|e| self.min[e] + place[e] as f64 * self.cell)
+    }
+
+    /// Level of a box above the smallest, and its place.
+    fn cell(&self, bounds: &Aabb<D>) -> (u32, [i64; D]) {
+        let level = (bounds.size()[0] / self.cell).log2().round().clamp(0.0, 40.0);
+        (level as u32, self.place(bounds.min))
+    }
+}
+
+/// The same pieces of a line without overlaps, as few as possible.
+fn joined(mut pieces: Vec<[i64; 2]>) -> Vec<[i64; 2]> {
+    pieces.sort_unstable();
+    let mut joined: Vec<[i64; 2]> = Vec::new();
+    for [from, to] in pieces {
+        match joined.last_mut() {
+            Some(last) if from <= last[1] => last[1] = last[1].max(to),
+            Some(_) | None => joined.push([from, to]),
+        }
+    }
+    joined
+}
+
+fn normal<const D: usize>([a, b, c]: [[f64; D]; 3]) -> [f64; D] {
+    let [u, v]: [[f64; D]; 2] = [b, c].map(|p| std::array::from_fn(|e| p[e] - a[e]));
+    std::array::from_fn(|e| {
+        let [f, g] = [(e + 1) % D, (e + 2) % D];
+        u[f] * v[g] - u[g] * v[f]
+    })
+}
+
+/// Box around some marks.
+pub(crate) fn bounds_of<const D: usize>(marks: &[&Mark<D>]) -> Option<Aabb<D>> {
+    let boxes = marks.iter().filter_map(|mark| match mark.shape {
+        Shape::Box(bounds) => Some(bounds),
+        _ => None,
+    });
+    Aabb::around(boxes.flat_map(|bounds| corners(&bounds).collect::<Vec<_>>()))
+}
