@@ -39,7 +39,8 @@ mod tests {
         for language in Language::ALL {
             let texts = texts(language);
             let commands = COMMANDS.iter().map(|row| row.id.to_owned());
-            let menus = Menu::ALL.iter().map(|menu| menu.id().to_owned());
+            let menus = Menu::ALL.into_iter().chain([Menu::Panels]);
+            let menus = menus.map(|menu| menu.id().to_owned());
             let scenes = BUILT_IN.iter().map(|scene| format!("scene-{}", scene.id));
             for key in commands.chain(menus).chain(scenes) {
                 assert!(texts.has(&key), "{key} in {language:?}");

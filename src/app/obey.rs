@@ -2,11 +2,12 @@
 
 use super::App;
 use super::jobs::{Purpose, file_name};
+use crate::arrangement::Change;
 use crate::command::{COMMANDS, Command, belongs_to_focus};
 use crate::document::AnyDocument;
 use crate::files::Chosen;
 use crate::history::History;
-use crate::view::{Dialog, Preset};
+use crate::view::{Dialog, PanelKind, Preset};
 use crate::{export, save, with_document};
 use eframe::egui::{Context, ViewportCommand};
 use octoscope_core::query::Query;
@@ -69,6 +70,8 @@ impl App {
             | Command::Faster
             | Command::Slower
             | Command::Preset(_)
+            | Command::Panel(_)
+            | Command::RestorePanels
             | Command::FrameAll
             | Command::NextTheme
             | Command::NextLanguage
@@ -115,6 +118,8 @@ impl App {
             Command::Preset(index) => {
                 self.view.preset = Preset::ALL.get(usize::from(index)).copied().unwrap_or_default();
             }
+            Command::Panel(kind) => self.show_or_close(kind),
+            Command::RestorePanels => self.view.arrangement().restore(),
             Command::NextTheme => self.view.theme = following(&Theme::ALL, self.view.theme),
             Command::NextLanguage => {
                 self.view.language = following(&Language::ALL, self.view.language);
@@ -125,6 +130,20 @@ impl App {
             Command::Blank => self.view.blank = !self.view.blank,
             Command::Keys => self.view.dialog = Some(Dialog::Keys),
             Command::About => self.view.dialog = Some(Dialog::About),
+        }
+    }
+
+    /// The panels beside the space view.
+    pub(super) fn panels(&self) -> Vec<PanelKind> {
+        with_document!(&self.document, d => self.view.panels(&d.scenario.query))
+    }
+
+    fn show_or_close(&mut self, kind: PanelKind) {
+        let shown = self.panels();
+        if shown.contains(&kind) {
+            self.view.arrangement().change(kind, Change::Close, &shown);
+        } else {
+            self.view.arrangement().add(kind);
         }
     }
 

@@ -3,33 +3,47 @@
 use crate::command::{COMMANDS, Command, Menu};
 use crate::look::Look;
 use eframe::egui::{
-    Align, Button, Layout, MenuBar, RichText, Sense, Shape, Stroke, Ui, WidgetInfo,
+    Align, Button, Layout, MenuBar, RichText, ScrollArea, Sense, Shape, Stroke, Ui, WidgetInfo,
     accesskit::Role, vec2,
 };
 use octoscope_core::text::Language;
 
-/// The menus from the table of commands; what is chosen goes to `commands`.
+/// How a command stands in its menu.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Entry {
+    /// It can be given.
+    Enabled,
+    /// There is nothing to do for it now.
+    Disabled,
+    /// It turns something on or off, which is now on.
+    On,
+    /// The same, which is now off.
+    Off,
+}
+
+/// The menus from the table of commands, each as `entry` says; what is chosen
+/// goes to `commands`.
 pub fn ui(
     ui: &mut Ui,
     look: &Look,
     title: &str,
     language: &mut Language,
-    enabled: impl Fn(Command) -> bool,
+    entry: impl Fn(Command) -> Entry,
     commands: &mut Vec<Command>,
 ) {
     MenuBar::new().ui(ui, |ui| {
         for menu in Menu::ALL {
             ui.menu_button(look.text(menu.id()), |ui| {
-                for row in COMMANDS.iter().filter(|row| row.menu == menu) {
-                    let mut button = Button::new(look.text(row.id));
-                    if let Some(key) = row.keys.first() {
-                        button = button.shortcut_text(ui.ctx().format_shortcut(key));
+                let height = ui.ctx().content_rect().height() - 64.0;
+                ScrollArea::vertical().max_height(height).show(ui, |ui| {
+                    if menu == Menu::View {
+                        ui.menu_button(look.text(Menu::Panels.id()), |ui| {
+                            rows(ui, look, Menu::Panels, &entry, commands);
+                        });
+                        ui.separator();
                     }
-                    if ui.add_enabled(enabled(row.command), button).clicked() {
-                        commands.push(row.command);
-                        ui.close();
-                    }
-                }
+                    rows(ui, look, menu, &entry, commands);
+                });
             });
         }
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
@@ -51,6 +65,33 @@ pub fn ui(
             );
         });
     });
+}
+
+fn rows(
+    ui: &mut Ui,
+    look: &Look,
+    menu: Menu,
+    entry: &impl Fn(Command) -> Entry,
+    commands: &mut Vec<Command>,
+) {
+    for row in COMMANDS.iter().filter(|row| row.menu == menu) {
+        let name = look.text(row.id);
+        let entry = entry(row.command);
+        let response = match entry {
+            Entry::Enabled | Entry::Disabled => {
+                let mut button = Button::new(name);
+                if let Some(key) = row.keys.first() {
+                    button = button.shortcut_text(ui.ctx().format_shortcut(key));
+                }
+                ui.add_enabled(entry == Entry::Enabled, button)
+            }
+            Entry::On | Entry::Off => ui.checkbox(&mut (entry == Entry::On), name),
+        };
+        if response.clicked() {
+            commands.push(row.command);
+            ui.close();
+        }
+    }
 }
 
 /// A half-filled circle; true when it is clicked.

@@ -5,9 +5,14 @@ use crate::widgets::rich_job;
 use eframe::egui::{Label, Ui, WidgetInfo, accesskit::Role};
 use octoscope_core::explain::RichText;
 
+/// With less room than this, in points, the type is smaller.
+const NARROW: f32 = 640.0;
+
 /// The sentence, in large type; a screen reader is told when it changes.
 pub fn ui(ui: &mut Ui, look: &Look, sentence: &RichText) {
-    let job = rich_job(sentence, look, 22.0, ui.available_width());
+    let width = ui.available_width();
+    let size = if width < NARROW { 18.0 } else { 22.0 };
+    let job = rich_job(sentence, look, size, width);
     let response = ui.add(Label::new(job));
     let text = sentence.plain();
     response.widget_info(|| WidgetInfo::labeled(Role::Label, true, text.as_str()));
