@@ -281,7 +281,7 @@ mod tests {
 
     #[test]
     fn what_an_earlier_version_remembered_still_opens() {
-        let json = r#"{"theme":"Dark","preset":"Debug","scale":1.21,"playback":{"step":7}}"#;
+        let json = r#"{"theme":"dark","preset":"Debug","scale":1.21,"playback":{"step":7}}"#;
         let view: View = serde_json::from_str(json).unwrap();
         assert_eq!((view.theme, view.preset, view.scale), (Theme::Dark, Preset::Debug, 1.21));
         assert_eq!(view.arrangements, BTreeMap::new());

@@ -35,7 +35,10 @@ pub fn ui(
         for menu in Menu::ALL {
             ui.menu_button(look.text(menu.id()), |ui| {
                 let height = ui.ctx().content_rect().height() - 64.0;
-                ScrollArea::vertical().max_height(height).show(ui, |ui| {
+                // The bar stands beside the keys.
+                ui.spacing_mut().scroll.floating_allocated_width = 8.0;
+                let scroll = ScrollArea::vertical().max_height(height).min_scrolled_height(height);
+                scroll.show(ui, |ui| {
                     if menu == Menu::View {
                         ui.menu_button(look.text(Menu::Panels.id()), |ui| {
                             rows(ui, look, Menu::Panels, &entry, commands);

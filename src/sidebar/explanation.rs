@@ -103,7 +103,7 @@ fn body<const D: usize>(
         PanelKind::Neighbour => neighbour::ui(ui, look, &tree, moment),
         PanelKind::Rail => {
             // A lecture in space has no other panel, one in the plane the codes.
-            let lecture = if D == 3 { 64.0 } else { 34.0 };
+            let lecture = if D == 3 { 80.0 } else { 34.0 };
             let row = if view.preset == Preset::Lecture { lecture } else { 40.0 };
             if let Some(step) = t_rail::ui(ui, look, &trace, moment, row) {
                 view.playback.playing = false;
