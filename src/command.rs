@@ -1,6 +1,7 @@
 //! All commands of the window, with their names, menus and keys: one table,
 //! from which menus, tooltips and shortcuts follow.
 
+use crate::view::PanelKind;
 use eframe::egui::{Key, KeyboardShortcut, Modifiers};
 use octoscope_core::gallery::Degenerate;
 
@@ -41,6 +42,10 @@ pub enum Command {
     Slower,
     /// Show a preset of panels, by its index in [`crate::view::Preset::ALL`].
     Preset(u8),
+    /// Show a panel, or close it.
+    Panel(PanelKind),
+    /// Show the panels of the preset as at first.
+    RestorePanels,
     /// Fit the tree and the ray into the view.
     FrameAll,
     /// Turn the ray round.
@@ -80,8 +85,10 @@ pub enum Menu {
     File,
     /// Undo and redo.
     Edit,
-    /// Panels, themes, sizes.
+    /// Presets, themes, sizes.
     View,
+    /// All panels; inside the menu before it.
+    Panels,
     /// The ray.
     Ray,
     /// Degenerate rays, inside the menu of the ray.
@@ -103,6 +110,7 @@ impl Menu {
             Self::File => "menu-file",
             Self::Edit => "menu-edit",
             Self::View => "menu-view",
+            Self::Panels => "menu-panels",
             Self::Ray => "menu-ray",
             Self::Gallery => "menu-gallery",
             Self::Step => "menu-step",
@@ -110,11 +118,14 @@ impl Menu {
         }
     }
 
-    /// The menu that opens at the end of this one.
+    /// The menu that opens at the head of this one.
     pub fn inner(self) -> Option<Self> {
         match self {
+            Self::View => Some(Self::Panels),
             Self::Ray => Some(Self::Gallery),
-            Self::File | Self::Edit | Self::View | Self::Gallery | Self::Step | Self::Help => None,
+            Self::File | Self::Edit | Self::Panels | Self::Gallery | Self::Step | Self::Help => {
+                None
+            }
         }
     }
 }
@@ -142,6 +153,11 @@ const fn ctrl(key: Key) -> KeyboardShortcut {
 
 const fn ctrl_shift(key: Key) -> KeyboardShortcut {
     KeyboardShortcut::new(Modifiers::COMMAND.plus(Modifiers::SHIFT), key)
+}
+
+/// A panel and the key of its title, [`PanelKind::id`].
+const fn panel(kind: PanelKind, id: &'static str) -> Row {
+    row(Command::Panel(kind), id, Menu::Panels, &[])
 }
 
 const fn row(
@@ -172,6 +188,17 @@ pub const COMMANDS: &[Row] = &[
     row(Command::Preset(3), "command-preset-debug", Menu::View, &[key(Key::Num4)]),
     row(Command::Preset(4), "command-preset-compare", Menu::View, &[key(Key::Num5)]),
     row(Command::Preset(5), "command-preset-lecture", Menu::View, &[key(Key::Num6)]),
+    panel(PanelKind::Rail, "panel-t-rail"),
+    panel(PanelKind::Automaton, "panel-automaton"),
+    panel(PanelKind::Codes, "panel-codes"),
+    panel(PanelKind::Region, "panel-region"),
+    panel(PanelKind::Neighbour, "panel-neighbour"),
+    panel(PanelKind::Listing, "panel-listing"),
+    panel(PanelKind::Variables, "panel-variables"),
+    panel(PanelKind::Stack, "panel-stack"),
+    panel(PanelKind::Counters, "panel-counters"),
+    panel(PanelKind::Compare, "panel-compare"),
+    row(Command::RestorePanels, "command-restore-panels", Menu::View, &[ctrl(Key::R)]),
     row(Command::FrameAll, "command-frame-all", Menu::View, &[key(Key::F)]),
     row(Command::NextTheme, "command-next-theme", Menu::View, &[key(Key::T)]),
     row(Command::NextLanguage, "command-next-language", Menu::View, &[key(Key::L)]),
@@ -274,6 +301,14 @@ mod tests {
     fn every_preset_has_a_command() {
         for index in 0..crate::view::Preset::ALL.len() {
             assert_eq!(Command::Preset(index as u8).row().menu, Menu::View);
+        }
+    }
+
+    #[test]
+    fn every_panel_has_a_command_of_its_name() {
+        for kind in PanelKind::ALL {
+            let row = Command::Panel(kind).row();
+            assert_eq!((row.menu, row.id), (Menu::Panels, kind.id()));
         }
     }
 }

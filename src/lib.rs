@@ -2,6 +2,7 @@
 //! them: in a window and on the command line.
 
 pub mod app;
+pub mod arrangement;
 pub mod cli;
 pub mod command;
 pub mod comparison;

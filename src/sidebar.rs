@@ -1,20 +1,23 @@
 //! How the panels are laid out around the space view.
 
+mod explanation;
+
 use crate::document::Document;
 use crate::look::Look;
-use crate::panels::{
-    automaton, codes, compare, counters, listing, neighbour, query, ray, region, scene, show,
-    stack, t_rail, variables,
-};
+use crate::panels::{query, ray, scene, show};
 use crate::space::{self, Layers, Space};
-use crate::view::{PanelKind, Preset, View};
-use eframe::egui::{CentralPanel, Frame, Margin, Panel, ScrollArea, Ui};
-use octoscope_core::explain::{label, listing as listing_of, variables as variables_of};
+use crate::view::{Preset, View};
+use eframe::egui::{CentralPanel, Frame, Margin, Panel, Rangef, ScrollArea, Ui, UiBuilder};
 use octoscope_core::query::Query;
-use octoscope_core::trace::{Counters, Moment};
 
 /// Windows of less than this, in points, have panels on one side only.
 const NARROW: f32 = 900.0;
+/// Windows of more than this have room for two columns of panels.
+const WIDE: f32 = 1200.0;
+/// The space view keeps at least this, in points.
+const LEAST_VIEW: f32 = 240.0;
+/// Width of the question's side, margins included.
+const QUESTION: f32 = 280.0;
 
 /// Shows the panels on both sides and the space view between them. Returns the
 /// identifier of a built-in scene to open.
@@ -27,46 +30,64 @@ pub fn ui<const D: usize>(
     status: &mut String,
 ) -> Option<&'static str> {
     let moment = document.moment(view.playback.step);
-    let frame = Frame::new().fill(look.palette.panel).inner_margin(Margin::symmetric(14, 12));
+    // The scroll bar lies in the margin.
+    let margin = Margin { left: 16, right: 8, top: 8, bottom: 8 };
+    let frame = Frame::new().fill(look.palette.panel).inner_margin(margin);
     let mut scene = None;
     let lecture = view.preset == Preset::Lecture;
     // In a narrow window the question stands below its explanation.
-    let narrow = ui.available_width() < NARROW;
+    let room = ui.available_width();
+    let narrow = room < NARROW;
     if !lecture && !narrow {
-        let left =
-            Panel::left("question").frame(frame).default_size(276.0).size_range(220.0..=360.0);
-        left.show(ui, |ui| {
-            ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
-                scene = question(ui, look, document, view, status);
+        let left = Panel::left("question").frame(frame).default_size(QUESTION);
+        left.size_range(240.0..=360.0).show(ui, |ui| {
+            scrolled(ui, |ui| scene = question(ui, look, document, view, status));
+        });
+    }
+    let panels = view.panels(&document.scenario.query);
+    let question_below = narrow && !lecture;
+    if question_below || !panels.is_empty() {
+        let key = ("explanation", view.preset, narrow, view.arrangement().width_key());
+        let right = Panel::right(key).frame(frame).default_size(width(view.preset, room));
+        let most = (ui.available_width() - LEAST_VIEW).clamp(260.0, 760.0);
+        right.size_range(Rangef::new(260.0, most)).show(ui, |ui| {
+            scrolled(ui, |ui| {
+                explanation::ui(ui, look, document, &moment, view, &panels);
+                if question_below {
+                    ui.separator();
+                    scene = question(ui, look, document, view, status);
+                }
             });
         });
     }
-    let width = if lecture || narrow { 300.0 } else { 390.0 };
-    let right = Panel::right(("explanation", view.preset, narrow)).frame(frame).default_size(width);
-    right.size_range(260.0..=620.0).show(ui, |ui| {
-        ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
-            let panels = view.preset.panels(&document.scenario.query);
-            for (n, kind) in panels.into_iter().enumerate() {
-                if n > 0 {
-                    ui.add_space(6.0);
-                    ui.separator();
-                    ui.add_space(6.0);
-                }
-                ui.push_id(n, |ui| panel(ui, look, document, &moment, view, kind));
-            }
-            if narrow && !lecture {
-                ui.add_space(6.0);
-                ui.separator();
-                ui.add_space(6.0);
-                scene = question(ui, look, document, view, status);
-            }
-        });
-    });
     let middle = Frame::new().fill(look.palette.background);
     CentralPanel::default().frame(middle).show(ui, |ui| {
         space::ui(ui, look, Space { document, moment: &moment, view, layers });
     });
     scene
+}
+
+/// First width of the explanation in a window of so many points.
+fn width(preset: Preset, room: f32) -> f32 {
+    match preset {
+        Preset::Debug if room >= WIDE => 616.0,
+        Preset::Lecture => 320.0,
+        Preset::Bits | Preset::Rail | Preset::Automaton | Preset::Debug | Preset::Compare => {
+            if room < NARROW { 320.0 } else { 392.0 }
+        }
+    }
+}
+
+/// Shows something in all the room there is, scrolled if it is higher. It never
+/// widens the room, so that widths stay the same from step to step.
+fn scrolled(ui: &mut Ui, add: impl FnOnce(&mut Ui)) {
+    let rect = ui.available_rect_before_wrap();
+    let mut inside = ui.new_child(UiBuilder::new().id_salt("scrolled").max_rect(rect));
+    ScrollArea::vertical().auto_shrink(false).show(&mut inside, |ui| {
+        ui.set_max_width(rect.width() - 8.0);
+        add(ui);
+    });
+    ui.advance_cursor_after_rect(rect);
 }
 
 fn question<const D: usize>(
@@ -76,77 +97,19 @@ fn question<const D: usize>(
     view: &mut View,
     status: &mut String,
 ) -> Option<&'static str> {
+    const GAP: f32 = 8.0;
     let chosen = scene::ui(ui, look, document);
-    ui.add_space(14.0);
-    let side = document.tree.domain().side();
-    if let Some(refused) = ray::ui(ui, look, &mut document.scenario.ray, side) {
-        *status = refused;
+    ui.add_space(GAP);
+    // Other queries keep the ray, but have nothing to do with it.
+    if matches!(document.scenario.query, Query::Ray { .. }) {
+        let side = document.tree.domain().side();
+        if let Some(refused) = ray::ui(ui, look, &mut document.scenario.ray, side) {
+            *status = refused;
+        }
+        ui.add_space(GAP);
     }
-    ui.add_space(14.0);
     query::ui(ui, look, document);
-    ui.add_space(14.0);
+    ui.add_space(GAP);
     show::ui(ui, look, view.show_mut::<D>(), D);
     chosen
-}
-
-fn panel<const D: usize>(
-    ui: &mut Ui,
-    look: &Look,
-    document: &mut Document<D>,
-    moment: &Moment<D>,
-    view: &mut View,
-    kind: PanelKind,
-) {
-    if kind == PanelKind::Compare {
-        compare_panel(ui, look, document);
-        return;
-    }
-    let (tree, trace) = (&document.tree, &document.trace);
-    let event = moment.step.checked_sub(1).and_then(|index| trace.events.get(index));
-    match kind {
-        PanelKind::Codes => codes::ui(ui, look, tree, moment),
-        PanelKind::Region => region::ui(ui, look, tree, moment),
-        PanelKind::Neighbour => neighbour::ui(ui, look, tree, moment),
-        PanelKind::Rail => {
-            let note = moment.current.map_or_else(String::new, |node| {
-                let codes = tree.code(node).map(|c| c.to_string()).join(", ");
-                let level = tree.level(node);
-                look.texts.format("node-note", &[("level", level.into()), ("codes", codes.into())])
-            });
-            if let Some(step) = t_rail::ui(ui, look, trace, moment, &note) {
-                view.playback.playing = false;
-                view.playback.go_to(step, trace.events.len());
-            }
-        }
-        PanelKind::Automaton => automaton::ui(ui, look, moment, event),
-        PanelKind::Listing => {
-            let listing = listing_of(&document.scenario.query, view.language);
-            listing::ui(ui, look, &listing, event.map(label), "");
-        }
-        PanelKind::Variables => {
-            let now = variables_of(tree, moment);
-            let before = match moment.step.checked_sub(1) {
-                Some(step) => variables_of(tree, &document.moment(step)),
-                None => now.clone(),
-            };
-            variables::ui(ui, look, &now, &before);
-        }
-        PanelKind::Compare => {}
-        PanelKind::Stack => stack::ui(ui, look, tree, moment),
-        PanelKind::Counters => {
-            let mut of_step = Counters::default();
-            if let Some(event) = event {
-                of_step.add(event);
-            }
-            counters::ui(ui, look, &of_step, &moment.counters, &document.total);
-        }
-    }
-}
-
-fn compare_panel<const D: usize>(ui: &mut Ui, look: &Look, document: &mut Document<D>) {
-    let runs = document.comparison();
-    let Query::Ray { algorithm, .. } = &mut document.scenario.query else { return };
-    if let Some(chosen) = compare::ui(ui, look, &runs, Some(*algorithm)) {
-        *algorithm = chosen;
-    }
 }

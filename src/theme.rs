@@ -5,7 +5,7 @@ use crate::text::texts;
 use crate::view::View;
 use eframe::egui::{
     Color32, Context, CornerRadius, FontData, FontDefinitions, FontFamily, FontId, Stroke,
-    TextStyle, Visuals, vec2,
+    TextStyle, Visuals, style::ScrollStyle, vec2,
 };
 use octoscope_core::text::Language;
 use octoscope_figure::{Colour, Theme};
@@ -64,7 +64,8 @@ pub fn install_fonts(context: &Context) {
 
 /// Sets colours, type and size for the frame that begins.
 pub fn apply(context: &Context, view: &View) {
-    let zoom = view.zoom();
+    let room = context.content_rect().size() * context.zoom_factor();
+    let zoom = view.zoom(room);
     if (context.zoom_factor() - zoom).abs() > f32::EPSILON {
         context.set_zoom_factor(zoom);
     }
@@ -77,8 +78,27 @@ pub fn apply(context: &Context, view: &View) {
             style.spacing.button_padding = vec2(8.0, 4.0);
             style.spacing.interact_size.y = 24.0;
             style.spacing.slider_width = 92.0;
+            style.spacing.scroll = scroll_bars();
+            style.interaction.resize_grab_radius_side = 6.0;
             style.animation_time = 0.08;
         });
+    }
+}
+
+/// Thin bars that are seen wherever there is more, and take no room.
+fn scroll_bars() -> ScrollStyle {
+    ScrollStyle {
+        floating_width: 5.0,
+        floating_allocated_width: 0.0,
+        bar_width: 8.0,
+        bar_inner_margin: 0.0,
+        bar_outer_margin: 0.0,
+        dormant_background_opacity: 0.0,
+        active_background_opacity: 0.0,
+        foreground_color: true,
+        dormant_handle_opacity: 0.35,
+        active_handle_opacity: 0.5,
+        ..ScrollStyle::thin()
     }
 }
 

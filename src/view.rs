@@ -1,6 +1,8 @@
 //! What the window remembers that is not part of the scenario.
 
+use crate::arrangement::Arrangement;
 use crate::playback::Playback;
+use eframe::egui::Vec2;
 use octoscope_core::query::Query;
 use octoscope_core::text::Language;
 use octoscope_core::traverse::Algorithm;
@@ -8,6 +10,7 @@ use octoscope_core::tree::{NodeId, Tree};
 use octoscope_figure::{Camera, Show, Theme};
 use serde::{Deserialize, Serialize};
 use std::any::Any;
+use std::collections::BTreeMap;
 
 /// State of the window: neither undone nor saved with the scenario.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -19,6 +22,8 @@ pub struct View {
     pub language: Language,
     /// Panels on the right.
     pub preset: Preset,
+    /// What the user has changed about the panels of presets.
+    pub arrangements: BTreeMap<Preset, Arrangement>,
     /// Factor of type and lines, beside the preset's own.
     pub scale: f32,
     /// What the space view shows of quadtrees.
@@ -86,7 +91,9 @@ pub enum Dialog {
 }
 
 /// Selection of panels beside the space view.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[derive(
+    Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize,
+)]
 pub enum Preset {
     /// Codes of nodes and points, bit by bit.
     Bits,
@@ -104,7 +111,7 @@ pub enum Preset {
 }
 
 /// One panel.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
 pub enum PanelKind {
     /// Location codes.
     Codes,
@@ -128,6 +135,38 @@ pub enum PanelKind {
     Compare,
 }
 
+impl PanelKind {
+    /// All panels, in the order of the menu.
+    pub const ALL: [Self; 10] = [
+        Self::Rail,
+        Self::Automaton,
+        Self::Codes,
+        Self::Region,
+        Self::Neighbour,
+        Self::Listing,
+        Self::Variables,
+        Self::Stack,
+        Self::Counters,
+        Self::Compare,
+    ];
+
+    /// Key of its title in the language files.
+    pub fn id(self) -> &'static str {
+        match self {
+            Self::Codes => "panel-codes",
+            Self::Region => "panel-region",
+            Self::Neighbour => "panel-neighbour",
+            Self::Rail => "panel-t-rail",
+            Self::Automaton => "panel-automaton",
+            Self::Listing => "panel-listing",
+            Self::Variables => "panel-variables",
+            Self::Stack => "panel-stack",
+            Self::Counters => "panel-counters",
+            Self::Compare => "panel-compare",
+        }
+    }
+}
+
 impl Preset {
     /// All presets, in the order of their keys.
     pub const ALL: [Self; 6] =
@@ -139,14 +178,6 @@ impl Preset {
         use PanelKind::{
             Automaton, Codes, Compare, Counters, Listing, Neighbour, Rail, Region, Stack, Variables,
         };
-        let chosen: &[PanelKind] = match self {
-            Self::Bits => &[Codes, Neighbour, Counters],
-            Self::Rail => &[Rail, Automaton, Codes, Counters],
-            Self::Automaton => &[Automaton, Rail, Counters],
-            Self::Debug => &[Listing, Variables, Stack, Counters],
-            Self::Compare => &[Compare, Codes, Counters],
-            Self::Lecture => &[Rail],
-        };
         let own = match query {
             Query::Ray { algorithm: Algorithm::Codes, .. } => Some(Neighbour),
             Query::Ray { .. } => None,
@@ -155,6 +186,19 @@ impl Preset {
             Query::Neighbour { .. } => Some(Neighbour),
         };
         let about_rays = matches!(query, Query::Ray { .. });
+        let chosen: &[PanelKind] = match self {
+            Self::Bits => &[Codes, Neighbour, Counters],
+            // In space, rail and automaton fill a side each.
+            Self::Rail if D == 2 => &[Rail, Automaton, Codes, Counters],
+            Self::Rail => &[Rail, Codes, Counters],
+            Self::Automaton if D == 2 => &[Automaton, Rail, Counters],
+            Self::Automaton => &[Automaton, Rail],
+            Self::Debug => &[Listing, Variables, Stack, Counters],
+            Self::Compare if about_rays => &[Compare],
+            Self::Compare => &[Counters],
+            Self::Lecture if D == 2 && own.is_none() => &[Rail, Codes],
+            Self::Lecture => &[Rail],
+        };
         let has_states = matches!(
             query,
             Query::Ray { algorithm: Algorithm::Parametric | Algorithm::ParametricTable, .. }
@@ -186,6 +230,8 @@ impl Preset {
 impl View {
     /// Smallest and largest factor of type and lines.
     pub const SCALES: [f32; 2] = [0.7, 2.5];
+    /// Type is not made so large that the window holds less than so many points.
+    const SMALLEST_ROOM: Vec2 = Vec2::new(600.0, 440.0);
 
     /// Larger or smaller type and lines, within the limits.
     pub fn change_scale(&mut self, factor: f32) {
@@ -200,6 +246,20 @@ impl View {
     /// The same, to be changed.
     pub fn show_mut<const D: usize>(&mut self) -> &mut Show {
         if D == 2 { &mut self.plane_show } else { &mut self.space_show }
+    }
+
+    /// The panels to be shown, from top to bottom.
+    pub fn panels<const D: usize>(&self, query: &Query<D>) -> Vec<PanelKind> {
+        let automatic = self.preset.panels(query);
+        match self.arrangements.get(&self.preset) {
+            Some(arrangement) => arrangement.shown(&automatic),
+            None => automatic,
+        }
+    }
+
+    /// What the user has changed about the panels of the present preset.
+    pub fn arrangement(&mut self) -> &mut Arrangement {
+        self.arrangements.entry(self.preset).or_default()
     }
 
     /// The camera that is kept for trees of dimension D; `None` fits everything.
@@ -217,9 +277,11 @@ impl View {
         }
     }
 
-    /// Factor of type and lines, the preset's included.
-    pub fn zoom(&self) -> f32 {
-        self.scale * self.preset.scale()
+    /// Factor of type and lines, the preset's included, in a window that would
+    /// be of `room` points if it were 1.
+    pub fn zoom(&self, room: Vec2) -> f32 {
+        let largest = (room / Self::SMALLEST_ROOM).min_elem();
+        (self.scale * self.preset.scale()).min(largest.max(1.0))
     }
 }
 
@@ -229,6 +291,7 @@ impl Default for View {
             theme: Theme::Light,
             language: Language::English,
             preset: Preset::default(),
+            arrangements: BTreeMap::new(),
             scale: 1.0,
             plane_show: Show::at_first::<2>(),
             space_show: Show::at_first::<3>(),
@@ -239,5 +302,51 @@ impl Default for View {
             blank: false,
             dialog: None,
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::arrangement::Change;
+
+    #[test]
+    fn what_an_earlier_version_remembered_still_opens() {
+        let json = r#"{"theme":"dark","preset":"Debug","scale":1.21,"playback":{"step":7}}"#;
+        let view: View = serde_json::from_str(json).unwrap();
+        assert_eq!((view.theme, view.preset, view.scale), (Theme::Dark, Preset::Debug, 1.21));
+        assert_eq!(view.arrangements, BTreeMap::new());
+    }
+
+    #[test]
+    fn arrangements_are_remembered_preset_by_preset() {
+        let query = Query::<2>::default();
+        let mut view = View { preset: Preset::Debug, ..View::default() };
+        let shown = view.panels(&query);
+        view.arrangement().change(PanelKind::Stack, Change::Close, &shown);
+        view.arrangement().add(PanelKind::Codes);
+        let json = serde_json::to_string(&view).unwrap();
+        let mut again: View = serde_json::from_str(&json).unwrap();
+        assert_eq!(again.panels(&query), view.panels(&query));
+        assert!(!again.panels(&query).contains(&PanelKind::Stack));
+        again.preset = Preset::Bits;
+        assert_eq!(again.panels(&query), Preset::Bits.panels(&query));
+    }
+
+    #[test]
+    fn every_panel_is_in_the_list_once() {
+        let mut ids: Vec<_> = PanelKind::ALL.map(PanelKind::id).to_vec();
+        ids.sort_unstable();
+        ids.dedup();
+        assert_eq!(ids.len(), 10);
+    }
+
+    #[test]
+    fn type_grows_until_the_window_is_full() {
+        let mut view = View { scale: 2.5, ..View::default() };
+        assert_eq!(view.zoom(Vec2::new(1200.0, 4400.0)), 2.0);
+        assert_eq!(view.zoom(Vec2::new(400.0, 300.0)), 1.0);
+        view.scale = 0.7;
+        assert_eq!(view.zoom(Vec2::new(400.0, 300.0)), 0.7);
     }
 }

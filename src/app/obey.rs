@@ -2,11 +2,12 @@
 
 use super::jobs::{Purpose, file_name};
 use super::{App, Shown};
+use crate::arrangement::Change;
 use crate::command::{COMMANDS, Command, belongs_to_focus};
 use crate::document::AnyDocument;
 use crate::files::Chosen;
 use crate::history::History;
-use crate::view::{Dialog, Preset};
+use crate::view::{Dialog, PanelKind, Preset};
 use crate::{export, save, with_document};
 use eframe::egui::{Context, Key, Popup, ViewportCommand};
 use octoscope_core::gallery::{Degenerate, snap};
@@ -89,6 +90,8 @@ impl App {
             | Command::Faster
             | Command::Slower
             | Command::Preset(_)
+            | Command::Panel(_)
+            | Command::RestorePanels
             | Command::FrameAll
             | Command::NextTheme
             | Command::NextLanguage
@@ -149,6 +152,8 @@ impl App {
             Command::Preset(index) => {
                 self.view.preset = Preset::ALL.get(usize::from(index)).copied().unwrap_or_default();
             }
+            Command::Panel(kind) => self.show_or_close(kind),
+            Command::RestorePanels => self.view.arrangement().restore(),
             Command::NextTheme => self.view.theme = following(&Theme::ALL, self.view.theme),
             Command::NextLanguage => {
                 self.view.language = following(&Language::ALL, self.view.language);
@@ -196,6 +201,20 @@ impl App {
         });
         if let Some(snap) = snapped {
             self.status = snap.told(self.view.language);
+        }
+    }
+
+    /// The panels beside the space view.
+    pub(super) fn panels(&self) -> Vec<PanelKind> {
+        with_document!(&self.document, d => self.view.panels(&d.scenario.query))
+    }
+
+    fn show_or_close(&mut self, kind: PanelKind) {
+        let shown = self.panels();
+        if shown.contains(&kind) {
+            self.view.arrangement().change(kind, Change::Close, &shown);
+        } else {
+            self.view.arrangement().add(kind);
         }
     }
 

@@ -2,6 +2,7 @@
 
 use super::App;
 use crate::command::Command;
+use crate::panels::menu::Entry;
 use crate::panels::{dialogs, menu, sentence, timeline};
 use crate::{sidebar, with_document};
 use eframe::egui::{Frame, Margin, Panel, Ui, vec2};
@@ -18,7 +19,7 @@ impl App {
         });
         Panel::top("menu").frame(bar(palette.panel)).show(ui, |ui| {
             let mut language = self.view.language;
-            menu::ui(ui, &self.look, &title, &mut language, |c| self.is_enabled(c), commands);
+            menu::ui(ui, &self.look, &title, &mut language, |c| self.entry(c), commands);
             self.view.language = language;
         });
         let bottom = Frame::new().fill(palette.background).inner_margin(Margin::symmetric(20, 12));
@@ -43,6 +44,13 @@ impl App {
             self.open_scene(&ui.ctx().clone(), id);
         }
         self.show_dialogs(ui, commands);
+    }
+
+    fn entry(&self, command: Command) -> Entry {
+        if let Command::Panel(kind) = command {
+            return if self.panels().contains(&kind) { Entry::On } else { Entry::Off };
+        }
+        if self.is_enabled(command) { Entry::Enabled } else { Entry::Disabled }
     }
 
     fn show_dialogs(&mut self, ui: &mut Ui, commands: &mut Vec<Command>) {

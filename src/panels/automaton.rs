@@ -1,35 +1,44 @@
 //! The automaton that leads from child to child.
 
 use crate::look::Look;
-use crate::widgets::heading;
 use eframe::egui::{
-    Align2, Color32, FontId, Grid, Painter, Pos2, RichText, Sense, Stroke, Ui, Vec2, WidgetInfo,
-    accesskit::Role, pos2, vec2,
+    Align, Align2, Color32, FontId, Grid, Layout, Painter, Pos2, RichText, Sense, Stroke, Ui, Vec2,
+    WidgetInfo, accesskit::Role, pos2, vec2,
 };
 use octoscope_core::event::Event;
 use octoscope_core::geometry::{AXIS_NAMES, Axes};
-use octoscope_core::trace::{Frame, Moment};
+use octoscope_core::trace::Moment;
 use octoscope_core::traverse::{entry_axes, transition};
 use octoscope_core::tree::Child;
+
+/// The mirror mask, and what it means.
+pub fn note<const D: usize>(look: &Look, moment: &Moment<D>) -> String {
+    look.texts.format("automaton-mask", &[("mask", mask(moment).0.into())])
+}
+
+fn mask<const D: usize>(moment: &Moment<D>) -> Axes<D> {
+    moment.clip.map_or(Axes::NONE, |clip| clip.mirror)
+}
 
 /// States as corners of a square or cube, the lit transition, and the tables
 /// with the used row and column lit. `event` is what has just happened.
 pub fn ui<const D: usize>(ui: &mut Ui, look: &Look, moment: &Moment<D>, event: Option<&Event<D>>) {
-    let title = look.text("panel-automaton");
-    let mask = moment.clip.map_or(Axes::NONE, |clip| clip.mirror);
-    let note = look.texts.format("automaton-mask", &[("mask", mask.0.into())]);
-    heading(ui, look, &title, &note);
-    let active = |frame: &&Frame<D>| frame.child_state.is_some();
-    let Some(frame) = moment.stack.iter().rev().find(active) else {
-        ui.label(RichText::new(look.text("automaton-none")).color(look.palette.quiet));
-        return;
+    let mask = mask(moment);
+    let (state, lit) = if let Some(&Event::Step { state, axes, next, .. }) = event {
+        (Some(state), Some((axes, next)))
+    } else {
+        (moment.stack.iter().rev().find_map(|frame| frame.child_state), None)
     };
-    let (state, lit) = match event {
-        Some(&Event::Step { state, axes, next, .. }) => (Some(state), Some((axes, next))),
-        _ => (frame.child_state, None),
+    // The table beside it needs the same room whatever is lit.
+    let [table, least, most] = if D == 2 { [152.0, 96.0, 120.0] } else { [176.0, 150.0, 184.0] };
+    let beside = ui.available_width() - table;
+    let side = if beside < least { most } else { beside.min(most) };
+    let direction = if beside < least {
+        Layout::top_down(Align::Min)
+    } else {
+        Layout::left_to_right(Align::Min)
     };
-    ui.horizontal_top(|ui| {
-        let side = if D == 2 { 150.0 } else { 190.0 };
+    ui.with_layout(direction, |ui| {
         let (rect, response) = ui.allocate_exact_size(Vec2::splat(side), Sense::hover());
         let now = state.map_or("–".to_owned(), |state| state.0.to_string());
         let spoken = look.texts.format("automaton-state", &[("state", now.into())]);
@@ -41,12 +50,8 @@ pub fn ui<const D: usize>(ui: &mut Ui, look: &Look, moment: &Moment<D>, event: O
         ui.vertical(|ui| exit_table(ui, look, state, lit));
     });
     if D == 3 {
-        ui.add_space(6.0);
         entry_table::<D>(ui, look, event);
     }
-    ui.add_space(4.0);
-    let rule = look.texts.format("automaton-numbering", &[("mask", mask.0.into())]);
-    ui.label(RichText::new(rule).size(13.0).color(look.palette.quiet));
 }
 
 /// Place of a state: x to the right, y up, z towards the upper right.
@@ -150,9 +155,12 @@ fn exit_table<const D: usize>(
 ) {
     let key = if D == 2 { "automaton-table-1" } else { "automaton-table-3" };
     ui.label(RichText::new(look.text(key)).size(13.0).color(look.palette.quiet));
-    Grid::new("exit-table").num_columns(D + 1).spacing([10.0, 2.0]).min_row_height(20.0).show(
-        ui,
-        |ui| {
+    Grid::new("exit-table")
+        .num_columns(D + 1)
+        .spacing([8.0, 0.0])
+        .min_col_width(28.0)
+        .min_row_height(18.0)
+        .show(ui, |ui| {
             ui.label(RichText::new(look.text("automaton-state-column")).size(13.0));
             for axis in 0..D {
                 let text = RichText::new(AXIS_NAMES[axis]).strong().color(look.palette.axes[axis]);
@@ -170,8 +178,7 @@ fn exit_table<const D: usize>(
                 }
                 ui.end_row();
             }
-        },
-    );
+        });
 }
 
 fn cell_text(look: &Look, text: String, in_row: bool, used: bool) -> RichText {
@@ -185,12 +192,10 @@ fn cell_text(look: &Look, text: String, in_row: bool, used: bool) -> RichText {
 
 /// Table 2: which mid planes decide, by the plane of entry.
 fn entry_table<const D: usize>(ui: &mut Ui, look: &Look, event: Option<&Event<D>>) {
-    let entered = match event {
-        Some(Event::First { entry_axis, .. }) => *entry_axis,
-        _ => None,
-    };
+    let entered =
+        if let Some(Event::First { entry_axis, .. }) = event { *entry_axis } else { None };
     ui.label(RichText::new(look.text("automaton-table-2")).size(13.0).color(look.palette.quiet));
-    Grid::new("entry-table").num_columns(3).spacing([12.0, 2.0]).min_row_height(20.0).show(
+    Grid::new("entry-table").num_columns(3).spacing([12.0, 0.0]).min_row_height(18.0).show(
         ui,
         |ui| {
             for axis in 0..D {

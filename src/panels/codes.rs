@@ -1,18 +1,21 @@
 //! Location codes, bit by bit.
 
 use crate::look::Look;
-use crate::widgets::{BitRow, BitTable, bit_table, heading};
+use crate::widgets::{BitRow, BitTable, bit_table};
 use eframe::egui::{RichText, Ui};
 use octoscope_core::explain::number;
 use octoscope_core::geometry::AXIS_NAMES;
 use octoscope_core::trace::Moment;
 use octoscope_core::tree::{Tree, branch, morton};
 
+/// How the bits of a level number the children.
+pub fn note<const D: usize>(look: &Look) -> String {
+    let rule = if D == 2 { "2x + y" } else { "4x + 2y + z" };
+    look.texts.format("codes-child-rule", &[("rule", rule.into())])
+}
+
 /// Codes of the place that is looked for, else of the current node.
 pub fn ui<const D: usize>(ui: &mut Ui, look: &Look, tree: &Tree<D>, moment: &Moment<D>) {
-    let rule = if D == 2 { "2x + y" } else { "4x + 2y + z" };
-    let note = look.texts.format("codes-child-rule", &[("rule", rule.into())]);
-    heading(ui, look, &look.text("panel-codes"), &note);
     let domain = tree.domain();
     let root_level = domain.root_level();
     let node = moment.current;
@@ -46,7 +49,7 @@ pub fn ui<const D: usize>(ui: &mut Ui, look: &Look, tree: &Tree<D>, moment: &Mom
             ("child", child.0.into()),
             ("morton", child.morton_index().into()),
         ];
-        ui.label(look.texts.format("codes-child", &arguments));
+        ui.label(RichText::new(look.texts.format("codes-child", &arguments)).size(14.0));
     }
     let code = morton(code).to_string();
     ui.label(quiet(look.texts.format("codes-morton", &[("code", code.into())])));

@@ -1,41 +1,102 @@
 //! What the algorithm has cost.
 
 use crate::look::Look;
-use crate::widgets::heading;
-use eframe::egui::{Grid, RichText, Ui};
+use eframe::egui::{CollapsingHeader, Grid, RichText, Ui};
 use octoscope_core::explain::counter_name;
 use octoscope_core::trace::{Counter, Counters};
 
-/// Counters of the step, so far, and of the whole run.
-pub fn ui(ui: &mut Ui, look: &Look, step: &Counters, so_far: &Counters, total: &Counters) {
-    heading(ui, look, &look.text("panel-counters"), "");
-    let caption = |key: &str| RichText::new(look.text(key)).size(13.0).color(look.palette.quiet);
-    Grid::new("counters")
-        .num_columns(4)
-        .striped(true)
-        .spacing([12.0, 4.0])
-        .min_row_height(20.0)
-        .show(ui, |ui| {
-            ui.label("");
-            for key in ["counters-step", "counters-so-far", "counters-total"] {
-                ui.label(caption(key));
-            }
+/// Costs at one moment of a run.
+#[derive(Clone, Copy, Debug)]
+pub struct Costs<'a> {
+    /// Of the last step.
+    pub step: &'a Counters,
+    /// Of all steps so far.
+    pub so_far: &'a Counters,
+    /// Of the whole run.
+    pub total: &'a Counters,
+}
+
+/// What is shown of the costs.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Detail {
+    /// The most important ones, large; the others on demand.
+    Summary,
+    /// All.
+    Full,
+}
+
+/// The counters that the run uses.
+pub fn ui(ui: &mut Ui, look: &Look, costs: Costs<'_>, detail: Detail) {
+    match detail {
+        Detail::Summary => {
+            summary(ui, look, costs);
+            let all = RichText::new(look.text("counters-all")).size(13.0);
+            CollapsingHeader::new(all).id_salt("all-counters").show(ui, |ui| {
+                table(ui, look, costs);
+            });
+        }
+        Detail::Full => table(ui, look, costs),
+    }
+}
+
+/// Number of counters in the summary.
+const N_LARGE: usize = 4;
+
+fn summary(ui: &mut Ui, look: &Look, costs: Costs<'_>) {
+    let name = |counter| counter_name(counter, look.texts.language());
+    let one = |counter| (name(counter), [costs.step, costs.so_far].map(|c| c.get(counter)));
+    let compared = [costs.step, costs.so_far].map(Counters::comparisons);
+    let counters = [Counter::NodeTouches, Counter::Leaves].map(one).into_iter();
+    let counters = counters
+        .chain([(look.text("counters-comparisons"), compared)])
+        .chain([Counter::Divisions, Counter::BitOperations, Counter::Descends].map(one));
+    let in_total = [
+        costs.total.get(Counter::NodeTouches),
+        costs.total.get(Counter::Leaves),
+        costs.total.comparisons(),
+        costs.total.get(Counter::Divisions),
+        costs.total.get(Counter::BitOperations),
+        costs.total.get(Counter::Descends),
+    ];
+    let used = counters.zip(in_total).filter(|(_, total)| *total > 0).take(N_LARGE);
+    ui.columns(N_LARGE, |columns| {
+        for (column, ((name, [step, so_far]), _)) in columns.iter_mut().zip(used) {
+            column.spacing_mut().item_spacing.y = 0.0;
+            column.horizontal(|ui| {
+                ui.spacing_mut().item_spacing.x = 4.0;
+                let number = RichText::new(so_far.to_string()).size(20.0);
+                ui.label(number.family(look.strong_family()).color(look.palette.ink));
+                if step > 0 {
+                    let added = RichText::new(format!("+{step}")).size(12.0);
+                    ui.label(added.color(look.palette.quiet));
+                }
+            });
+            let caption = RichText::new(name).size(12.0).color(look.palette.quiet);
+            column.add(eframe::egui::Label::new(caption).truncate());
+        }
+    });
+}
+
+fn table(ui: &mut Ui, look: &Look, costs: Costs<'_>) {
+    let caption = |key: &str| RichText::new(look.text(key)).size(12.0).color(look.palette.quiet);
+    let grid = Grid::new("counters").num_columns(4).striped(true);
+    grid.spacing([8.0, 0.0]).min_col_width(24.0).min_row_height(18.0).show(ui, |ui| {
+        ui.label("");
+        for key in ["counters-step", "counters-so-far", "counters-total"] {
+            ui.label(caption(key));
+        }
+        ui.end_row();
+        let used = Counter::ALL.into_iter().filter(|&counter| costs.total.get(counter) > 0);
+        for counter in used {
+            let name = counter_name(counter, look.texts.language());
+            ui.label(RichText::new(name).size(13.0));
+            let now = costs.step.get(counter);
+            let now = if now == 0 { "·".to_owned() } else { format!("+{now}") };
+            ui.label(RichText::new(now).monospace());
+            ui.label(RichText::new(costs.so_far.get(counter).to_string()).monospace().strong());
+            let total = RichText::new(costs.total.get(counter).to_string()).monospace();
+            ui.label(total.color(look.palette.quiet));
             ui.end_row();
-            let used = Counter::ALL.into_iter().filter(|&counter| total.get(counter) > 0);
-            for counter in used {
-                ui.label(counter_name(counter, look.texts.language()));
-                let now = step.get(counter);
-                ui.label(
-                    RichText::new(if now == 0 { "·".to_owned() } else { format!("+{now}") })
-                        .monospace(),
-                );
-                ui.label(RichText::new(so_far.get(counter).to_string()).monospace().strong());
-                ui.label(
-                    RichText::new(total.get(counter).to_string())
-                        .monospace()
-                        .color(look.palette.quiet),
-                );
-                ui.end_row();
-            }
-        });
+        }
+    });
 }

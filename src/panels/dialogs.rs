@@ -37,7 +37,9 @@ pub fn ui(
             Dialog::About => about(ui, look),
             Dialog::Error(message) => {
                 title(ui, &look.text("dialog-error"));
-                ScrollArea::vertical().max_height(260.0).show(ui, |ui| ui.label(&*message));
+                ScrollArea::vertical()
+                    .max_height(most_height(ui, 260.0))
+                    .show(ui, |ui| ui.label(&*message));
             }
             Dialog::Export => {
                 title(ui, &look.text("dialog-export"));
@@ -120,6 +122,11 @@ pub fn status(context: &Context, look: &Look, status: &mut String) {
     }
 }
 
+/// `wanted`, or what the window has room for beside the dialog's title and button.
+fn most_height(ui: &Ui, wanted: f32) -> f32 {
+    wanted.min(ui.ctx().content_rect().height() - 180.0)
+}
+
 fn title(ui: &mut Ui, text: &str) {
     ui.label(RichText::new(text).heading().strong());
     ui.add_space(6.0);
@@ -127,7 +134,7 @@ fn title(ui: &mut Ui, text: &str) {
 
 fn keys(ui: &mut Ui, look: &Look) {
     title(ui, &look.text("dialog-keys"));
-    ScrollArea::vertical().max_height(380.0).show(ui, |ui| {
+    ScrollArea::vertical().max_height(most_height(ui, 380.0)).show(ui, |ui| {
         for menu in Menu::ALL {
             ui.add_space(4.0);
             ui.label(RichText::new(look.text(menu.id())).color(look.palette.quiet));

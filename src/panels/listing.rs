@@ -1,24 +1,22 @@
 //! Pseudocode in step with the algorithm.
 
 use crate::look::Look;
-use crate::widgets::heading;
 use eframe::egui::{
     CornerRadius, FontId, Frame, Margin, RichText, Ui, WidgetInfo, accesskit::Role,
 };
 use octoscope_core::explain::Listing;
 
 /// The listing; the lines of `label`, those of the last step, are lit.
-pub fn ui(ui: &mut Ui, look: &Look, listing: &Listing, label: Option<&str>, name: &str) {
-    heading(ui, look, &look.text("panel-listing"), name);
+pub fn ui(ui: &mut Ui, look: &Look, listing: &Listing, label: Option<&str>) {
     ui.spacing_mut().item_spacing.y = 0.0;
     for line in &listing.lines {
         let lit = label.is_some_and(|label| label == line.label);
         let fill = if lit { look.palette.current_fill } else { look.palette.panel };
         let frame = Frame::new().fill(fill).corner_radius(CornerRadius::same(3));
-        let shown = frame.inner_margin(Margin::symmetric(6, 2)).show(ui, |ui| {
+        let shown = frame.inner_margin(Margin::symmetric(4, 1)).show(ui, |ui| {
             ui.set_width(ui.available_width());
             let code = format!("{}{}", "  ".repeat(usize::from(line.indent)), line.code);
-            let code = RichText::new(code).font(FontId::monospace(13.0)).color(look.palette.ink);
+            let code = RichText::new(code).font(FontId::monospace(12.5)).color(look.palette.ink);
             let row = ui.label(code);
             if lit && !line.comment.is_empty() {
                 ui.label(RichText::new(&line.comment).size(13.0).color(look.palette.quiet));

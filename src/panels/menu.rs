@@ -3,23 +3,51 @@
 use crate::command::{COMMANDS, Command, Menu};
 use crate::look::Look;
 use eframe::egui::{
-    Align, Button, Layout, MenuBar, RichText, Sense, Shape, Stroke, Ui, WidgetInfo,
+    Align, Button, Layout, MenuBar, RichText, ScrollArea, Sense, Shape, Stroke, Ui, WidgetInfo,
     accesskit::Role, vec2,
 };
 use octoscope_core::text::Language;
 
-/// The menus from the table of commands; what is chosen goes to `commands`.
+/// How a command stands in its menu.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Entry {
+    /// It can be given.
+    Enabled,
+    /// There is nothing to do for it now.
+    Disabled,
+    /// It turns something on or off, which is now on.
+    On,
+    /// The same, which is now off.
+    Off,
+}
+
+/// The menus from the table of commands, each as `entry` says; what is chosen
+/// goes to `commands`.
 pub fn ui(
     ui: &mut Ui,
     look: &Look,
     title: &str,
     language: &mut Language,
-    enabled: impl Fn(Command) -> bool,
+    entry: impl Fn(Command) -> Entry,
     commands: &mut Vec<Command>,
 ) {
     MenuBar::new().ui(ui, |ui| {
         for menu in Menu::ALL {
-            ui.menu_button(look.text(menu.id()), |ui| rows(ui, look, menu, &enabled, commands));
+            ui.menu_button(look.text(menu.id()), |ui| {
+                let height = ui.ctx().content_rect().height() - 64.0;
+                // The bar stands beside the keys.
+                ui.spacing_mut().scroll.floating_allocated_width = 8.0;
+                let scroll = ScrollArea::vertical().max_height(height).min_scrolled_height(height);
+                scroll.show(ui, |ui| {
+                    if let Some(inner) = menu.inner() {
+                        ui.menu_button(look.text(inner.id()), |ui| {
+                            rows(ui, look, inner, &entry, commands);
+                        });
+                        ui.separator();
+                    }
+                    rows(ui, look, menu, &entry, commands);
+                });
+            });
         }
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             if theme_button(ui, look) {
@@ -42,26 +70,30 @@ pub fn ui(
     });
 }
 
-/// The commands of a menu, then the menu inside it.
 fn rows(
     ui: &mut Ui,
     look: &Look,
     menu: Menu,
-    enabled: &impl Fn(Command) -> bool,
+    entry: &impl Fn(Command) -> Entry,
     commands: &mut Vec<Command>,
 ) {
     for row in COMMANDS.iter().filter(|row| row.menu == menu) {
-        let mut button = Button::new(look.text(row.id));
-        if let Some(key) = row.keys.first() {
-            button = button.shortcut_text(ui.ctx().format_shortcut(key));
-        }
-        if ui.add_enabled(enabled(row.command), button).clicked() {
+        let name = look.text(row.id);
+        let entry = entry(row.command);
+        let response = match entry {
+            Entry::Enabled | Entry::Disabled => {
+                let mut button = Button::new(name);
+                if let Some(key) = row.keys.first() {
+                    button = button.shortcut_text(ui.ctx().format_shortcut(key));
+                }
+                ui.add_enabled(entry == Entry::Enabled, button)
+            }
+            Entry::On | Entry::Off => ui.checkbox(&mut (entry == Entry::On), name),
+        };
+        if response.clicked() {
             commands.push(row.command);
             ui.close();
         }
-    }
-    if let Some(inner) = menu.inner() {
-        ui.menu_button(look.text(inner.id()), |ui| rows(ui, look, inner, enabled, commands));
     }
 }
 

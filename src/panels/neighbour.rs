@@ -1,7 +1,7 @@
 //! Neighbour computation, written out as on paper.
 
 use crate::look::Look;
-use crate::widgets::{BitRow, BitTable, bit_table, heading};
+use crate::widgets::{BitRow, BitTable, bit_table};
 use eframe::egui::{RichText, Ui};
 use octoscope_core::geometry::AXIS_NAMES;
 use octoscope_core::trace::{Moment, Target};
@@ -11,7 +11,6 @@ use octoscope_core::tree::{Tree, common_level};
 /// XOR with its run of ones, and the climb to the common ancestor.
 pub fn ui<const D: usize>(ui: &mut Ui, look: &Look, tree: &Tree<D>, moment: &Moment<D>) {
     let name = look.text("panel-neighbour");
-    heading(ui, look, &name, "");
     let Some(target) = moment.target else {
         ui.label(RichText::new(look.text("neighbour-none")).color(look.palette.quiet));
         return;

@@ -39,7 +39,6 @@ pub fn ui<const D: usize>(ui: &mut Ui, look: &Look, document: &mut Document<D>) 
     if segments(ui, &mut kind, &choices) {
         document.scenario.query = starting_query(document, kind);
     }
-    ui.add_space(4.0);
     let side = document.tree.domain().side();
     let max_level = document.tree.domain().root_level();
     match &mut document.scenario.query {
@@ -137,7 +136,7 @@ fn fields<const D: usize>(
     points: &mut [&mut [f64; D]],
     side: f64,
 ) {
-    Grid::new(key).num_columns(1 + points.len()).spacing([8.0, 6.0]).show(ui, |ui| {
+    Grid::new(key).num_columns(1 + points.len()).spacing([8.0, 4.0]).show(ui, |ui| {
         for axis in 0..D {
             let color = look.palette.axes[axis];
             ui.label(RichText::new(AXIS_NAMES[axis]).strong().color(color));

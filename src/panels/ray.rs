@@ -8,10 +8,9 @@ use octoscope_core::geometry::{AXIS_NAMES, Ray};
 /// Fields for origin and direction; writes to `ray` what makes a ray. Returns
 /// why the last entry makes none.
 pub fn ui<const D: usize>(ui: &mut Ui, look: &Look, ray: &mut Ray<D>, side: f64) -> Option<String> {
-    heading(ui, look, &look.text("panel-ray"), "");
     let (mut origin, mut direction) = (ray.origin(), ray.direction());
-    Grid::new("ray").num_columns(3).spacing([8.0, 6.0]).show(ui, |ui| {
-        ui.label("");
+    Grid::new("ray").num_columns(3).spacing([8.0, 4.0]).show(ui, |ui| {
+        heading(ui, look, &look.text("panel-ray"), "");
         for key in ["ray-origin", "ray-direction"] {
             ui.label(RichText::new(look.text(key)).size(13.0).color(look.palette.quiet));
         }

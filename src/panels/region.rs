@@ -1,7 +1,7 @@
 //! Region location by XOR.
 
 use crate::look::Look;
-use crate::widgets::{BitRow, BitTable, bit_table, heading};
+use crate::widgets::{BitRow, BitTable, bit_table};
 use eframe::egui::{RichText, Ui};
 use octoscope_core::geometry::AXIS_NAMES;
 use octoscope_core::trace::Moment;
@@ -9,7 +9,6 @@ use octoscope_core::tree::Tree;
 
 /// Corner codes, their XOR, the OR of those, and the level that follows.
 pub fn ui<const D: usize>(ui: &mut Ui, look: &Look, tree: &Tree<D>, moment: &Moment<D>) {
-    heading(ui, look, &look.text("panel-region"), "");
     let Some([from, to]) = moment.corners else {
         ui.label(RichText::new(look.text("region-none")).color(look.palette.quiet));
         return;

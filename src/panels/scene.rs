@@ -3,7 +3,7 @@
 use crate::document::Document;
 use crate::look::Look;
 use crate::widgets::heading;
-use eframe::egui::{ComboBox, Grid, RichText, Slider, Ui};
+use eframe::egui::{ComboBox, Grid, Slider, Ui};
 use octoscope_core::scenario::{BUILT_IN, Source};
 use octoscope_core::scene::Content;
 use octoscope_core::tree::MAX_ROOT_LEVEL;
@@ -15,7 +15,10 @@ pub fn ui<const D: usize>(
     look: &Look,
     document: &mut Document<D>,
 ) -> Option<&'static str> {
-    heading(ui, look, &look.text("panel-scene"), "");
+    let items = document.content.len();
+    let counts = [("leaves", document.tree.n_leaves().into()), ("items", items.into())];
+    let counts = look.texts.format(content_key(&document.content), &counts);
+    heading(ui, look, &look.text("panel-scene"), &counts);
     let mut chosen = None;
     let source = match &document.opened().source {
         Source::BuiltIn { name, .. } => look.text(&format!("scene-{name}")),
@@ -32,13 +35,8 @@ pub fn ui<const D: usize>(
         }
     });
     combo.response.on_hover_text(look.text("scene-source"));
-
-    let items = document.content.len();
-    let counts = [("leaves", document.tree.n_leaves().into()), ("items", items.into())];
-    let counts = look.texts.format(content_key(&document.content), &counts);
-    ui.label(RichText::new(counts).size(13.0).color(look.palette.quiet));
     let recipe = &mut document.scenario.recipe;
-    Grid::new("recipe").num_columns(2).spacing([8.0, 6.0]).show(ui, |ui| {
+    Grid::new("recipe").num_columns(2).spacing([8.0, 4.0]).show(ui, |ui| {
         let label = ui.label(look.text("scene-depth"));
         let most = if matches!(*document.content, Content::Image(_)) { 12 } else { MAX_ROOT_LEVEL };
         ui.add(Slider::new(&mut recipe.depth, 0..=most)).labelled_by(label.id);

@@ -5,6 +5,9 @@ use crate::widgets::rich_job;
 use eframe::egui::{Label, Ui, WidgetInfo, accesskit::Role};
 use octoscope_core::explain::{RichText, Span};
 
+/// With less room than this, in points, the type is smaller.
+const NARROW: f32 = 640.0;
+
 /// The sentence of `step`, in large type, before the first step with the key
 /// that begins; a screen reader is told when it changes.
 pub fn ui(ui: &mut Ui, look: &Look, mut sentence: RichText, step: usize) {
@@ -12,7 +15,9 @@ pub fn ui(ui: &mut Ui, look: &Look, mut sentence: RichText, step: usize) {
         let text = format!(" {}", look.text("sentence-begin"));
         sentence.0.push(Span { text, ..Span::default() });
     }
-    let job = rich_job(&sentence, look, 22.0, ui.available_width());
+    let width = ui.available_width();
+    let size = if width < NARROW { 18.0 } else { 22.0 };
+    let job = rich_job(&sentence, look, size, width);
     let response = ui.add(Label::new(job));
     let text = sentence.plain();
     response.widget_info(|| WidgetInfo::labeled(Role::Label, true, text.as_str()));

@@ -1,7 +1,6 @@
 //! Parameters t of the planes of the current node, on one axis.
 
 use crate::look::Look;
-use crate::widgets::heading;
 use eframe::egui::text::{LayoutJob, TextFormat};
 use eframe::egui::{
     Align, Align2, Color32, FontId, Painter, Rect, Sense, Stroke, Ui, WidgetInfo, accesskit::Role,
@@ -69,18 +68,16 @@ fn at_share(share: f64, [low, high]: [f64; 2]) -> f64 {
     low * (1.0 - share) + high * share
 }
 
-/// One bar per axis from t0 to t1 with tm; dragging goes to the leaf at that t.
+/// One bar per axis from t0 to t1 with tm, in rows of height `row`; dragging goes to the leaf at that t.
 /// Returns the step to go to.
 pub fn ui<const D: usize>(
     ui: &mut Ui,
     look: &Look,
     trace: &Trace<D>,
     moment: &Moment<D>,
-    note: &str,
+    row: f32,
 ) -> Option<usize> {
     let title = look.text("panel-t-rail");
-    heading(ui, look, &title, note);
-    let row = 46.0;
     let size = vec2(ui.available_width(), row * D as f32 + 34.0);
     let (rect, response) = ui.allocate_exact_size(size, Sense::click_and_drag());
     let Some(rail) = Rail::of(moment) else {
@@ -130,12 +127,12 @@ pub fn ui<const D: usize>(
         painter.extend(dashes);
         let side = if align == Align2::LEFT_TOP { track.left() } else { track.right() };
         let text = format!("{} {}", look.text(key), approx(t));
-        let at = pos2(side, bars.bottom() + 18.0);
+        let at = pos2(side, bars.bottom() + 20.0);
         painter.text(at, align, text, FontId::monospace(12.0), look.palette.quiet);
     }
     // After the dashed lines, which would cross the labels.
     for axis in 0..D {
-        let y = rect.top() + row * axis as f32 + 15.0;
+        let y = rect.top() + row * (axis as f32 + 0.5) - 8.0;
         paint_axis(&painter, look, &rail, axis, y, &x_of, rect.left());
     }
     let ground = bars.bottom() + 3.0;

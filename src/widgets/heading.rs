@@ -15,5 +15,4 @@ pub fn heading(ui: &mut Ui, look: &Look, title: &str, note: &str) {
             });
         }
     });
-    ui.add_space(4.0);
 }

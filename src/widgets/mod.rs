@@ -3,11 +3,13 @@
 mod bits;
 mod heading;
 mod number_field;
+mod panel_heading;
 mod rich;
 mod segments;
 
 pub use bits::{BitRow, BitTable, bit_table};
 pub use heading::heading;
 pub use number_field::number_field;
+pub use panel_heading::{Place, panel_heading};
 pub use rich::rich_job;
 pub use segments::segments;

@@ -34,8 +34,8 @@ fn every_preset_opens_by_its_key_with_its_panels() {
         &["panel-t-rail", "panel-automaton"],
         &["panel-automaton", "panel-t-rail"],
         &["panel-listing", "panel-variables", "panel-stack", "panel-counters"],
-        &["panel-codes"],
-        &["panel-t-rail"],
+        &["panel-compare"],
+        &["panel-t-rail", "panel-codes"],
     ];
     for ((key, preset), titles) in PRESETS.into_iter().zip(Preset::ALL).zip(titles) {
         desk.press(key);

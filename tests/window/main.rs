@@ -6,6 +6,8 @@
 mod controls;
 mod desk;
 mod files;
+mod layout;
+mod panels;
 mod pictures;
 mod queries;
 mod ray;

@@ -9,7 +9,7 @@ use eframe::egui_wgpu::WgpuSetup;
 use eframe::wgpu::{Backends, DeviceType};
 use egui_kittest::wgpu::default_wgpu_setup;
 use egui_kittest::{Harness, SnapshotOptions};
-use octoscope::view::Preset;
+use octoscope::view::{Preset, View};
 use octoscope::with_document;
 use octoscope_core::event::Event;
 use octoscope_core::locate::{Direction, NeighbourMethod, Reach};
@@ -167,11 +167,44 @@ fn the_window_in_german() {
 }
 
 #[test]
-fn a_small_window_with_large_type() {
+fn a_small_window_with_the_largest_type() {
     compare_sized("small-large-type", [1024.0, 768.0], |desk| {
         desk.open_scenario(&plane("quadtree-82", |_| ()));
-        desk.state_mut().view.scale = 1.4;
+        desk.state_mut().view.scale = View::SCALES[1];
         desk.go_to(&At::Nth(6, "First"));
+    });
+}
+
+#[test]
+fn a_small_window_with_the_largest_type_in_german_and_dark() {
+    compare_sized("small-large-type-german", [1024.0, 768.0], |desk| {
+        desk.open_scenario(&built_in("points-3d").unwrap());
+        desk.state_mut().view.scale = View::SCALES[1];
+        desk.state_mut().view.language = Language::German;
+        desk.state_mut().view.theme = Theme::Dark;
+        desk.state_mut().view.preset = Preset::Automaton;
+        desk.go_to(&At::Nth(4, "First"));
+    });
+}
+
+#[test]
+fn debugging_in_german_and_dark() {
+    compare("debug-german-dark", |desk| {
+        desk.open_scenario(&built_in("points-3d").unwrap());
+        desk.state_mut().view.language = Language::German;
+        desk.state_mut().view.theme = Theme::Dark;
+        desk.state_mut().view.preset = Preset::Debug;
+        desk.go_to(&At::Nth(9, "Step"));
+    });
+}
+
+#[test]
+fn a_lecture_in_space() {
+    compare("lecture-space-dark", |desk| {
+        desk.open_scenario(&built_in("points-3d").unwrap());
+        desk.state_mut().view.theme = Theme::Dark;
+        desk.state_mut().view.preset = Preset::Lecture;
+        desk.go_to(&At::Nth(4, "First"));
     });
 }
 

@@ -3,6 +3,7 @@
 menu-file = File
 menu-edit = Edit
 menu-view = View
+menu-panels = Panels
 menu-ray = Ray
 menu-gallery = Gallery of degenerate rays
 menu-step = Step
@@ -21,6 +22,7 @@ command-preset-automaton = Geometry and automaton
 command-preset-debug = Debug
 command-preset-compare = Compare the algorithms
 command-preset-lecture = Lecture
+command-restore-panels = Restore this arrangement
 command-frame-all = Show everything
 command-next-theme = Next theme
 command-next-language = Deutsch
@@ -59,6 +61,12 @@ panel-variables = Variables
 panel-stack = Stack
 panel-counters = Counters
 panel-compare = Comparison
+panel-menu = Panel { $title }
+panel-fold = Fold
+panel-unfold = Unfold
+panel-up = Move up
+panel-down = Move down
+panel-close = Close
 space-name = Space view
 space-click-neighbour = Click: the neighbour across this side
 
@@ -145,12 +153,12 @@ neighbour-direction = direction
 
 show-order-numbers = order numbers
 show-half-open-sides = half-open sides
-show-codes = codes on cells
+show-codes = codes
 show-mirrored-ray = mirrored ray
 show-content = content
 show-empty-leaves = empty leaves
 show-ancestors = ancestors
-show-children = children of the node
+show-children = children
 
 codes-child-rule = child = { $rule }
 codes-child = Bit { $bit } of every code: { $bits }, so child { $child } ({ $morton } in Morton order).
@@ -170,15 +178,13 @@ node-note = level { $level }, codes { $codes }
 t-rail-none = Shows the parameters t once the ray is clipped.
 t-rail-enter = enter
 t-rail-exit = exit
-automaton-mask = a = { $mask }
-automaton-none = Shows the states once a node is entered by its planes.
+automaton-mask = a = { $mask }: state i is child i xor { $mask }
 automaton-state = State { $state }
 automaton-state-column = state
 automaton-end = end
-automaton-table-1 = Table 1: left through the far plane of
-automaton-table-3 = Table 3: left through the far plane of
-automaton-table-2 = Table 2: entered through the plane
-automaton-numbering = State i is child i xor { $mask } of the tree.
+automaton-table-1 = Table 1: exit plane
+automaton-table-3 = Table 3: exit plane
+automaton-table-2 = Table 2: entry plane, and what sets a bit
 stack-empty = Nothing is on the stack.
 stack-level = level
 stack-codes = codes
@@ -187,9 +193,11 @@ stack-interval = t
 counters-step = step
 counters-so-far = so far
 counters-total = total
+counters-comparisons = Comparisons
+counters-all = All counters
 compare-agrees = { $steps } steps, the right leaves
 compare-differs = { $steps } steps, other leaves than the reference
-compare-comparisons = Comparisons in all
+compare-none = Compares the algorithms once a ray is asked for.
 compare-too-many = The tree has too many leaves to test each of them for every movement.
 timeline-name = Step of the trace
 timeline-speed = Speed

@@ -1,0 +1,154 @@
+//! The panels that explain the step, each under its heading.
+
+use crate::document::Document;
+use crate::look::Look;
+use crate::panels::{
+    automaton, codes, compare, counters, listing, neighbour, region, stack, t_rail, variables,
+};
+use crate::view::{PanelKind, Preset, View};
+use crate::widgets::{Place, panel_heading};
+use eframe::egui::{Rect, Ui, UiBuilder, vec2};
+use octoscope_core::explain::{label, listing as listing_of, variables as variables_of};
+use octoscope_core::query::Query;
+use octoscope_core::trace::{Counters, Moment};
+use std::sync::Arc;
+
+/// Sides of at least this width, in points, have two columns of panels.
+const TWO_COLUMNS: f32 = 520.0;
+/// Distance between two columns.
+const GAP: f32 = 24.0;
+
+/// The panels from top to bottom; where there is room in two columns, in turn
+/// to the left and to the right.
+pub fn ui<const D: usize>(
+    ui: &mut Ui,
+    look: &Look,
+    document: &mut Document<D>,
+    moment: &Moment<D>,
+    view: &mut View,
+    panels: &[PanelKind],
+) {
+    let n_columns = if ui.available_width() >= TWO_COLUMNS { 2 } else { 1 };
+    let whole = ui.available_rect_before_wrap();
+    let width = (whole.width() + GAP) / n_columns as f32 - GAP;
+    let mut bottom = whole.top();
+    let mut chosen = None;
+    for first in 0..n_columns {
+        let corner = whole.min + vec2(first as f32 * (width + GAP), 0.0);
+        let rect = Rect::from_min_size(corner, vec2(width, whole.height()));
+        let mut column = ui.new_child(UiBuilder::new().id_salt(first).max_rect(rect));
+        // What is too wide for its column is not drawn over the next one.
+        column.shrink_clip_rect(Rect::everything_left_of(rect.right() + GAP / 2.0));
+        for (index, &kind) in panels.iter().enumerate().skip(first).step_by(n_columns) {
+            if index > first {
+                column.separator();
+            }
+            let folded = view.arrangement().is_folded(kind);
+            let place = Place { folded, index, n_panels: panels.len() };
+            let note = note(look, document, moment, kind);
+            let change = panel_heading(&mut column, look, &look.text(kind.id()), &note, place);
+            chosen = change.map(|change| (kind, change)).or(chosen);
+            if !folded {
+                // By its kind: what is remembered of a panel moves with it.
+                column.push_id(kind, |ui| body(ui, look, document, moment, view, kind));
+            }
+        }
+        bottom = column.min_rect().bottom().max(bottom);
+    }
+    ui.advance_cursor_after_rect(whole.with_max_y(bottom));
+    if let Some((kind, change)) = chosen {
+        view.arrangement().change(kind, change, panels);
+    }
+}
+
+/// Quiet words beside the title of a panel.
+fn note<const D: usize>(
+    look: &Look,
+    document: &Document<D>,
+    moment: &Moment<D>,
+    kind: PanelKind,
+) -> String {
+    match kind {
+        PanelKind::Codes => codes::note::<D>(look),
+        PanelKind::Rail => moment.current.map_or_else(String::new, |node| {
+            let codes = document.tree.code(node).map(|c| c.to_string()).join(", ");
+            let level = document.tree.level(node);
+            look.texts.format("node-note", &[("level", level.into()), ("codes", codes.into())])
+        }),
+        PanelKind::Automaton => automaton::note(look, moment),
+        PanelKind::Stack => stack::note(moment),
+        PanelKind::Region
+        | PanelKind::Neighbour
+        | PanelKind::Listing
+        | PanelKind::Variables
+        | PanelKind::Counters
+        | PanelKind::Compare => String::new(),
+    }
+}
+
+fn body<const D: usize>(
+    ui: &mut Ui,
+    look: &Look,
+    document: &mut Document<D>,
+    moment: &Moment<D>,
+    view: &mut View,
+    kind: PanelKind,
+) {
+    let trace = Arc::clone(&document.trace);
+    let tree = Arc::clone(&document.tree);
+    let event = moment.step.checked_sub(1).and_then(|index| trace.events.get(index));
+    match kind {
+        PanelKind::Codes => codes::ui(ui, look, &tree, moment),
+        PanelKind::Region => region::ui(ui, look, &tree, moment),
+        PanelKind::Neighbour => neighbour::ui(ui, look, &tree, moment),
+        PanelKind::Rail => {
+            // A lecture in space has no other panel, one in the plane the codes.
+            let lecture = if D == 3 { 80.0 } else { 34.0 };
+            let row = if view.preset == Preset::Lecture { lecture } else { 40.0 };
+            if let Some(step) = t_rail::ui(ui, look, &trace, moment, row) {
+                view.playback.playing = false;
+                view.playback.go_to(step, trace.events.len());
+            }
+        }
+        PanelKind::Automaton => automaton::ui(ui, look, moment, event),
+        PanelKind::Listing => {
+            let listing = listing_of(&document.scenario.query, view.language);
+            listing::ui(ui, look, &listing, event.map(label));
+        }
+        PanelKind::Variables => {
+            let now = variables_of(&tree, moment);
+            let before = match moment.step.checked_sub(1) {
+                Some(step) => variables_of(&tree, &document.moment(step)),
+                None => now.clone(),
+            };
+            variables::ui(ui, look, &now, &before);
+        }
+        PanelKind::Compare => comparison(ui, look, document),
+        PanelKind::Stack => stack::ui(ui, look, &tree, moment),
+        PanelKind::Counters => {
+            let mut step = Counters::default();
+            if let Some(event) = event {
+                step.add(event);
+            }
+            let detail = if view.preset == Preset::Debug {
+                counters::Detail::Full
+            } else {
+                counters::Detail::Summary
+            };
+            let (so_far, total) = (&moment.counters, &document.total);
+            counters::ui(ui, look, counters::Costs { step: &step, so_far, total }, detail);
+        }
+    }
+}
+
+fn comparison<const D: usize>(ui: &mut Ui, look: &Look, document: &mut Document<D>) {
+    let shown = match document.scenario.query {
+        Query::Ray { algorithm, .. } => Some(algorithm),
+        Query::Point { .. } | Query::Region { .. } | Query::Neighbour { .. } => None,
+    };
+    let runs = if shown.is_some() { document.comparison() } else { Arc::default() };
+    let chosen = compare::ui(ui, look, &runs, shown);
+    if let (Some(chosen), Query::Ray { algorithm, .. }) = (chosen, &mut document.scenario.query) {
+        *algorithm = chosen;
+    }
+}
