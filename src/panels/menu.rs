@@ -3,7 +3,7 @@
 use crate::command::{COMMANDS, Command, Menu};
 use crate::look::Look;
 use eframe::egui::{
-    Align, Button, Layout, MenuBar, RichText, Sense, Shape, Stroke, Ui, WidgetInfo,
+    Align, Button, Layout, MenuBar, RichText, ScrollArea, Sense, Shape, Stroke, Ui, WidgetInfo,
     accesskit::Role, vec2,
 };
 use octoscope_core::text::Language;
@@ -61,7 +61,13 @@ fn rows(
         }
     }
     if let Some(inner) = menu.inner() {
-        ui.menu_button(look.text(inner.id()), |ui| rows(ui, look, inner, enabled, commands));
+        ui.menu_button(look.text(inner.id()), |ui| {
+            // In a low window, or in large type, a long menu is scrolled.
+            let height = ui.ctx().content_rect().height() - 40.0;
+            ScrollArea::vertical().max_height(height).show(ui, |ui| {
+                rows(ui, look, inner, enabled, commands);
+            });
+        });
     }
 }
 

@@ -191,7 +191,7 @@ compare-comparisons = Vergleiche insgesamt
 compare-too-many = Der Baum hat zu viele Blätter, um jedes bei jeder Bewegung zu prüfen.
 timeline-name = Schritt der Aufzeichnung
 timeline-speed = Geschwindigkeit
-timeline-rounded = Schritte mit Dreieck: Doubles hätten anders entschieden
+timeline-rounded = Schritte mit Dreieck: Gleitkommazahlen würden irren
 
 job-open = { $name } wird geöffnet
 job-restore = Das zuletzt Geöffnete wird geöffnet

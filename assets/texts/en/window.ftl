@@ -191,7 +191,7 @@ compare-comparisons = Comparisons in all
 compare-too-many = The tree has too many leaves to test each of them for every movement.
 timeline-name = Step of the trace
 timeline-speed = Speed
-timeline-rounded = Steps with a triangle: doubles would have decided otherwise
+timeline-rounded = Steps with a triangle: doubles would err
 
 job-open = Opening { $name }
 job-restore = Opening what was open last
