@@ -178,7 +178,8 @@ impl App {
         }
     }
 
-    /// Takes a ray of the gallery and says what is to be watched on it.
+    /// Takes a ray of the gallery, into the view as well, and says what is to be
+    /// watched on it.
     fn aim(&mut self, degenerate: Degenerate) {
         self.degenerate = Some(degenerate);
         let found = with_document!(&mut self.document, d => {
@@ -187,6 +188,7 @@ impl App {
         });
         if found {
             let language = self.view.language;
+            (self.view.plane_camera, self.view.orbit_camera) = (None, None);
             self.status = format!("{}: {}", degenerate.name(language), degenerate.watch(language));
         }
     }

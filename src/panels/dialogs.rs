@@ -4,8 +4,8 @@ use crate::command::{COMMANDS, Command, Menu};
 use crate::look::Look;
 use crate::view::Dialog;
 use eframe::egui::{
-    Align2, Area, Context, Frame, Grid, Id, Key, Modal, Order, ProgressBar, RichText, ScrollArea,
-    Spinner, Ui, vec2,
+    Align2, Area, Context, Frame, Grid, Id, Key, Label, Modal, Order, ProgressBar, RichText,
+    ScrollArea, Spinner, Ui, vec2,
 };
 use std::path::PathBuf;
 
@@ -111,8 +111,12 @@ pub fn status(context: &Context, look: &Look, status: &mut String) {
         let frame = Frame::popup(ui.style()).inner_margin(10.0).fill(look.palette.field);
         frame.show(ui, |ui| {
             ui.horizontal(|ui| {
-                ui.label(&*status);
-                ui.button(look.text("dialog-close")).clicked()
+                let close = look.text("dialog-close");
+                ui.scope(|ui| {
+                    ui.set_max_width(420.0);
+                    ui.add(Label::new(&*status).wrap());
+                });
+                ui.button(close).clicked()
             })
         })
     });

@@ -41,7 +41,10 @@ pub fn ui(
                 scroll.show(ui, |ui| {
                     if let Some(inner) = menu.inner() {
                         ui.menu_button(look.text(inner.id()), |ui| {
-                            rows(ui, look, inner, &entry, commands);
+                            // In a low window, or in large type, a long menu is scrolled.
+                            ScrollArea::vertical().max_height(height).show(ui, |ui| {
+                                rows(ui, look, inner, &entry, commands);
+                            });
                         });
                         ui.separator();
                     }

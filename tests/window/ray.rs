@@ -210,5 +210,5 @@ fn steps_that_doubles_would_make_otherwise_are_known_to_the_window() {
     for _ in 0..step {
         desk.tap(Key::ArrowRight);
     }
-    assert!(desk.sentence().contains("Doubles would have decided otherwise"));
+    assert!(desk.sentence().contains("Doubles would err here"));
 }

@@ -39,10 +39,10 @@ gallery-lattice = Gleichstand zweier Achsen
 watch-lattice = Eine Achse steigt, eine fällt, und beide erreichen ihre Ebenen beim selben t: Beide Bits ändern sich in einem Schritt.
 gallery-lattice-space = Gleichstand dreier Achsen
 watch-lattice-space = Drei Ebenen werden beim selben t mit drei verschiedenen Steigungen gekreuzt: Der Schritt führt in das Blatt jenseits der Ecke.
-gallery-thirds = Drittel, die Doubles runden
-watch-thirds = Die Richtung ist ein gerundetes Drittel eines Gittervektors: Exakt verglichen zeigt sich, wo Doubles einen falschen Gleichstand finden oder einen echten übersehen.
+gallery-thirds = Gerundete Drittel
+watch-thirds = Die Richtung ist ein gerundetes Drittel eines Gittervektors: Exakt verglichen zeigt sich, wo Gleitkommazahlen einen falschen Gleichstand finden oder einen echten übersehen.
 gallery-far = Aus einer Million Seiten Entfernung
-watch-far = Die meisten Stellen von t gehen für die Entfernung drauf: Doubles verlören die kleinen Zellen, also wird exakt verglichen.
+watch-far = Die meisten Stellen von t gehen für die Entfernung drauf: Gleitkommazahlen verlören die kleinen Zellen, also wird exakt verglichen.
 gallery-slow = Fast ohne Geschwindigkeit
 watch-slow = t hat die Größenordnung 10³⁰⁰: Nichts darf quadriert oder mit einer festen Toleranz verglichen werden.
 
@@ -50,5 +50,5 @@ snap-zero-component = Die kleinste Komponente der Richtung ist jetzt 0: Entlang 
 snap-axis-parallel = Der Strahl ist jetzt parallel zu einer Achse.
 snap-diagonal = Die Komponenten der Richtung sind jetzt gleich: Die Ebenen werden im Gleichschritt getroffen.
 snap-through-corner = Der Strahl trifft jetzt eine Ecke genau, bei t = 1.
-snap-origin-on-plane = Der Startpunkt liegt jetzt auf einer Ebene seines Blatts: Die Richtung sagt, auf welcher Seite.
-snap-origin-on-corner = Der Startpunkt ist jetzt eine Ecke: Die Vorzeichen der Richtung sagen, welches Blatt zählt.
+snap-origin-on-plane = Der Startpunkt liegt jetzt auf einer Ebene des Baums: Die Richtung sagt, auf welcher Seite.
+snap-origin-on-corner = Der Startpunkt ist jetzt eine Ecke des Baums: Die Vorzeichen der Richtung sagen, welches Blatt zählt.

@@ -213,9 +213,9 @@ counter-stack-depth = Stapeltiefe
 counter-leaves = Blätter
 counter-touches = Berührungen
 
-# Hinter einem Schritt mit exakten Vergleichen, den Doubles anders gemacht hätten.
+# Hinter einem Schritt mit exakten Vergleichen, den Gleitkommazahlen anders gemacht hätten.
 doubles-differ = { $ulps ->
-    [0] { " " }Doubles hätten anders entschieden: Beide Parameter werden auf dieselbe Zahl gerundet.
-    [one] { " " }Doubles hätten anders entschieden: Als Doubles liegen die Parameter 1 ulp auseinander.
-   *[other] { " " }Doubles hätten anders entschieden: Als Doubles liegen die Parameter { $ulps } ulp auseinander.
+    [0] { " " }Gleitkommazahlen würden hier irren: Beide Parameter werden auf dieselbe Zahl gerundet.
+    [one] { " " }Gleitkommazahlen würden hier irren: Sie legen die Parameter 1 ulp auseinander.
+   *[other] { " " }Gleitkommazahlen würden hier irren: Sie legen die Parameter { $ulps } ulp auseinander.
 }

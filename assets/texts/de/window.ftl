@@ -201,7 +201,7 @@ compare-none = Vergleicht die Verfahren, sobald nach einem Strahl gefragt wird.
 compare-too-many = Der Baum hat zu viele Blätter, um jedes bei jeder Bewegung zu prüfen.
 timeline-name = Schritt der Aufzeichnung
 timeline-speed = Geschwindigkeit
-timeline-rounded = Schritte mit Dreieck: Doubles hätten anders entschieden
+timeline-rounded = Schritte mit Dreieck: Gleitkommazahlen würden irren
 
 sentence-begin = Mit → geht es los.
 job-open = { $name } wird geöffnet

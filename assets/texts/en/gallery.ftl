@@ -50,5 +50,5 @@ snap-zero-component = The smallest component of the direction is 0 now: nothing 
 snap-axis-parallel = The ray is parallel to an axis now.
 snap-diagonal = The components of the direction are equal now: planes are met in step.
 snap-through-corner = The ray meets a corner exactly now, at t = 1.
-snap-origin-on-plane = The origin lies on a plane of its leaf now: the direction tells the side.
-snap-origin-on-corner = The origin is a corner now: the signs of the direction tell the leaf.
+snap-origin-on-plane = The origin lies on a plane of the tree now: the direction tells the side.
+snap-origin-on-corner = The origin is a corner of the tree now: the signs of the direction tell the leaf.

@@ -206,7 +206,7 @@ counter-touches = Touches
 
 # Added to a step of exact comparisons that doubles would have made otherwise.
 doubles-differ = { $ulps ->
-    [0] { " " }Doubles would have decided otherwise: both parameters round to the same number.
-    [one] { " " }Doubles would have decided otherwise: as doubles the parameters lie 1 ulp apart.
-   *[other] { " " }Doubles would have decided otherwise: as doubles the parameters lie { $ulps } ulps apart.
+    [0] { " " }Doubles would err here: both parameters round to the same number.
+    [one] { " " }Doubles would err here: they put the parameters 1 ulp apart.
+   *[other] { " " }Doubles would err here: they put the parameters { $ulps } ulps apart.
 }

@@ -201,7 +201,7 @@ compare-none = Compares the algorithms once a ray is asked for.
 compare-too-many = The tree has too many leaves to test each of them for every movement.
 timeline-name = Step of the trace
 timeline-speed = Speed
-timeline-rounded = Steps with a triangle: doubles would have decided otherwise
+timeline-rounded = Steps with a triangle: doubles would err
 
 sentence-begin = Press → to begin.
 job-open = Opening { $name }

@@ -40,7 +40,7 @@ pub fn ray<const D: usize>(kind: Degenerate, tree: &Tree<D>) -> Ray<D> {
         Degenerate::Inside => (free, scaled([1.0, 0.6, -0.4])),
         Degenerate::Behind => {
             let away = scaled([1.0, 0.5, 0.25]);
-            (axes(|e| free[e] + 2.0 * away[e]), away)
+            (axes(|e| free[e] + away[e]), away)
         }
         Degenerate::Leaving => (with(free, 0, bounds.min[0]), scaled([-1.0, 0.2, 0.1])),
         Degenerate::Grazing => {
