@@ -3,8 +3,8 @@
 use crate::look::Look;
 use eframe::egui::text::{LayoutJob, TextFormat};
 use eframe::egui::{
-    Align, Align2, Color32, FontId, Painter, Rect, Sense, Stroke, Ui, WidgetInfo, accesskit::Role,
-    pos2, vec2,
+    Align, Align2, Color32, FontId, Label, Painter, Rect, RichText, Sense, Stroke, Ui, WidgetInfo,
+    accesskit::Role, pos2, vec2,
 };
 use octoscope_core::event::Event;
 use octoscope_core::explain::approx;
@@ -81,9 +81,8 @@ pub fn ui<const D: usize>(
     let size = vec2(ui.available_width(), row * D as f32 + 34.0);
     let (rect, response) = ui.allocate_exact_size(size, Sense::click_and_drag());
     let Some(rail) = Rail::of(moment) else {
-        let font = FontId::proportional(14.0);
-        let text = look.text("t-rail-none");
-        ui.painter().text(rect.center(), Align2::CENTER_CENTER, text, font, look.palette.quiet);
+        let hint = RichText::new(look.text("t-rail-none")).color(look.palette.quiet);
+        ui.put(rect, Label::new(hint).wrap());
         response.widget_info(|| WidgetInfo::labeled(Role::Canvas, true, title.as_str()));
         return None;
     };

@@ -152,3 +152,22 @@ fn type_is_not_larger_than_a_small_window_can_hold() {
     let shown = |key: &str| desk.says(&texts(Language::English).get(key));
     assert!(shown("panel-t-rail") && shown("panel-scene"));
 }
+
+#[test]
+fn the_longest_sentence_leaves_room_for_the_timeline() {
+    for (scale, language) in
+        [1.0, 1.4, View::SCALES[1]].into_iter().flat_map(|scale| Language::ALL.map(|l| (scale, l)))
+    {
+        let mut desk = desk([1024.0, 768.0], SCENES[1], language, Preset::Rail);
+        desk.state_mut().view.scale = scale;
+        // The first sentence names the ray and the algorithm.
+        desk.go_to_share(0.0);
+        let name = texts(language).get("timeline-name");
+        let ruler = desk.get_by_role_and_label(Role::Slider, &name).rect();
+        let window = desk.ctx.content_rect();
+        assert!(ruler.bottom() <= window.bottom(), "{scale} {language:?}: {ruler:?} in {window:?}");
+        let hint = texts(language).get("t-rail-none");
+        let hint = desk.get_by_label(&hint).rect();
+        assert!(hint.left() >= desk.space_view().right() && hint.right() <= window.right());
+    }
+}
