@@ -25,14 +25,10 @@ pub fn demo(program: &Path, display: &VirtualDisplay) -> Result<(), String> {
         .ok_or("the program lists no built-in scene")?;
 
     succeed(Command::new(program).args(["trace", &scene, "-o"]).arg(&trace))?;
-    succeed(
-        Command::new(program)
-            .arg("--demo-screenshot")
-            .arg(&screenshot)
-            .env("DISPLAY", &display.name)
-            .env_remove("WAYLAND_DISPLAY")
-            .env("WGPU_BACKEND", "vulkan"),
-    )?;
+    let mut window = Command::new(program);
+    window.arg("--demo-screenshot").arg(&screenshot).env("WGPU_BACKEND", "vulkan");
+    display.show(&mut window, &folder);
+    succeed(&mut window)?;
     println!("Screenshot of {scene}  {}", screenshot.display());
     println!("Trace of {scene}       {}", trace.display());
     Ok(())
