@@ -71,6 +71,12 @@ fn queries<const D: usize>() -> Vec<(&'static str, Query<D>)> {
             let options = Options { stop_at, segment_end, variants };
             queries.push((algorithm.id(), Query::Ray { algorithm, options, arithmetic }));
         }
+        for variant in Variant::ALL.into_iter().filter(own) {
+            let options =
+                Options { variants: [variant].into_iter().collect(), ..Options::default() };
+            let arithmetic = Arithmetic::Doubles;
+            queries.push((algorithm.id(), Query::Ray { algorithm, options, arithmetic }));
+        }
     }
     for at in [[0.3; D], [0.5; D], [1.0; D]] {
         queries.push(("point-codes", Query::Point { at, method: PointMethod::Codes }));

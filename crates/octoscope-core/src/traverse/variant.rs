@@ -22,6 +22,35 @@ pub enum Variant {
     /// Near and far half as in the gem, which does not settle equal parameters
     /// [Sung, Shirley 1992].
     Gem,
+    /// An interval is the hull of the slabs instead of what they have in common:
+    /// t_min is the earliest near plane, t_max the latest far plane [Kirschmann,
+    /// eq. 12].
+    B1,
+    /// Table 2 with the bits of x and z interchanged; in space [Kirschmann,
+    /// Table 2; Revelles 2000].
+    B2,
+    /// The selection of children with q1 in either branch, t_y1 for t_x1 and no
+    /// branch for equality; in the plane [Kirschmann, §4.2.1].
+    B3,
+    /// The mean of the near plane and a plane without an index, read as the near
+    /// plane once more [Kirschmann, eq. 13].
+    B4,
+    /// 0/0 is left open: no number [Kirschmann, eq. 14].
+    B5,
+    /// Without motion, too, the mid plane is the mean of the near and the far
+    /// plane: of −∞ and +∞, no number [Kirschmann, eq. 13 without eq. 15].
+    B6,
+    /// The origin mirrored by p' = s − p, which is right for a root at 0 only
+    /// [Kirschmann, eq. 16].
+    B7,
+    /// The entry is that of the near planes even if the origin comes later, so
+    /// that the last child is never the first [Kirschmann, §4.2.2].
+    B9,
+    /// Nobody asks for t ≥ 0 [Kirschmann, §4].
+    B10,
+    /// Closed cells: ≤ instead of <, so that touching is crossing [Kirschmann,
+    /// eq. 2, 3, 10, 11].
+    B11,
 }
 
 /// No variant has this name.
@@ -31,7 +60,22 @@ pub struct UnknownVariant(pub String);
 
 impl Variant {
     /// All variants.
-    pub const ALL: [Self; 4] = [Self::OneByOne, Self::Averaged, Self::Push, Self::Gem];
+    pub const ALL: [Self; 14] = [
+        Self::OneByOne,
+        Self::Averaged,
+        Self::Push,
+        Self::Gem,
+        Self::B1,
+        Self::B2,
+        Self::B3,
+        Self::B4,
+        Self::B5,
+        Self::B6,
+        Self::B7,
+        Self::B9,
+        Self::B10,
+        Self::B11,
+    ];
 
     /// Name on the command line and in files.
     pub fn id(self) -> &'static str {
@@ -40,6 +84,16 @@ impl Variant {
             Self::Averaged => "averaged",
             Self::Push => "push",
             Self::Gem => "gem",
+            Self::B1 => "B-1",
+            Self::B2 => "B-2",
+            Self::B3 => "B-3",
+            Self::B4 => "B-4",
+            Self::B5 => "B-5",
+            Self::B6 => "B-6",
+            Self::B7 => "B-7",
+            Self::B9 => "B-9",
+            Self::B10 => "B-10",
+            Self::B11 => "B-11",
         }
     }
 
@@ -49,6 +103,34 @@ impl Variant {
         match self {
             Self::OneByOne => false,
             Self::Averaged | Self::Push | Self::Gem => true,
+            Self::B1
+            | Self::B2
+            | Self::B3
+            | Self::B4
+            | Self::B5
+            | Self::B6
+            | Self::B7
+            | Self::B9
+            | Self::B10
+            | Self::B11 => true,
+        }
+    }
+
+    /// Whether the variant is a misprint: an erratum's rule as printed. Its name
+    /// is then that of the erratum.
+    pub fn is_misprint(self) -> bool {
+        match self {
+            Self::OneByOne | Self::Averaged | Self::Push | Self::Gem => false,
+            Self::B1
+            | Self::B2
+            | Self::B3
+            | Self::B4
+            | Self::B5
+            | Self::B6
+            | Self::B7
+            | Self::B9
+            | Self::B10
+            | Self::B11 => true,
         }
     }
 
@@ -60,6 +142,19 @@ impl Variant {
             Self::Averaged => matches!(algorithm, Parametric | ParametricTable),
             Self::Push => algorithm == Glassner,
             Self::Gem => algorithm == Bsp,
+            Self::B1
+            | Self::B2
+            | Self::B3
+            | Self::B4
+            | Self::B5
+            | Self::B6
+            | Self::B7
+            | Self::B10
+            | Self::B11 => {
+                matches!(algorithm, Parametric | ParametricTable)
+            }
+            // The tables begin at the near planes anyway.
+            Self::B9 => algorithm == Parametric,
         }
     }
 }
@@ -82,7 +177,7 @@ impl std::str::FromStr for Variant {
     type Err = UnknownVariant;
 
     fn from_str(id: &str) -> Result<Self, UnknownVariant> {
-        let found = Self::ALL.into_iter().find(|variant| variant.id() == id);
+        let found = Self::ALL.into_iter().find(|variant| variant.id().eq_ignore_ascii_case(id));
         found.ok_or_else(|| UnknownVariant(id.to_owned()))
     }
 }
