@@ -14,6 +14,7 @@ pub mod event;
 pub mod explain;
 pub mod geometry;
 pub mod locate;
+pub mod paper;
 pub mod progress;
 pub mod query;
 pub mod random;

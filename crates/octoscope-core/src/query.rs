@@ -6,7 +6,7 @@ use crate::locate::{
     Direction, NeighbourMethod, Reach, locate_by_codes, locate_by_comparison, locate_region,
     neighbour, neighbour_by_tables,
 };
-use crate::traverse::{Algorithm, Options, Variant, doubles_suffice};
+use crate::traverse::{Algorithm, Options, Variant, Variants, doubles_suffice};
 use crate::tree::{Code, Tree};
 use serde::{Deserialize, Serialize};
 
@@ -87,6 +87,17 @@ impl<const D: usize> Default for Query<D> {
 }
 
 impl<const D: usize> Query<D> {
+    /// The same question with every rule in its right form.
+    pub fn corrected(self) -> Self {
+        match self {
+            Self::Ray { algorithm, options, arithmetic } => {
+                let options = Options { variants: Variants::NONE, ..options };
+                Self::Ray { algorithm, options, arithmetic }
+            }
+            Self::Point { .. } | Self::Region { .. } | Self::Neighbour { .. } => self,
+        }
+    }
+
     /// Runs the query in `tree`; `ray` is used by [`Query::Ray`].
     pub fn run(&self, tree: &Tree<D>, ray: &Ray<D>, observe: &mut impl Observer<D>) -> Outcome {
         match *self {
