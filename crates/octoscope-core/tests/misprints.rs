@@ -1,15 +1,23 @@
 //! Every rule as once printed fails on its counterexample as described, and
 //! right rules do not.
 
-use octoscope_core::event::Event;
+use octoscope_core::event::{End, Event};
 use octoscope_core::geometry::Ray;
+use octoscope_core::locate::{Direction, Reach, locate_by_codes_as_printed, neighbour_as_printed};
+use octoscope_core::paper::counterexample;
 use octoscope_core::progress::Progress;
 use octoscope_core::query::{Arithmetic, Query};
+use octoscope_core::scenario::AnyScenario;
 use octoscope_core::trace::{Trace, record};
-use octoscope_core::traverse::{Method, Options};
-use octoscope_core::tree::{Child, Domain, Split, Tree, grow};
+use octoscope_core::traverse::{Method, Options, Variant, Variants};
+use octoscope_core::tree::{Child, Domain, Split, Tree, build, grow};
 
-/// Root with one level of children.
+/// Tree that is divided down to level 0.
+fn full<const D: usize>(root_level: u8) -> Tree<D> {
+    divided(Domain::unit(root_level))
+}
+
+/// The same over `domain`.
 fn divided<const D: usize>(domain: Domain<D>) -> Tree<D> {
     grow(domain, (), &Progress::default(), |cell, ()| match cell.level {
         0 => Split::Empty,
@@ -174,4 +182,99 @@ fn b_11_takes_touching_for_crossing() {
 fn misprints_are_named_in_capitals_or_not() {
     assert_eq!("parametric@b-2,b-10".parse::<Method>().unwrap().to_string(), "parametric@B-2,B-10");
     assert!("hero@B-2".parse::<Method>().is_err());
+}
+
+// Queries without a ray.
+
+/// Level and code of what `variant` finds in its counterexample, and of what
+/// the right rules find.
+fn found(id: &str) -> [Option<(u8, [u32; 2])>; 2] {
+    let variant: Variant = id.parse().expect(id);
+    let AnyScenario::Quadtree(scenario) = counterexample(variant) else { panic!("{id}") };
+    let content = scenario.source.content().expect("the cells are inline");
+    let domain = scenario.grid().expect("the depth is small");
+    let tree = build(&content, domain, &scenario.recipe, &Progress::default()).expect("few cells");
+    [scenario.query, scenario.query.corrected()].map(|query| {
+        let node = query.run(&tree, &scenario.ray, &mut ()).node?;
+        Some((tree.level(node), tree.code(node)))
+    })
+}
+
+#[test]
+fn b_18_reads_the_code_of_another_cell() {
+    assert_eq!(found("B-18"), [Some((0, [0, 0])), Some((0, [1, 1]))]);
+    // 001000 read from the right is 000100.
+    let tree = full::<1>(5);
+    let variants = Variants::NONE.with(Variant::B18);
+    let outcome = locate_by_codes_as_printed(&tree, [0.25], variants, &mut ());
+    assert_eq!(tree.code(outcome.node.expect("inside")), [0b00_0100]);
+}
+
+#[test]
+fn b_19_reads_the_bit_above() {
+    assert_eq!(found("B-19"), [Some((0, [0, 0])), Some((0, [1, 1]))]);
+}
+
+#[test]
+fn b_21_puts_the_upper_face_into_the_leftmost_cell() {
+    assert_eq!(found("B-21"), [Some((0, [0, 0])), None]);
+}
+
+#[test]
+fn b_24_misses_the_level_or_the_place_of_a_region() {
+    let right = Some((2, [4, 8]));
+    assert_eq!(found("B-24a"), [Some((1, [4, 8])), right]);
+    assert_eq!(found("B-24b"), [Some((0, [5, 9])), right]);
+    let [printed, corrected] = found("B-24c");
+    assert_eq!(printed.map(|(_, code)| code), Some([0, 0]));
+    assert_eq!(corrected, right);
+}
+
+#[test]
+fn b_25_stays_at_the_cell() {
+    for id in ["B-25-leftmost", "B-25-rightmost"] {
+        let [printed, right] = found(id);
+        assert!(printed.is_some_and(|(_, [x, _])| x < 2), "{id}: {printed:?}");
+        assert_eq!(right, Some((1, [2, 0])), "{id}");
+    }
+}
+
+/// How often of all face neighbours of a full tree with 5 levels below the root
+/// `variant` finds no or another ancestor.
+fn wrong_climbs(variant: Variant) -> [usize; 2] {
+    let tree = full::<1>(5);
+    let (mut wrong, mut all) = (0, 0);
+    for node in tree.nodes() {
+        for direction in Direction::all() {
+            let climbs = |variants| {
+                let mut events = Vec::new();
+                neighbour_as_printed(
+                    &tree,
+                    node.id,
+                    direction,
+                    Reach::EqualOrLarger,
+                    variants,
+                    &mut events,
+                );
+                let outside = events.iter().any(|event| matches!(event, Event::End(End::Outside)));
+                let climb = |event: &&Event<1>| matches!(event, Event::Climb { .. });
+                (!outside).then(|| events.iter().filter(climb).count())
+            };
+            let (right, printed) = (climbs(Variants::NONE), climbs(Variants::NONE.with(variant)));
+            all += usize::from(right.is_some());
+            wrong += usize::from(right != printed);
+        }
+    }
+    [wrong, all]
+}
+
+#[test]
+fn b_25_is_wrong_nearly_always() {
+    assert_eq!(wrong_climbs(Variant::B25Leftmost), [114, 114]);
+    assert_eq!(wrong_climbs(Variant::B25Rightmost), [108, 114]);
+}
+
+#[test]
+fn b_28_jumps_over_smaller_neighbours() {
+    assert_eq!(found("B-28"), [Some((0, [0, 0])), Some((0, [1, 0]))]);
 }

@@ -1,10 +1,11 @@
 //! The smallest scenarios in which variants go wrong.
 
 use crate::geometry::Ray;
-use crate::query::{Arithmetic, Query};
+use crate::locate::{Direction, NeighbourMethod, Reach};
+use crate::query::{Arithmetic, PointMethod, Query};
 use crate::scenario::{AnyScenario, Scenario, Source, StepAt, View};
 use crate::scene::{Content, Cube};
-use crate::traverse::{Algorithm, Options, Variant};
+use crate::traverse::{Algorithm, Options, Variant, Variants};
 use crate::tree::{Code, Fill, Merge, Recipe};
 
 /// Scenario that runs `variant` on its smallest counterexample. Only
@@ -14,6 +15,7 @@ pub fn counterexample(variant: Variant) -> AnyScenario {
     use AnyScenario::{Octree, Quadtree};
     let along = |algorithm| (algorithm, variant);
     let table = Algorithm::ParametricTable;
+    let variants = Variants::NONE.with(variant);
     match variant {
         Variant::OneByOne => Octree(rays([-1.0; 3], [1.0; 3], along(Algorithm::Parametric))),
         Variant::Averaged => Quadtree(rays([-1.0, 0.1], [1.0, 0.3], along(Algorithm::Parametric))),
@@ -37,6 +39,18 @@ pub fn counterexample(variant: Variant) -> AnyScenario {
         }
         Variant::B10 => Octree(rays([2.0; 3], [1.0; 3], along(table))),
         Variant::B11 => Quadtree(rays([1.0, -1.0], [0.0, 1.0], along(table))),
+        Variant::B18 | Variant::B19 => Quadtree(asked(2, [1, 1], point([0.375; 2], variants))),
+        Variant::B21 => Quadtree(asked(1, [1, 1], point([1.0, 0.25], variants))),
+        Variant::B24a | Variant::B24c => {
+            Quadtree(asked(4, [5, 9], region([[5.0, 9.0], [6.0, 10.0]], variants)))
+        }
+        // The corners differ along x alone.
+        Variant::B24b => Quadtree(asked(4, [5, 9], region([[5.0, 9.0], [6.0, 9.0]], variants))),
+        Variant::B25Leftmost | Variant::B25Rightmost => {
+            Quadtree(asked(2, [1, 1], neighbour([0, 0], [1, 0], variants)))
+        }
+        // To the left of the cell lie smaller ones.
+        Variant::B28 => Quadtree(asked(2, [1, 1], neighbour([2, 0], [-1, 0], variants))),
     }
 }
 
@@ -65,6 +79,33 @@ fn rays<const D: usize>(
         step: StepAt::First,
         view: View::new(),
     }
+}
+
+/// A query in a tree that is divided around one smallest cell.
+fn asked(depth: u8, cell: Code<2>, query: Query<2>) -> Scenario<2> {
+    Scenario {
+        source: cells(vec![cell]),
+        recipe: Recipe { depth, ..KEPT },
+        query,
+        ..rays([-0.25, 0.25], [1.0, 0.25], (Algorithm::Parametric, Variant::Averaged))
+    }
+}
+
+fn point(at: [f64; 2], variants: Variants) -> Query<2> {
+    Query::Point { at, method: PointMethod::Codes, variants }
+}
+
+/// Region between two corners in sixteenths.
+fn region(corners: [[f64; 2]; 2], variants: Variants) -> Query<2> {
+    let [min, max] = corners.map(|corner| corner.map(|x| x / 16.0));
+    Query::Region { min, max, variants }
+}
+
+/// The leaf beside a cell of level 1.
+fn neighbour(code: Code<2>, direction: [i8; 2], variants: Variants) -> Query<2> {
+    let direction = Direction::new(direction).expect("one step along x");
+    let (reach, method) = (Reach::Leaf, NeighbourMethod::Codes);
+    Query::Neighbour { level: 1, code, direction, reach, method, variants }
 }
 
 #[cfg(test)]
