@@ -1,5 +1,6 @@
 //! One sentence for every step.
 
+use super::as_printed::with_printed_rules;
 use super::number::{approx, distinct};
 use super::rich::{RichText, on_axis, strong};
 use super::words::{Words, chain, equation, point, relation, signs, t, tuple, typographic};
@@ -27,7 +28,7 @@ pub fn sentence<const D: usize>(
         None => start(&words, ray, trace),
         Some(event) => {
             let before = Moment::after(tree, trace, step - 1);
-            Teller { words: &words, ray, trace, before: &before }.tell(event)
+            Teller { words: &words, ray, trace, before: &before }.told(event)
         }
     };
     RichText::parse(&marked)
@@ -45,7 +46,7 @@ pub(super) fn sentences<const D: usize>(
     let mut sentences = vec![RichText::parse(&start(&words, ray, trace))];
     let mut before = Moment::default();
     for event in &trace.events {
-        let marked = Teller { words: &words, ray, trace, before: &before }.tell(event);
+        let marked = Teller { words: &words, ray, trace, before: &before }.told(event);
         sentences.push(RichText::parse(&marked));
         before.apply(tree, event);
     }
@@ -88,6 +89,10 @@ struct Teller<'a, const D: usize> {
 }
 
 impl<const D: usize> Teller<'_, D> {
+    fn told(&self, event: &Event<D>) -> String {
+        with_printed_rules(self.words, &self.trace.query, event, || self.tell(event))
+    }
+
     fn tell(&self, event: &Event<D>) -> String {
         let words = self.words;
         match *event {
