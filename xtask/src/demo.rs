@@ -17,6 +17,12 @@ pub fn demo(program: &Path, display: &VirtualDisplay) -> Result<(), String> {
     let [screenshot, trace] =
         ["octoscope.png", "octoscope.trace.txt"].map(|name| folder.join(name));
 
+    // A picture of an earlier run must not pass for one of this.
+    if screenshot.exists() {
+        std::fs::remove_file(&screenshot)
+            .map_err(|error| format!("the old picture stays, {error}: {}", screenshot.display()))?;
+    }
+
     let scenes = Command::new(program)
         .arg("scenes")
         .output()
@@ -25,14 +31,13 @@ pub fn demo(program: &Path, display: &VirtualDisplay) -> Result<(), String> {
         .ok_or("the program lists no built-in scene")?;
 
     succeed(Command::new(program).args(["trace", &scene, "-o"]).arg(&trace))?;
-    succeed(
-        Command::new(program)
-            .arg("--demo-screenshot")
-            .arg(&screenshot)
-            .env("DISPLAY", &display.name)
-            .env_remove("WAYLAND_DISPLAY")
-            .env("WGPU_BACKEND", "vulkan"),
-    )?;
+    let mut window = Command::new(program);
+    window.arg("--demo-screenshot").arg(&screenshot).env("WGPU_BACKEND", "vulkan");
+    display.show(&mut window, &folder);
+    succeed(&mut window)?;
+    if !screenshot.is_file() {
+        return Err(format!("the window left no picture: {}", screenshot.display()));
+    }
     println!("Screenshot of {scene}  {}", screenshot.display());
     println!("Trace of {scene}       {}", trace.display());
     Ok(())

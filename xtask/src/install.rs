@@ -25,7 +25,7 @@ pub fn install(purpose: Purpose) -> Result<(), String> {
         return Err(format!(
             "These packages are missing: {}\nInstall them, then try again:\n\n    {}\n",
             missing.join(" "),
-            command_for_the_user(&missing)
+            command_for_the_user(&missing, has_sudo())
         ));
     };
     eprintln!("Installing {} …", missing.join(" "));
@@ -52,6 +52,13 @@ fn root_prefix() -> Option<&'static [&'static str]> {
     sudo.is_ok_and(|status| status.success()).then_some(&["sudo", "-n"])
 }
 
+/// Whether there is a `sudo`: a Debian whose root has a password comes without.
+fn has_sudo() -> bool {
+    let version =
+        Command::new("sudo").arg("--version").stdout(Stdio::null()).stderr(Stdio::null()).status();
+    version.is_ok_and(|status| status.success())
+}
+
 fn apt_get(prefix: &[&str], arguments: &[&str]) -> Result<(), String> {
     let words = [prefix, &["env", "DEBIAN_FRONTEND=noninteractive", "apt-get"], arguments].concat();
     let status = Command::new(words[0]).args(&words[1..]).stdin(Stdio::null()).status();
@@ -62,11 +69,15 @@ fn apt_get(prefix: &[&str], arguments: &[&str]) -> Result<(), String> {
     }
 }
 
-fn command_for_the_user(packages: &[&str]) -> String {
-    format!(
-        "sudo apt-get update && sudo apt-get install --no-install-recommends {}",
-        packages.join(" ")
-    )
+/// What a user types who has to give a password.
+fn command_for_the_user(packages: &[&str], has_sudo: bool) -> String {
+    let install = format!("apt-get install --no-install-recommends {}", packages.join(" "));
+    if has_sudo {
+        format!("sudo apt-get update && sudo {install}")
+    } else {
+        // `--login` for the path of root, without which dpkg refuses to work.
+        format!("su --login --command 'apt-get update && {install}'")
+    }
 }
 
 #[cfg(test)]
@@ -76,8 +87,17 @@ mod tests {
     #[test]
     fn the_command_for_the_user_names_every_package() {
         assert_eq!(
-            command_for_the_user(&["gcc", "xvfb"]),
+            command_for_the_user(&["gcc", "xvfb"], true),
             "sudo apt-get update && sudo apt-get install --no-install-recommends gcc xvfb"
+        );
+    }
+
+    #[test]
+    fn without_sudo_the_command_asks_for_the_password_of_root() {
+        assert_eq!(
+            command_for_the_user(&["gcc", "xvfb"], false),
+            "su --login --command 'apt-get update && \
+             apt-get install --no-install-recommends gcc xvfb'"
         );
     }
 }

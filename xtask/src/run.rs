@@ -1,6 +1,6 @@
 //! `cargo xtask run`.
 
-use crate::cargo::{build_release, succeed};
+use crate::cargo::{build_release, succeed, target_folder};
 use crate::demo::demo;
 use crate::display::VirtualDisplay;
 use crate::install::install;
@@ -27,5 +27,8 @@ pub fn run(arguments: Vec<String>) -> Result<(), String> {
         eprintln!("There is no display, so the window opens on a virtual one, {}.", display.name);
         return demo(&program, &display);
     }
-    succeed(Command::new(program).args(arguments).env("DISPLAY", &display.name))
+    let mut window = Command::new(program);
+    window.args(arguments);
+    display.show(&mut window, &target_folder()?);
+    succeed(&mut window)
 }
