@@ -4,7 +4,7 @@ use octoscope_core::event::{Event, Observer};
 use octoscope_core::geometry::Ray;
 use octoscope_core::query::{Arithmetic, Query};
 use octoscope_core::trace::Counters;
-use octoscope_core::traverse::{Algorithm, Options, Slivers, first_difference};
+use octoscope_core::traverse::{Algorithm, Options, Slivers, Variants, first_difference};
 use octoscope_core::tree::{NodeId, Tree};
 
 /// What one algorithm did on the ray.
@@ -26,12 +26,37 @@ pub struct Run {
 /// More leaves than this are not tested one by one for every movement.
 const MOST_LEAVES: usize = 100_000;
 
-/// Runs every algorithm on `ray`, in doubles; the oracle only if the tree has at
-/// most 100 000 leaves.
+/// Trees of more nodes than this are not linked while the ray moves.
+const MOST_LINKS: usize = 1_000_000;
+
+/// Grids of more cells along an axis are not walked through for every movement.
+const MOST_CELLS: u32 = 1 << 12;
+
+/// Whether an algorithm is quick enough in `tree` to be run for every movement.
+fn is_quick<const D: usize>(algorithm: Algorithm, tree: &Tree<D>) -> bool {
+    match algorithm {
+        Algorithm::Exhaustive => tree.n_leaves() <= MOST_LEAVES,
+        Algorithm::SametNet => tree.n_nodes() <= MOST_LINKS,
+        Algorithm::Dda | Algorithm::DdaOctree => tree.domain().grid_size() <= MOST_CELLS,
+        Algorithm::Parametric
+        | Algorithm::ParametricTable
+        | Algorithm::Esvo
+        | Algorithm::AllChildren
+        | Algorithm::Hero
+        | Algorithm::Gargantini
+        | Algorithm::Codes
+        | Algorithm::Glassner
+        | Algorithm::Samet
+        | Algorithm::SametCorner
+        | Algorithm::Bsp => true,
+    }
+}
+
+/// Runs every algorithm that is quick enough on `ray`, in doubles, with every rule
+/// in its right form.
 pub fn compare<const D: usize>(tree: &Tree<D>, ray: &Ray<D>, options: Options) -> Vec<Run> {
-    let wanted = Algorithm::ALL
-        .into_iter()
-        .filter(|&algorithm| algorithm != Algorithm::Exhaustive || tree.n_leaves() <= MOST_LEAVES);
+    let options = Options { variants: Variants::NONE, ..options };
+    let wanted = Algorithm::ALL.into_iter().filter(|&algorithm| is_quick(algorithm, tree));
     let mut runs: Vec<Run> = wanted.map(|algorithm| run(tree, ray, algorithm, options)).collect();
     let reference = runs.iter().find(|run| run.algorithm == Algorithm::Exhaustive);
     let expected = reference.or(runs.first()).map(|run| run.leaves.clone()).unwrap_or_default();

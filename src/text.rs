@@ -22,6 +22,7 @@ mod tests {
     use super::*;
     use crate::command::{COMMANDS, Menu};
     use octoscope_core::scenario::BUILT_IN;
+    use octoscope_core::traverse::Variant;
 
     fn keys(source: &str) -> Vec<&str> {
         let named = source.lines().filter(|line| !line.starts_with(['#', ' ', '}', '\t']));
@@ -48,7 +49,10 @@ mod tests {
             let inner = Menu::ALL.into_iter().filter_map(Menu::inner);
             let menus = Menu::ALL.into_iter().chain(inner).map(|menu| menu.id().to_owned());
             let scenes = BUILT_IN.iter().map(|scene| format!("scene-{}", scene.id));
-            for key in commands.chain(menus).chain(scenes) {
+            let variants = Variant::ALL.into_iter().flat_map(|variant| {
+                ["", "-why"].map(|end| format!("variant-{}{end}", variant.id()))
+            });
+            for key in commands.chain(menus).chain(scenes).chain(variants) {
                 assert!(texts.has(&key), "{key} in {language:?}");
             }
         }

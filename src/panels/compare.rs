@@ -2,55 +2,78 @@
 
 use crate::comparison::Run;
 use crate::look::Look;
-use eframe::egui::{Grid, RichText, Ui};
-use octoscope_core::explain::{algorithm_name, counter_name};
+use eframe::egui::{Align, Grid, Layout, RichText, Ui, WidgetInfo, accesskit::Role};
+use octoscope_core::explain::algorithm_name;
 use octoscope_core::trace::Counter;
 use octoscope_core::traverse::Algorithm;
 
-/// Costs of every algorithm and whether it finds the right leaves; a click on a
-/// name chooses the algorithm. Returns the chosen one.
+/// Costs of every algorithm and whether it finds the right leaves, a row each;
+/// a click on a name chooses the algorithm. Returns the chosen one.
 pub fn ui(ui: &mut Ui, look: &Look, runs: &[Run], shown: Option<Algorithm>) -> Option<Algorithm> {
     if runs.is_empty() {
         ui.label(RichText::new(look.text("compare-none")).color(look.palette.quiet));
         return None;
     }
-    let language = look.texts.language();
     let mut chosen = None;
-    for run in runs {
-        let name = algorithm_name(run.algorithm, language);
-        if ui.selectable_label(shown == Some(run.algorithm), name).clicked() {
-            chosen = Some(run.algorithm);
+    let quiet = |text: String| RichText::new(text).size(12.0).color(look.palette.quiet);
+    let grid = Grid::new("compare").num_columns(7).striped(true).min_row_height(22.0);
+    grid.spacing([10.0, 2.0]).min_col_width(16.0).show(ui, |ui| {
+        ui.label("");
+        for key in [
+            "compare-leaves",
+            "compare-steps",
+            "compare-nodes",
+            "compare-tests",
+            "compare-quotients",
+        ] {
+            let head = ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+                ui.label(quiet(look.text(key)))
+            });
+            head.inner.on_hover_text(look.text(&format!("{key}-why")));
         }
-        let key = if run.agrees { "compare-agrees" } else { "compare-differs" };
-        let color = if run.agrees { look.palette.quiet } else { look.palette.ray };
-        let verdict = look.texts.format(key, &[("steps", run.n_steps.into())]);
-        ui.label(RichText::new(verdict).size(13.0).color(color));
-        let grid = Grid::new(("compare", run.algorithm.id())).num_columns(4);
-        grid.spacing([8.0, 0.0]).min_col_width(24.0).min_row_height(18.0).show(ui, |ui| {
-            let one = |counter| (counter_name(counter, language), run.counters.get(counter));
-            let compared = (look.text("counters-comparisons"), run.counters.comparisons());
-            for pair in
-                [[one(Counter::Leaves), one(Counter::Divisions)], [one(Counter::Touches), compared]]
-            {
-                for (name, number) in pair {
-                    entry(ui, &name, number);
-                }
-                ui.end_row();
+        ui.end_row();
+        for run in runs {
+            if row(ui, look, run, shown == Some(run.algorithm)) {
+                chosen = Some(run.algorithm);
             }
-            let (name, number) = one(Counter::NodeTouches);
-            entry(ui, &name, number);
             ui.end_row();
-        });
-        ui.add_space(8.0);
-    }
-    if !runs.iter().any(|run| run.algorithm == Algorithm::Exhaustive) {
-        let hint = look.text("compare-too-many");
-        ui.label(RichText::new(hint).size(13.0).color(look.palette.quiet));
+        }
+    });
+    if runs.len() < Algorithm::ALL.len() {
+        ui.label(quiet(look.text("compare-too-many")));
     }
     chosen
 }
 
-fn entry(ui: &mut Ui, name: &str, number: u64) {
-    ui.label(RichText::new(name).size(13.0));
-    ui.label(RichText::new(number.to_string()).monospace().strong());
+/// Row of one algorithm; true if its name is clicked.
+fn row(ui: &mut Ui, look: &Look, run: &Run, is_shown: bool) -> bool {
+    let name = algorithm_name(run.algorithm, look.texts.language());
+    let id = RichText::new(run.algorithm.id()).size(13.0);
+    let response = ui.selectable_label(is_shown, id);
+    response.widget_info(|| WidgetInfo::selected(Role::RadioButton, true, is_shown, &name));
+    let clicked = response.on_hover_text(&name).clicked();
+
+    let n_leaves = run.counters.get(Counter::Leaves);
+    let key = if run.agrees { "compare-agrees" } else { "compare-differs" };
+    let verdict = look.texts.format(key, &[("leaves", n_leaves.into())]);
+    let (sign, color) =
+        if run.agrees { ("=", look.palette.ink) } else { ("≠", look.palette.ray) };
+    let leaves = format!("{sign} {n_leaves}");
+    let numbers = [
+        (leaves, color, verdict),
+        (run.n_steps.to_string(), look.palette.ink, String::new()),
+        (run.counters.get(Counter::NodeTouches).to_string(), look.palette.ink, String::new()),
+        (run.counters.comparisons().to_string(), look.palette.ink, String::new()),
+        (run.counters.get(Counter::Divisions).to_string(), look.palette.ink, String::new()),
+    ];
+    for (number, color, spoken) in numbers {
+        ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+            let label = ui.label(RichText::new(number).monospace().size(13.0).color(color));
+            if !spoken.is_empty() {
+                label.widget_info(|| WidgetInfo::labeled(Role::Label, true, spoken.as_str()));
+                label.on_hover_text(spoken);
+            }
+        });
+    }
+    clicked
 }

@@ -8,7 +8,7 @@ use octoscope_core::explain::algorithm_name;
 use octoscope_core::geometry::AXIS_NAMES;
 use octoscope_core::locate::{Direction, NeighbourMethod, Reach};
 use octoscope_core::query::{Arithmetic, PointMethod, Query};
-use octoscope_core::traverse::{Algorithm, Options, StopAt};
+use octoscope_core::traverse::{Algorithm, Options, StopAt, Variant, Variants};
 use octoscope_core::tree::Code;
 
 #[derive(Clone, Copy, PartialEq)]
@@ -127,6 +127,34 @@ fn ray_query(
     let mut first = options.stop_at == StopAt::FirstFull;
     ui.checkbox(&mut first, look.text("query-first-full"));
     options.stop_at = if first { StopAt::FirstFull } else { StopAt::End };
+    segment_end(ui, look, &mut options.segment_end);
+    variants(ui, look, *algorithm, &mut options.variants);
+}
+
+/// Where the ray ends, if it does.
+fn segment_end(ui: &mut Ui, look: &Look, end: &mut Option<f64>) {
+    ui.horizontal(|ui| {
+        let name = look.text("query-segment-end");
+        let mut ends = end.is_some();
+        ui.checkbox(&mut ends, &name);
+        *end = ends.then_some(end.unwrap_or(1.0));
+        if let Some(t) = end {
+            number_field(ui, &name, t, 0.01, look.palette.ink);
+        }
+    });
+}
+
+/// The rules of the algorithm that can be had in another form.
+fn variants(ui: &mut Ui, look: &Look, algorithm: Algorithm, chosen: &mut Variants) {
+    for variant in Variant::ALL.into_iter().filter(|variant| variant.belongs_to(algorithm)) {
+        let mut on = chosen.has(variant);
+        let name = look.text(&format!("variant-{}", variant.id()));
+        let why = look.text(&format!("variant-{}-why", variant.id()));
+        ui.checkbox(&mut on, name).on_hover_text(why);
+        *chosen = if on { chosen.with(variant) } else { chosen.without(variant) };
+    }
+    // Those of another algorithm mean nothing here.
+    *chosen = chosen.iter().filter(|variant| variant.belongs_to(algorithm)).collect();
 }
 
 fn fields<const D: usize>(
