@@ -45,7 +45,7 @@ pub fn ui<const D: usize>(ui: &mut Ui, look: &Look, document: &mut Document<D>) 
         Query::Ray { algorithm, options, arithmetic } => {
             ray_query(ui, look, algorithm, options, arithmetic);
         }
-        Query::Point { at, method } => {
+        Query::Point { at, method, variants: _ } => {
             let choices = [
                 (PointMethod::Codes, look.text("point-codes")),
                 (PointMethod::Comparison, look.text("point-comparison")),
@@ -54,11 +54,11 @@ pub fn ui<const D: usize>(ui: &mut Ui, look: &Look, document: &mut Document<D>) 
             fields(ui, look, "query-point", &mut [at], side);
             hint(ui, look, "query-point-hint");
         }
-        Query::Region { min, max } => {
+        Query::Region { min, max, variants: _ } => {
             fields(ui, look, "query-region", &mut [min, max], side);
             hint(ui, look, "query-region-hint");
         }
-        Query::Neighbour { level, code, direction, reach, method } => {
+        Query::Neighbour { level, code, direction, reach, method, variants: _ } => {
             let shown = code.map(|c| c.to_string()).join(", ");
             let arguments = [("level", (*level).min(max_level).into()), ("codes", shown.into())];
             ui.label(look.texts.format("neighbour-cell", &arguments));
@@ -85,10 +85,13 @@ fn starting_query<const D: usize>(document: &Document<D>, kind: Kind) -> Query<D
     let part = |share: f64| {
         std::array::from_fn(|e| domain.min()[e] + domain.side() * (share + 0.03125 * e as f64))
     };
+    let variants = Variants::NONE;
     match kind {
         Kind::Ray => Query::default(),
-        Kind::Point => Query::Point { at: part(0.546_875), method: PointMethod::default() },
-        Kind::Region => Query::Region { min: part(0.3125), max: part(0.40625) },
+        Kind::Point => {
+            Query::Point { at: part(0.546_875), method: PointMethod::default(), variants }
+        }
+        Kind::Region => Query::Region { min: part(0.3125), max: part(0.40625), variants },
         Kind::Neighbour => {
             let leaf = document.trace.leaves().next().map(|(leaf, _)| leaf);
             let (level, code): (u8, Code<D>) = match leaf {
@@ -98,7 +101,7 @@ fn starting_query<const D: usize>(document: &Document<D>, kind: Kind) -> Query<D
             let right = std::array::from_fn(|e| i8::from(e == 0));
             let direction = Direction::new(right).expect("one step along x");
             let (reach, method) = (Reach::default(), NeighbourMethod::default());
-            Query::Neighbour { level, code, direction, reach, method }
+            Query::Neighbour { level, code, direction, reach, method, variants }
         }
     }
 }

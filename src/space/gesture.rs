@@ -15,7 +15,7 @@ use octoscope_core::geometry::{Aabb, Ray};
 use octoscope_core::locate::{Direction, NeighbourMethod, Reach, locate_by_codes};
 use octoscope_core::query::{Arithmetic, PointMethod, Query};
 use octoscope_core::trace::record;
-use octoscope_core::traverse::{Algorithm, Options, StopAt};
+use octoscope_core::traverse::{Algorithm, Options, StopAt, Variants};
 use octoscope_core::tree::{NodeId, Tree};
 use octoscope_figure::{Camera, far_end};
 
@@ -333,21 +333,16 @@ fn ask_neighbour<const D: usize>(
     reach: Reach,
 ) {
     let (level, code) = (document.tree.level(leaf), document.tree.code(leaf));
-    document.scenario.query = Query::Neighbour {
-        level,
-        code,
-        direction,
-        reach,
-        method: method_of(&document.scenario.query),
-    };
+    let (method, variants) = method_of(&document.scenario.query);
+    document.scenario.query = Query::Neighbour { level, code, direction, reach, method, variants };
 }
 
-/// How neighbours are looked for already, or by codes.
-fn method_of<const D: usize>(query: &Query<D>) -> NeighbourMethod {
+/// How neighbours are looked for already, or by codes and right rules.
+fn method_of<const D: usize>(query: &Query<D>) -> (NeighbourMethod, Variants) {
     match *query {
-        Query::Neighbour { method, .. } => method,
+        Query::Neighbour { method, variants, .. } => (method, variants),
         Query::Ray { .. } | Query::Point { .. } | Query::Region { .. } => {
-            NeighbourMethod::default()
+            (NeighbourMethod::default(), Variants::NONE)
         }
     }
 }
@@ -359,14 +354,15 @@ fn ask_point<const D: usize>(
     at: Pos2,
 ) {
     let Some((_, point)) = leaf_at(frame, camera, &document.tree, at) else { return };
-    let method = match document.scenario.query {
-        Query::Point { method, .. } => method,
+    let (method, variants) = match document.scenario.query {
+        Query::Point { method, variants, .. } => (method, variants),
         Query::Ray { .. } | Query::Region { .. } | Query::Neighbour { .. } => {
-            PointMethod::default()
+            (PointMethod::default(), Variants::NONE)
         }
     };
     let resolution = camera.unit(frame.page);
-    document.scenario.query = Query::Point { at: point.map(|x| rounded(x, resolution)), method };
+    let at = point.map(|x| rounded(x, resolution));
+    document.scenario.query = Query::Point { at, method, variants };
 }
 
 fn ask_region<const D: usize>(
@@ -396,7 +392,12 @@ fn ask_region<const D: usize>(
             rounded(p[e], resolution).clamp(root.min[e], root.max[e] - 0.5 * smallest)
         })
     };
-    document.scenario.query = Query::Region { min: inside(bounds.min), max: inside(bounds.max) };
+    let variants = match document.scenario.query {
+        Query::Region { variants, .. } => variants,
+        Query::Ray { .. } | Query::Point { .. } | Query::Neighbour { .. } => Variants::NONE,
+    };
+    let (min, max) = (inside(bounds.min), inside(bounds.max));
+    document.scenario.query = Query::Region { min, max, variants };
 }
 
 /// Leaf under the pointer with a point of it: in the plane the one that owns

@@ -16,7 +16,7 @@ use octoscope_core::locate::{Direction, NeighbourMethod, Reach};
 use octoscope_core::query::Query;
 use octoscope_core::scenario::{AnyScenario, Scenario, built_in};
 use octoscope_core::text::Language;
-use octoscope_core::traverse::Algorithm;
+use octoscope_core::traverse::{Algorithm, Variants};
 use octoscope_figure::Theme;
 use std::sync::OnceLock;
 
@@ -121,7 +121,8 @@ fn the_preset_to_compare() {
 fn a_region_and_its_bits() {
     compare("panel-region", |desk| {
         desk.open_scenario(&plane("quadtree-82", |scenario| {
-            scenario.query = Query::Region { min: [0.52, 0.66], max: [0.68, 0.72] };
+            scenario.query =
+                Query::Region { min: [0.52, 0.66], max: [0.68, 0.72], variants: Variants::NONE };
         }));
         desk.state_mut().view.preset = Preset::Bits;
         desk.press(Key::End);
@@ -140,6 +141,7 @@ fn a_neighbour_and_its_bits() {
                 direction,
                 reach: Reach::Leaf,
                 method: NeighbourMethod::Codes,
+                variants: Variants::NONE,
             };
         }));
         desk.state_mut().view.preset = Preset::Bits;

@@ -34,7 +34,7 @@ fn a_drag_with_shift_locates_the_region() {
     let mut desk = Desk::new();
     let corners = [[0.3, 0.8], [0.45, 0.6]];
     desk.drag(corners.map(|corner| desk.place(corner)), Modifiers::SHIFT);
-    let Query::Region { min, max } = desk.plane().scenario.query else { panic!("no region") };
+    let Query::Region { min, max, .. } = desk.plane().scenario.query else { panic!("no region") };
     for (was, wanted) in [(min, [0.3, 0.6]), (max, [0.45, 0.8])] {
         for axis in 0..2 {
             assert!((was[axis] - wanted[axis]).abs() < 4e-3, "{was:?} {wanted:?}");

@@ -3,10 +3,10 @@
 use crate::event::{End, Event, Observer, Outcome};
 use crate::geometry::{Exact, Ray};
 use crate::locate::{
-    Direction, NeighbourMethod, Reach, locate_by_codes, locate_by_comparison, locate_region,
-    neighbour, neighbour_by_tables,
+    Direction, NeighbourMethod, Reach, locate_by_codes_as_printed, locate_by_comparison,
+    locate_region_as_printed, neighbour_as_printed, neighbour_by_tables,
 };
-use crate::traverse::{Algorithm, Options, Variant, doubles_suffice};
+use crate::traverse::{Algorithm, Options, Variant, Variants, doubles_suffice};
 use crate::tree::{Code, Domain, Tree};
 use serde::{Deserialize, Serialize};
 
@@ -28,6 +28,8 @@ pub enum Query<const D: usize> {
         at: [f64; D],
         /// How it is found.
         method: PointMethod,
+        /// Rules in another form than the right one.
+        variants: Variants,
     },
     /// The smallest node that holds a box.
     Region {
@@ -35,6 +37,8 @@ pub enum Query<const D: usize> {
         min: [f64; D],
         /// Largest corner, in world units; inside the box.
         max: [f64; D],
+        /// Rules in another form than the right one.
+        variants: Variants,
     },
     /// The neighbour of a node.
     Neighbour {
@@ -49,6 +53,8 @@ pub enum Query<const D: usize> {
         reach: Reach,
         /// How it is found.
         method: NeighbourMethod,
+        /// Rules in another form than the right one.
+        variants: Variants,
     },
 }
 
@@ -98,6 +104,47 @@ impl<const D: usize> Query<D> {
         !suffice && !options.variants.iter().any(Variant::is_about_doubles)
     }
 
+    /// The same question with every rule in its right form.
+    pub fn corrected(self) -> Self {
+        let variants = Variants::NONE;
+        match self {
+            Self::Ray { algorithm, options, arithmetic } => {
+                let options = Options { variants, ..options };
+                Self::Ray { algorithm, options, arithmetic }
+            }
+            Self::Point { at, method, .. } => Self::Point { at, method, variants },
+            Self::Region { min, max, .. } => Self::Region { min, max, variants },
+            Self::Neighbour { level, code, direction, reach, method, .. } => {
+                Self::Neighbour { level, code, direction, reach, method, variants }
+            }
+        }
+    }
+
+    /// The rules that are not in their right form.
+    pub fn variants(&self) -> Variants {
+        match *self {
+            Self::Ray { options: Options { variants, .. }, .. }
+            | Self::Point { variants, .. }
+            | Self::Region { variants, .. }
+            | Self::Neighbour { variants, .. } => variants,
+        }
+    }
+
+    /// Whether the query has the rule; variants of other rules do nothing.
+    pub fn takes(&self, variant: Variant) -> bool {
+        use Variant::{B18, B19, B21, B24a, B24b, B24c, B25Leftmost, B25Rightmost, B28};
+        match self {
+            Self::Ray { algorithm, .. } => variant.belongs_to(*algorithm),
+            Self::Point { method: PointMethod::Codes, .. } => matches!(variant, B18 | B19 | B21),
+            Self::Region { .. } => matches!(variant, B24a | B24b | B24c),
+            Self::Neighbour { method: NeighbourMethod::Codes, .. } => {
+                matches!(variant, B25Leftmost | B25Rightmost | B28)
+            }
+            Self::Point { method: PointMethod::Comparison, .. }
+            | Self::Neighbour { method: NeighbourMethod::Tables, .. } => false,
+        }
+    }
+
     /// Runs the query in `tree`; `ray` is used by [`Query::Ray`].
     pub fn run(&self, tree: &Tree<D>, ray: &Ray<D>, observe: &mut impl Observer<D>) -> Outcome {
         match *self {
@@ -108,18 +155,24 @@ impl<const D: usize> Query<D> {
                     algorithm.run::<D, f64>(tree, ray, options, observe)
                 }
             }
-            Self::Point { at, method: PointMethod::Codes } => locate_by_codes(tree, at, observe),
-            Self::Point { at, method: PointMethod::Comparison } => {
+            Self::Point { at, method: PointMethod::Codes, variants } => {
+                locate_by_codes_as_printed(tree, at, variants, observe)
+            }
+            Self::Point { at, method: PointMethod::Comparison, .. } => {
                 locate_by_comparison(tree, at, observe)
             }
-            Self::Region { min, max } => locate_region(tree, min, max, observe),
-            Self::Neighbour { level, code, direction, reach, method } => {
+            Self::Region { min, max, variants } => {
+                locate_region_as_printed(tree, min, max, variants, observe)
+            }
+            Self::Neighbour { level, code, direction, reach, method, variants } => {
                 let Some(node) = tree.node_at(level, code) else {
                     observe.observe(Event::End(End::Outside));
                     return Outcome::without_node(End::Outside);
                 };
                 match method {
-                    NeighbourMethod::Codes => neighbour(tree, node.id, direction, reach, observe),
+                    NeighbourMethod::Codes => {
+                        neighbour_as_printed(tree, node.id, direction, reach, variants, observe)
+                    }
                     NeighbourMethod::Tables => {
                         neighbour_by_tables(tree, node.id, direction, reach, observe)
                     }

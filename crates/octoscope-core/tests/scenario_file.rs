@@ -6,7 +6,7 @@ use octoscope_core::query::{PointMethod, Query};
 use octoscope_core::random::Random;
 use octoscope_core::scenario::{AnyScenario, BUILT_IN, Scenario, Source, StepAt, built_in};
 use octoscope_core::scene::{Content, Cube, Image, Sphere};
-use octoscope_core::traverse::{Algorithm, Variant};
+use octoscope_core::traverse::{Algorithm, Variant, Variants};
 use serde_json::{Value, json};
 use std::collections::BTreeSet;
 
@@ -56,14 +56,19 @@ fn every_kind_of_content_reads_back() {
 #[test]
 fn every_query_and_a_file_read_back() {
     let queries = [
-        Query::Point { at: [0.1, -0.0], method: PointMethod::Comparison },
-        Query::Region { min: [0.1, 0.2], max: [0.3, 0.4] },
+        Query::Point { at: [0.1, -0.0], method: PointMethod::Comparison, variants: Variants::NONE },
+        Query::Region {
+            min: [0.1, 0.2],
+            max: [0.3, 0.4],
+            variants: Variants::NONE.with(Variant::B24a).with(Variant::B24c),
+        },
         Query::Neighbour {
             level: 2,
             code: [4, 8],
             direction: Direction::new([-1, 1]).unwrap(),
             reach: Reach::Leaf,
             method: NeighbourMethod::Tables,
+            variants: Variants::NONE,
         },
         Query::default(),
     ];
@@ -121,7 +126,7 @@ fn unknown_fields_are_told_with_the_nearest_known_one() {
         "line 3, column 11: there is no field ‘deph’ here; write ‘depth’, or one of depth, \
          capacity, merge, threshold, fill",
     );
-    let at = "there is no field ‘x’ here; there are at, method";
+    let at = "there is no field ‘x’ here; there are at, method, variants";
     refused_with(
         r#""query": {"point": {"at": [0, 0], "x": 1}}"#,
         &format!("line 3, column 35: {at}"),
@@ -341,4 +346,19 @@ fn the_schema_knows_every_algorithm_and_every_variant() {
     assert_eq!(properties["algorithm"]["enum"], json!(Algorithm::ALL.map(Algorithm::id)));
     let variants = &properties["options"]["properties"]["variants"]["items"]["enum"];
     assert_eq!(*variants, json!(Variant::ALL.map(Variant::id)));
+
+    let variants = Variants::NONE;
+    let (level, code, reach) = (0, [0; 2], Reach::default());
+    let (direction, method) = (Direction::new([1, 0]).unwrap(), NeighbourMethod::Codes);
+    for (kind, query) in [
+        ("point", Query::Point { at: [0.0; 2], method: PointMethod::Codes, variants }),
+        ("region", Query::Region { min: [0.0; 2], max: [0.0; 2], variants }),
+        ("neighbour", Query::Neighbour { level, code, direction, reach, method, variants }),
+    ] {
+        let own = Variant::ALL.into_iter().filter(|&variant| query.takes(variant));
+        let own: Vec<_> = own.map(Variant::id).collect();
+        let kinds = properties["query"]["oneOf"].as_array().unwrap();
+        let fields = kinds.iter().find_map(|k| k["properties"].get(kind)).unwrap();
+        assert_eq!(fields["properties"]["variants"]["items"]["enum"], json!(own), "{kind}");
+    }
 }

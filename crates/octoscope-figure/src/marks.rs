@@ -345,7 +345,7 @@ impl<const D: usize> Scene<'_, D> {
             Query::Point { at, .. } => {
                 marks.push(Mark::new(Shape::Point(at), Role::QueryPoint));
             }
-            Query::Region { min, max } => {
+            Query::Region { min, max, .. } => {
                 marks.push(Mark::new(Shape::Box(Aabb { min, max }), Role::Region));
             }
             Query::Neighbour { level, code, direction, .. } => {

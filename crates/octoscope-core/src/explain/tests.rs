@@ -71,13 +71,25 @@ fn queries<const D: usize>() -> Vec<(&'static str, Query<D>)> {
             let options = Options { stop_at, segment_end, variants };
             queries.push((algorithm.id(), Query::Ray { algorithm, options, arithmetic }));
         }
+        for variant in Variant::ALL.into_iter().filter(own) {
+            let options =
+                Options { variants: [variant].into_iter().collect(), ..Options::default() };
+            let arithmetic = Arithmetic::Doubles;
+            queries.push((algorithm.id(), Query::Ray { algorithm, options, arithmetic }));
+        }
     }
     for at in [[0.3; D], [0.5; D], [1.0; D]] {
-        queries.push(("point-codes", Query::Point { at, method: PointMethod::Codes }));
-        queries.push(("point-comparison", Query::Point { at, method: PointMethod::Comparison }));
+        let point = |method, variants| Query::Point { at, method, variants };
+        queries.push(("point-comparison", point(PointMethod::Comparison, Variants::NONE)));
+        for variants in sets(&point(PointMethod::Codes, Variants::NONE)) {
+            queries.push(("point-codes", point(PointMethod::Codes, variants)));
+        }
     }
     for max in [0.3, 0.55, 0.9, 1.0] {
-        queries.push(("region", Query::Region { min: [0.26; D], max: [max; D] }));
+        let region = |variants| Query::Region { min: [0.26; D], max: [max; D], variants };
+        for variants in sets(&region(Variants::NONE)) {
+            queries.push(("region", region(variants)));
+        }
     }
     for direction in Direction::all() {
         for reach in [Reach::EqualOrLarger, Reach::Leaf, Reach::EveryLeaf] {
@@ -86,13 +98,30 @@ fn queries<const D: usize>() -> Vec<(&'static str, Query<D>)> {
                 ("neighbour-tables", NeighbourMethod::Tables),
             ] {
                 for (level, code) in [(0, [2; D]), (1, [2; D]), (2, [4; D])] {
-                    let query = Query::Neighbour { level, code, direction, reach, method };
-                    queries.push((name, query));
+                    let neighbour = |variants| Query::Neighbour {
+                        level,
+                        code,
+                        direction,
+                        reach,
+                        method,
+                        variants,
+                    };
+                    for variants in sets(&neighbour(Variants::NONE)) {
+                        queries.push((name, neighbour(variants)));
+                    }
                 }
             }
         }
     }
     queries
+}
+
+/// No variant, every single one that the query takes, and all of them.
+fn sets<const D: usize>(query: &Query<D>) -> Vec<Variants> {
+    let own: Vec<Variant> = Variant::ALL.into_iter().filter(|&v| query.takes(v)).collect();
+    let mut sets = vec![Variants::NONE, own.iter().copied().collect()];
+    sets.extend(own.into_iter().map(|variant| Variants::NONE.with(variant)));
+    sets
 }
 
 /// Calls `check` for every run of every query on sample trees.
@@ -294,14 +323,14 @@ fn the_end_of_a_search_names_what_was_found() {
     let ray = Ray::new([0.0, 0.0], [1.0, 0.0]).unwrap();
     let check = |query, expected| check_words::<2>(&ray, &query, expected);
     check(
-        Query::Point { at: [0.9, 0.1], method: PointMethod::Codes },
+        Query::Point { at: [0.9, 0.1], method: PointMethod::Codes, variants: Variants::NONE },
         [
             "The search ends: it has found the node (4, 0) of level 2, a leaf.",
             "Die Suche endet: Gefunden ist Knoten (4, 0) auf Ebene 2, ein Blatt.",
         ],
     );
     check(
-        Query::Region { min: [0.1, 0.1], max: [0.3, 0.3] },
+        Query::Region { min: [0.1, 0.1], max: [0.3, 0.3], variants: Variants::NONE },
         [
             "The search ends: it has found the node (0, 0) of level 2, which has children.",
             "Die Suche endet: Gefunden ist Knoten (0, 0) auf Ebene 2, der Kinder hat.",
@@ -313,6 +342,7 @@ fn the_end_of_a_search_names_what_was_found() {
         direction: Direction::new(direction).unwrap(),
         reach: Reach::EqualOrLarger,
         method: NeighbourMethod::Codes,
+        variants: Variants::NONE,
     };
     check(
         beyond([0, 0], [1, 0]),

@@ -1,9 +1,10 @@
 //! Neighbours over faces, edges and corners by codes [Frisken, Perry 2002, §5].
 
-use super::climb;
 use super::point::{descend, found};
+use super::{climb, misprint};
 use crate::event::{End, Event, Observer, Outcome};
 use crate::geometry::Axes;
+use crate::traverse::{Variant, Variants};
 use crate::tree::{Child, Node, NodeId, Tree};
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
@@ -75,16 +76,24 @@ pub fn neighbour<const D: usize>(
     reach: Reach,
     observe: &mut impl Observer<D>,
 ) -> Outcome {
+    neighbour_as_printed(tree, id, direction, reach, Variants::NONE, observe)
+}
+
+/// The same by rules of which some may be misprinted.
+pub fn neighbour_as_printed<const D: usize>(
+    tree: &Tree<D>,
+    id: NodeId,
+    direction: Direction<D>,
+    reach: Reach,
+    variants: Variants,
+    observe: &mut impl Observer<D>,
+) -> Outcome {
     let (level, from) = (tree.level(id), tree.code(id));
     observe.observe(Event::Begin { node: id });
 
     // Offset: upwards the size of the cell, downwards one smallest cell, since
     // the sizes beyond are unknown but that cell lies in all of them.
-    let to: [i64; D] = std::array::from_fn(|e| match direction.0[e] {
-        0 => i64::from(from[e]),
-        s if s > 0 => i64::from(from[e]) + (1 << level),
-        _ => i64::from(from[e]) - 1,
-    });
+    let to = misprint::target(level, from, direction, variants);
     let axes = Axes::where_true(direction.0.map(|s| s != 0));
     observe.observe(Event::Target { level, from, to, axes });
 
@@ -98,7 +107,12 @@ pub fn neighbour<const D: usize>(
 
     // Climb to the common ancestor, then descend along the target codes.
     let target = to.map(|c| c as u32);
-    let (ancestor, ancestor_level) = climb(tree, tree.node(id), level, from, target, observe);
+    let misread = variants.has(Variant::B25Leftmost) || variants.has(Variant::B25Rightmost);
+    let (ancestor, ancestor_level) = if misread {
+        misprint::climb(tree, tree.node(id), level, [from, target], variants, observe)
+    } else {
+        climb(tree, tree.node(id), level, from, target, observe)
+    };
     let stop_level = match reach {
         Reach::EqualOrLarger | Reach::EveryLeaf => level,
         Reach::Leaf => 0,

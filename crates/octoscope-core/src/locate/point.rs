@@ -1,7 +1,9 @@
 //! Point location: the leaf that owns a point.
 
+use super::misprint;
 use crate::event::{End, Event, Observer, Outcome};
 use crate::geometry::Aabb;
+use crate::traverse::Variants;
 use crate::tree::{Child, Code, Node, Tree, branch};
 
 /// Leaf that owns `point`, by comparing it with the mid planes of every node on
@@ -41,8 +43,18 @@ pub fn locate_by_codes<const D: usize>(
     point: [f64; D],
     observe: &mut impl Observer<D>,
 ) -> Outcome {
+    locate_by_codes_as_printed(tree, point, Variants::NONE, observe)
+}
+
+/// The same by rules of which some may be misprinted.
+pub fn locate_by_codes_as_printed<const D: usize>(
+    tree: &Tree<D>,
+    point: [f64; D],
+    variants: Variants,
+    observe: &mut impl Observer<D>,
+) -> Outcome {
     // Encode: refuse what is outside, lest the upper face wrap round to 0.
-    let Some(code) = tree.domain().encode_point(point) else {
+    let Some(code) = misprint::encode(tree.domain(), point, variants) else {
         observe.observe(Event::End(End::Outside));
         return Outcome::without_node(End::Outside);
     };
@@ -50,7 +62,9 @@ pub fn locate_by_codes<const D: usize>(
 
     // Follow one bit of every code a level, until a leaf stops it.
     observe.observe(Event::Begin { node: tree.root().id });
-    let (leaf, _) = descend(tree, tree.root(), tree.domain().root_level(), code, 0, observe);
+    let root_level = tree.domain().root_level();
+    let read = misprint::as_read(code, root_level, variants);
+    let (leaf, _) = descend(tree, tree.root(), root_level, read, 0, observe);
     found(leaf, observe)
 }
 

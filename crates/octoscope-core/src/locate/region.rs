@@ -1,8 +1,10 @@
 //! Region location: the smallest node that holds a box [Frisken, Perry 2002, §4].
 
+use super::misprint;
 use super::point::{descend, found};
 use crate::event::{End, Event, Observer, Outcome};
-use crate::tree::{Tree, common_level};
+use crate::traverse::{Variant, Variants};
+use crate::tree::Tree;
 
 /// Smallest node that holds the smallest cells of both corners, `min` and `max`
 /// included. The level is one more than the highest bit in which their codes
@@ -14,6 +16,17 @@ pub fn locate_region<const D: usize>(
     max: [f64; D],
     observe: &mut impl Observer<D>,
 ) -> Outcome {
+    locate_region_as_printed(tree, min, max, Variants::NONE, observe)
+}
+
+/// The same by rules of which some may be misprinted.
+pub fn locate_region_as_printed<const D: usize>(
+    tree: &Tree<D>,
+    min: [f64; D],
+    max: [f64; D],
+    variants: Variants,
+    observe: &mut impl Observer<D>,
+) -> Outcome {
     // Encode both corners.
     let domain = tree.domain();
     let (Some(from), Some(to)) = (domain.encode_point(min), domain.encode_point(max)) else {
@@ -23,12 +36,13 @@ pub fn locate_region<const D: usize>(
     observe.observe(Event::Corners { min, max, from, to });
 
     // XOR: the highest one in any of the differences, plus 1, is the level.
-    let level = common_level(from, to);
     let xor = std::array::from_fn(|e| from[e] ^ to[e]);
+    let level = misprint::region_level(xor, variants);
     observe.observe(Event::Difference { from, to, xor, level });
 
     // Descend along the codes of a point of the region.
     observe.observe(Event::Begin { node: tree.root().id });
-    let (node, _) = descend(tree, tree.root(), domain.root_level(), from, level, observe);
+    let way = if variants.has(Variant::B24c) { xor } else { from };
+    let (node, _) = descend(tree, tree.root(), domain.root_level(), way, level, observe);
     found(node, observe)
 }

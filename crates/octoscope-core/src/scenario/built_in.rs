@@ -4,6 +4,7 @@ use super::{AnyScenario, Parameters, Scenario, Source, SourceError, StepAt, View
 use crate::geometry::Ray;
 use crate::query::{PointMethod, Query};
 use crate::scene::{Content, Cube, made};
+use crate::traverse::Variants;
 use crate::tree::Recipe;
 
 /// A scenario that comes with the program.
@@ -131,7 +132,8 @@ fn scenario<const D: usize>(entry: &BuiltIn, parameters: Parameters) -> Scenario
         "figure-1" => {
             recipe = Recipe { depth: 5, capacity: 1, ..recipe };
             // The report locates 0.55 on the axis.
-            query = Query::Point { at: first_of([0.55, 0.1]), method: PointMethod::Codes };
+            let (at, method) = (first_of([0.55, 0.1]), PointMethod::Codes);
+            query = Query::Point { at, method, variants: Variants::NONE };
             ray = ([-0.125, 0.046_875, 0.0], [1.0, 0.0625, 0.0]);
         }
         "checker-cells" => recipe.depth = n as u8,

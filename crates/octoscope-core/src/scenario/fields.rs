@@ -4,7 +4,7 @@
 use super::{Parameters, StepAt, View};
 use crate::locate::{NeighbourMethod, Reach};
 use crate::query::{Arithmetic, PointMethod};
-use crate::traverse::{Algorithm, Options};
+use crate::traverse::{Algorithm, Options, Variants};
 use crate::tree::{Fill, Merge};
 use serde::Deserialize;
 use serde::de::{Deserializer, Error, IgnoredAny, SeqAccess, Visitor};
@@ -126,10 +126,14 @@ pub(super) enum QueryField<const D: usize> {
         at: Vector<f64, D>,
         #[serde(default)]
         method: PointMethod,
+        #[serde(default)]
+        variants: Variants,
     },
     Region {
         min: Vector<f64, D>,
         max: Vector<f64, D>,
+        #[serde(default)]
+        variants: Variants,
     },
     Neighbour {
         level: u64,
@@ -139,6 +143,8 @@ pub(super) enum QueryField<const D: usize> {
         reach: Reach,
         #[serde(default)]
         method: NeighbourMethod,
+        #[serde(default)]
+        variants: Variants,
     },
 }
 

@@ -3,6 +3,7 @@
 use super::{AnyScenario, Scenario, Source, StepAt, default_ray, read::VERSION};
 use crate::query::Query;
 use crate::scene::{Content, Cube, Image};
+use crate::traverse::Variants;
 use crate::tree::Recipe;
 use serde::Serialize;
 use std::fmt::Display;
@@ -39,23 +40,23 @@ fn print<const D: usize>(scenario: &Scenario<D>) -> String {
             fields.push(("options", word(options)));
             fields.push(("arithmetic", word(arithmetic)));
         }
-        Query::Point { at, method } => {
-            let point = object(&[("at", vector(*at)), ("method", word(method))]);
-            fields.push(("query", object(&[("point", point)])));
+        Query::Point { at, method, variants } => {
+            let point = vec![("at", vector(*at)), ("method", word(method))];
+            fields.push(("query", asked("point", point, *variants)));
         }
-        Query::Region { min, max } => {
-            let region = object(&[("min", vector(*min)), ("max", vector(*max))]);
-            fields.push(("query", object(&[("region", region)])));
+        Query::Region { min, max, variants } => {
+            let region = vec![("min", vector(*min)), ("max", vector(*max))];
+            fields.push(("query", asked("region", region, *variants)));
         }
-        Query::Neighbour { level, code, direction, reach, method } => {
-            let neighbour = object(&[
+        Query::Neighbour { level, code, direction, reach, method, variants } => {
+            let neighbour = vec![
                 ("level", level.to_string()),
                 ("code", list(code)),
                 ("direction", list(&direction.components())),
                 ("reach", word(reach)),
                 ("method", word(method)),
-            ]);
-            fields.push(("query", object(&[("neighbour", neighbour)])));
+            ];
+            fields.push(("query", asked("neighbour", neighbour, *variants)));
         }
     }
     let step = match step {
@@ -68,6 +69,14 @@ fn print<const D: usize>(scenario: &Scenario<D>) -> String {
     let lines: Vec<String> =
         fields.iter().map(|(name, value)| format!("  \"{name}\": {value}")).collect();
     format!("{{\n{}\n}}\n", lines.join(",\n"))
+}
+
+/// A query that is no ray, with its variants if there are any.
+fn asked(kind: &str, mut fields: Vec<(&str, String)>, variants: Variants) -> String {
+    if !variants.is_empty() {
+        fields.push(("variants", word(&variants)));
+    }
+    object(&[(kind, object(&fields))])
 }
 
 fn build(recipe: &Recipe) -> String {

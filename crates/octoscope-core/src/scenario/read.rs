@@ -243,15 +243,20 @@ fn scenario<const D: usize>(file: File<D>) -> Result<Scenario<D>, Fault> {
             options: file.options.unwrap_or_default(),
             arithmetic: file.arithmetic.unwrap_or_default(),
         },
-        Some(QueryField::Point { at, method }) => Query::Point { at: at.0, method },
-        Some(QueryField::Region { min, max }) => Query::Region { min: min.0, max: max.0 },
-        Some(QueryField::Neighbour { level: of, code, direction, reach, method }) => {
+        Some(QueryField::Point { at, method, variants }) => {
+            Query::Point { at: at.0, method, variants }
+        }
+        Some(QueryField::Region { min, max, variants }) => {
+            Query::Region { min: min.0, max: max.0, variants }
+        }
+        Some(QueryField::Neighbour { level: of, code, direction, reach, method, variants }) => {
             Query::Neighbour {
                 level: level(of, "query.neighbour.level")?,
                 code: code.0,
                 direction: Direction::new(direction.0)?,
                 reach,
                 method,
+                variants,
             }
         }
     };

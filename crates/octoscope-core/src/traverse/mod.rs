@@ -17,6 +17,8 @@ mod exhaustive;
 mod gargantini;
 mod glassner;
 mod hero;
+mod misprint;
+mod misprinted_rules;
 mod parametric;
 mod parametric_table;
 mod report;

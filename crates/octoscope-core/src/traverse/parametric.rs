@@ -20,6 +20,7 @@
 
 use super::algorithm::Options;
 use super::clip::{Clip, at_planes, clip, earliest, latest};
+use super::misprint::{self, Base};
 use super::report::{Report, finish, missed};
 use super::variant::Variant;
 use crate::event::{Event, Observer, Outcome};
@@ -34,6 +35,10 @@ pub fn traverse<const D: usize, P: Parameter>(
     options: Options,
     observe: &mut impl Observer<D>,
 ) -> Outcome {
+    if options.variants.iter().any(Variant::is_misprint) {
+        return misprint::traverse(tree, ray, options, Base::Uniform, observe);
+    }
+
     // Clip: the six (four) parameters of the root.
     let (clip, event) = clip::<D, P>(tree.domain(), ray, options);
     observe.observe(event);

@@ -15,6 +15,7 @@
 
 use super::algorithm::Options;
 use super::clip::{Clip, at_planes, clip, earliest, latest};
+use super::misprint::{self, Base};
 use super::parametric::averaged;
 use super::report::{Report, finish, missed};
 use super::variant::Variant;
@@ -66,6 +67,10 @@ pub fn traverse<const D: usize, P: Parameter>(
     options: Options,
     observe: &mut impl Observer<D>,
 ) -> Outcome {
+    if options.variants.iter().any(Variant::is_misprint) {
+        return misprint::traverse(tree, ray, options, Base::Tables, observe);
+    }
+
     // Clip: the six (four) parameters of the root.
     let (clip, event) = clip::<D, P>(tree.domain(), ray, options);
     observe.observe(event);
@@ -185,7 +190,7 @@ impl<const D: usize, P: Parameter, O: Observer<D>> Walk<'_, D, P, O> {
 
 /// Axis of the far plane that is reached first, by the paper's chain of strict
 /// comparisons: of equal ones the last axis.
-fn exit_axis<const D: usize, P: Parameter>(far: [P; D]) -> usize {
+pub(super) fn exit_axis<const D: usize, P: Parameter>(far: [P; D]) -> usize {
     let mut first = 0;
     for e in 1..D {
         if !far[first].before(far[e]) {

@@ -33,6 +33,19 @@ impl<P: Parameter> Report<P> {
             observe.observe(Event::Touch { node: node.id, at: exit.value() });
             return ControlFlow::Continue(());
         }
+        self.crossed(node, enter, exit, observe)
+    }
+
+    /// Reports that the ray is in leaf `node` from `enter` to `exit`, whatever
+    /// these are. Breaks if nothing is wanted of later leaves.
+    #[inline]
+    pub fn crossed<const D: usize>(
+        &self,
+        node: Node,
+        enter: P,
+        exit: P,
+        observe: &mut impl Observer<D>,
+    ) -> ControlFlow<Outcome> {
         let ends = self.segment_end.filter(|&end| !exit.before(end));
         let exit = ends.unwrap_or(exit).value();
         let full = node.is_full();

@@ -31,18 +31,32 @@ fn queries<const D: usize>(tree: &Tree<D>, random: &mut Random) -> Vec<Query<D>>
     let (min, side) = (tree.domain().min(), tree.domain().side());
     let mut point = || std::array::from_fn(|e| min[e] + side * random.between(-0.1, 1.1));
     let (a, b) = (point(), point());
-    queries.push(Query::Point { at: a, method: PointMethod::Codes });
-    queries.push(Query::Point { at: a, method: PointMethod::Comparison });
-    queries.push(Query::Region { min: a, max: b });
+    let variants = Variants::NONE;
+    queries.push(Query::Point { at: a, method: PointMethod::Codes, variants });
+    queries.push(Query::Point { at: a, method: PointMethod::Comparison, variants });
+    queries.push(Query::Region { min: a, max: b, variants });
     let id = NodeId(random.below(tree.n_nodes() as u64) as u32);
     let (level, code) = (tree.level(id), tree.code(id));
     for direction in Direction::all() {
         for reach in [Reach::EqualOrLarger, Reach::Leaf, Reach::EveryLeaf] {
             for method in [NeighbourMethod::Codes, NeighbourMethod::Tables] {
-                queries.push(Query::Neighbour { level, code, direction, reach, method });
+                queries.push(Query::Neighbour { level, code, direction, reach, method, variants });
             }
         }
     }
+    let with_all = |query: Query<D>| {
+        let own = Variant::ALL.into_iter().filter(|&v| query.takes(v)).collect();
+        match query {
+            Query::Ray { .. } => None,
+            Query::Point { at, method, .. } => Some(Query::Point { at, method, variants: own }),
+            Query::Region { min, max, .. } => Some(Query::Region { min, max, variants: own }),
+            Query::Neighbour { level, code, direction, reach, method, .. } => {
+                Some(Query::Neighbour { level, code, direction, reach, method, variants: own })
+            }
+        }
+    };
+    let misprinted: Vec<_> = queries.iter().copied().filter_map(with_all).collect();
+    queries.extend(misprinted);
     queries
 }
 

@@ -1,0 +1,280 @@
+//! Every rule as once printed fails on its counterexample as described, and
+//! right rules do not.
+
+use octoscope_core::event::{End, Event};
+use octoscope_core::geometry::Ray;
+use octoscope_core::locate::{Direction, Reach, locate_by_codes_as_printed, neighbour_as_printed};
+use octoscope_core::paper::counterexample;
+use octoscope_core::progress::Progress;
+use octoscope_core::query::{Arithmetic, Query};
+use octoscope_core::scenario::AnyScenario;
+use octoscope_core::trace::{Trace, record};
+use octoscope_core::traverse::{Method, Options, Variant, Variants};
+use octoscope_core::tree::{Child, Domain, Split, Tree, build, grow};
+
+/// Tree that is divided down to level 0.
+fn full<const D: usize>(root_level: u8) -> Tree<D> {
+    divided(Domain::unit(root_level))
+}
+
+/// The same over `domain`.
+fn divided<const D: usize>(domain: Domain<D>) -> Tree<D> {
+    grow(domain, (), &Progress::default(), |cell, ()| match cell.level {
+        0 => Split::Empty,
+        _ => Split::Inner(vec![(); Child::<D>::COUNT]),
+    })
+    .expect("nobody cancels")
+}
+
+fn run<const D: usize>(
+    tree: &Tree<D>,
+    origin: [f64; D],
+    direction: [f64; D],
+    id: &str,
+) -> Trace<D> {
+    let Method { algorithm, variants } = id.parse().expect(id);
+    let ray = Ray::new(origin, direction).expect("the numbers make a ray");
+    let options = Options { variants, ..Options::default() };
+    record(tree, &ray, &Query::Ray { algorithm, options, arithmetic: Arithmetic::Doubles })
+}
+
+/// Runs misprint `id` and the right rules in the children of the unit cube;
+/// the visited children must be these.
+#[track_caller]
+fn check<const D: usize>(
+    id: &str,
+    origin: [f64; D],
+    direction: [f64; D],
+    [printed, right]: [&[u8]; 2],
+) {
+    check_in(Domain::unit(1), id, origin, direction, [printed, right]);
+}
+
+#[track_caller]
+fn check_in<const D: usize>(
+    domain: Domain<D>,
+    id: &str,
+    origin: [f64; D],
+    direction: [f64; D],
+    [printed, right]: [&[u8]; 2],
+) {
+    let tree = divided(domain);
+    let children = |id: &str| -> Vec<u8> {
+        let trace = run(&tree, origin, direction, id);
+        trace
+            .leaves()
+            .map(|(leaf, _)| tree.child_index(leaf).expect("the root is divided").0)
+            .collect()
+    };
+    assert_eq!(children(id), printed, "{id}");
+    let (algorithm, _) = id.split_once('@').expect(id);
+    assert_eq!(children(algorithm), right, "{algorithm}");
+    assert_eq!(children("exhaustive"), right);
+}
+
+/// States in which the children of the root are visited.
+fn states<const D: usize>(origin: [f64; D], direction: [f64; D], id: &str) -> Vec<u8> {
+    let trace = run(&divided(Domain::unit(1)), origin, direction, id);
+    let state_of = |event: &Event<D>| match event {
+        Event::Visit { state, .. } => state.map(|state| state.0),
+        _ => None,
+    };
+    trace.events.iter().filter_map(state_of).collect()
+}
+
+const BOTH: [&str; 2] = ["parametric", "parametric-table"];
+
+#[test]
+fn b_1_calls_every_miss_a_hit() {
+    for base in BOTH {
+        check(&format!("{base}@B-1"), [-2.0, 0.0], [1.0, 1.0], [&[1], &[]]);
+    }
+    let trace = run(&divided(Domain::unit(1)), [-2.0, 0.0], [1.0, 1.0], "parametric@B-1");
+    assert!(matches!(trace.events[0], Event::Clip { enter: 0.0, exit: 3.0, hit: true, .. }));
+}
+
+#[test]
+fn b_2_takes_a_wrong_first_child_and_loses_a_leaf() {
+    let (origin, direction) = ([0.75, 0.25, -1.0], [0.0625, 0.0625, 1.0]);
+    for base in BOTH {
+        let id = format!("{base}@B-2");
+        check(&id, origin, direction, [&[5], &[4, 5]]);
+        assert_eq!(states(origin, direction, &id), [1, 5]);
+    }
+}
+
+#[test]
+fn b_3_selects_the_wrong_children_and_none_along_the_diagonal() {
+    for base in BOTH {
+        let id = format!("{base}@B-3");
+        check(&id, [-1.0, 0.1], [1.0, 0.1], [&[0, 1, 3], &[0, 2]]);
+        check(&id, [-1.0, -1.0], [1.0, 1.0], [&[], &[0, 3]]);
+    }
+}
+
+#[test]
+fn b_4_puts_the_mid_plane_on_the_near_plane() {
+    for base in BOTH {
+        let id = format!("{base}@B-4");
+        check(&id, [-1.0, 0.1], [1.0, 0.1], [&[3], &[0, 2]]);
+    }
+}
+
+#[test]
+fn b_5_hits_the_root_from_its_upper_face() {
+    for base in BOTH {
+        let id = format!("{base}@B-5");
+        check(&id, [1.0, 0.25, -1.0], [0.0, 0.0, 1.0], [&[4, 5], &[]]);
+        check(&id, [0.5, 0.25, -1.0], [0.0, 0.0, 1.0], [&[0, 1], &[4, 5]]);
+    }
+}
+
+#[test]
+fn b_6_puts_rays_along_an_axis_into_the_lower_halves() {
+    for base in BOTH {
+        let id = format!("{base}@B-6");
+        check(&id, [0.75, 0.75, -1.0], [0.0, 0.0, 1.0], [&[0, 1], &[6, 7]]);
+    }
+}
+
+#[test]
+fn b_7_mirrors_a_root_away_from_zero_to_another_place() {
+    let domain = || Domain::new([1.0, 1.0], 2.0, 1).unwrap();
+    for base in BOTH {
+        let id = format!("{base}@B-7");
+        check_in(domain(), &id, [4.0, 1.25], [-1.0, 0.5], [&[3], &[2, 3, 1]]);
+        // A root at 0 is mirrored about its centre all the same.
+        check(&id, [1.5, 0.125], [-1.0, 0.5], [&[2, 3, 1], &[2, 3, 1]]);
+    }
+}
+
+#[test]
+fn b_9_walks_to_the_last_child_from_the_first() {
+    let (origin, direction) = ([0.75, 0.75, 0.328_125], [1.0, 0.5, 0.0625]);
+    check("parametric@B-9", origin, direction, [&[6], &[6]]);
+    assert_eq!(states(origin, direction, "parametric@B-9"), [0, 2, 6]);
+    assert_eq!(states(origin, direction, "parametric"), [6]);
+    assert_eq!(states([0.75; 3], [1.0; 3], "parametric@B-9,one-by-one"), [0, 4, 6, 7]);
+    assert!("parametric-table@B-9".parse::<Method>().is_err());
+}
+
+#[test]
+fn b_10_reports_what_lies_behind_the_origin() {
+    for base in BOTH {
+        let id = format!("{base}@B-10");
+        check(&id, [2.0; 3], [1.0; 3], [&[0, 7], &[]]);
+        let (origin, direction) = ([0.75, 0.75, 0.328_125], [1.0, 0.5, 0.0625]);
+        check(&id, origin, direction, [&[0, 2, 6], &[6]]);
+    }
+}
+
+#[test]
+fn b_11_takes_touching_for_crossing() {
+    for base in BOTH {
+        let id = format!("{base}@B-11");
+        check(&id, [0.0, 2.0], [1.0, -1.0], [&[3], &[]]);
+        check(&id, [1.0, -1.0], [0.0, 1.0], [&[2, 3], &[]]);
+    }
+    check("parametric-table@B-11", [-1.0; 3], [1.0; 3], [&[0, 1, 3, 7], &[0, 7]]);
+}
+
+#[test]
+fn misprints_are_named_in_capitals_or_not() {
+    assert_eq!("parametric@b-2,b-10".parse::<Method>().unwrap().to_string(), "parametric@B-2,B-10");
+    assert!("hero@B-2".parse::<Method>().is_err());
+}
+
+// Queries without a ray.
+
+/// Level and code of what `variant` finds in its counterexample, and of what
+/// the right rules find.
+fn found(id: &str) -> [Option<(u8, [u32; 2])>; 2] {
+    let variant: Variant = id.parse().expect(id);
+    let AnyScenario::Quadtree(scenario) = counterexample(variant) else { panic!("{id}") };
+    let content = scenario.source.content().expect("the cells are inline");
+    let domain = scenario.grid().expect("the depth is small");
+    let tree = build(&content, domain, &scenario.recipe, &Progress::default()).expect("few cells");
+    [scenario.query, scenario.query.corrected()].map(|query| {
+        let node = query.run(&tree, &scenario.ray, &mut ()).node?;
+        Some((tree.level(node), tree.code(node)))
+    })
+}
+
+#[test]
+fn b_18_reads_the_code_of_another_cell() {
+    assert_eq!(found("B-18"), [Some((0, [0, 0])), Some((0, [1, 1]))]);
+    // 001000 read from the right is 000100.
+    let tree = full::<1>(5);
+    let variants = Variants::NONE.with(Variant::B18);
+    let outcome = locate_by_codes_as_printed(&tree, [0.25], variants, &mut ());
+    assert_eq!(tree.code(outcome.node.expect("inside")), [0b00_0100]);
+}
+
+#[test]
+fn b_19_reads_the_bit_above() {
+    assert_eq!(found("B-19"), [Some((0, [0, 0])), Some((0, [1, 1]))]);
+}
+
+#[test]
+fn b_21_puts_the_upper_face_into_the_leftmost_cell() {
+    assert_eq!(found("B-21"), [Some((0, [0, 0])), None]);
+}
+
+#[test]
+fn b_24_misses_the_level_or_the_place_of_a_region() {
+    let right = Some((2, [4, 8]));
+    assert_eq!(found("B-24a"), [Some((1, [4, 8])), right]);
+    assert_eq!(found("B-24b"), [Some((0, [5, 9])), right]);
+    let [printed, corrected] = found("B-24c");
+    assert_eq!(printed.map(|(_, code)| code), Some([0, 0]));
+    assert_eq!(corrected, right);
+}
+
+#[test]
+fn b_25_stays_at_the_cell() {
+    for id in ["B-25-leftmost", "B-25-rightmost"] {
+        let [printed, right] = found(id);
+        assert!(printed.is_some_and(|(_, [x, _])| x < 2), "{id}: {printed:?}");
+        assert_eq!(right, Some((1, [2, 0])), "{id}");
+    }
+}
+
+/// How often of all face neighbours of a full tree with 5 levels below the root
+/// `variant` finds no or another ancestor.
+fn wrong_climbs(variant: Variant) -> [usize; 2] {
+    let tree = full::<1>(5);
+    let (mut wrong, mut all) = (0, 0);
+    for node in tree.nodes() {
+        for direction in Direction::all() {
+            let climbs = |variants| {
+                let mut events = Vec::new();
+                neighbour_as_printed(
+                    &tree,
+                    node.id,
+                    direction,
+                    Reach::EqualOrLarger,
+                    variants,
+                    &mut events,
+                );
+                let outside = events.iter().any(|event| matches!(event, Event::End(End::Outside)));
+                let climb = |event: &&Event<1>| matches!(event, Event::Climb { .. });
+                (!outside).then(|| events.iter().filter(climb).count())
+            };
+            let (right, printed) = (climbs(Variants::NONE), climbs(Variants::NONE.with(variant)));
+            all += usize::from(right.is_some());
+            wrong += usize::from(right != printed);
+        }
+    }
+    [wrong, all]
+}
+
+#[test]
+fn b_25_is_wrong_nearly_always() {
+    assert_eq!(wrong_climbs(Variant::B25Leftmost), [114, 114]);
+    assert_eq!(wrong_climbs(Variant::B25Rightmost), [108, 114]);
+}
+
+#[test]
+fn b_28_jumps_over_smaller_neighbours() {
+    assert_eq!(found("B-28"), [Some((0, [0, 0])), Some((0, [1, 0]))]);
+}
