@@ -36,6 +36,8 @@ pub struct App {
     chosen: files::Answers,
     /// One line that says what has just happened.
     status: String,
+    /// Number of searches for another ray: the seed of the next one.
+    n_searches: u64,
     /// The ray of the gallery that was shown last.
     degenerate: Option<Degenerate>,
     /// Layers on the graphics adapter; `None` without one.
@@ -96,6 +98,7 @@ impl App {
             job: None,
             chosen: files::Answers::default(),
             status: String::new(),
+            n_searches: 0,
             degenerate: None,
             layers,
         };

@@ -198,6 +198,7 @@ pub const COMMANDS: &[Row] = &[
     panel(PanelKind::Stack, "panel-stack"),
     panel(PanelKind::Counters, "panel-counters"),
     panel(PanelKind::Compare, "panel-compare"),
+    panel(PanelKind::Paper, "panel-paper"),
     row(Command::RestorePanels, "command-restore-panels", Menu::View, &[ctrl(Key::R)]),
     row(Command::FrameAll, "command-frame-all", Menu::View, &[key(Key::F)]),
     row(Command::NextTheme, "command-next-theme", Menu::View, &[key(Key::T)]),

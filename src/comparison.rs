@@ -24,7 +24,7 @@ pub struct Run {
 }
 
 /// More leaves than this are not tested one by one for every movement.
-const MOST_LEAVES: usize = 100_000;
+pub const MOST_LEAVES: usize = 100_000;
 
 /// Trees of more nodes than this are not linked while the ray moves.
 const MOST_LINKS: usize = 1_000_000;

@@ -1,10 +1,11 @@
 //! The open scenario with all that is derived from it.
 
-use crate::comparison::{Run, compare};
+use crate::comparison::{MOST_LEAVES, Run, compare};
 use crate::history::{Shared, Weighed};
 use octoscope_core::event::Event;
 use octoscope_core::explain::rounded_steps;
 use octoscope_core::geometry::Ray;
+use octoscope_core::paper::{Verdict, verdict};
 use octoscope_core::progress::Progress;
 use octoscope_core::query::Query;
 use octoscope_core::scenario::{AnyScenario, Scenario, Source, StepAt};
@@ -53,6 +54,8 @@ pub struct Document<const D: usize> {
     pub rounded: Arc<[usize]>,
     /// All algorithms on the ray, once they are asked for.
     comparison: Option<Arc<Vec<Run>>>,
+    /// Whether the run comes to the right result, once that is asked for.
+    verdict: Option<Arc<Verdict>>,
     traced: (Ray<D>, Query<D>),
     /// The query along the ray before the present one, and the playhead in it.
     left_ray: Option<(Query<D>, usize)>,
@@ -90,6 +93,7 @@ impl<const D: usize> Document<D> {
             total,
             rounded,
             comparison: None,
+            verdict: None,
             traced,
             left_ray: None,
             built,
@@ -198,7 +202,18 @@ impl<const D: usize> Document<D> {
         self.total = costs(&self.trace);
         self.rounded = rounded(&self.tree, &ray, &self.trace);
         self.comparison = None;
+        self.verdict = None;
         self.traced = (ray, query);
+    }
+
+    /// Whether the run comes to the right result, computed once for every ray and
+    /// tree; `None` where the tree is too large to ask every leaf.
+    pub fn verdict(&mut self) -> Option<Arc<Verdict>> {
+        if self.tree.n_leaves() > MOST_LEAVES {
+            return None;
+        }
+        let (tree, ray, trace) = (&self.tree, &self.traced.0, &self.trace);
+        Some(Arc::clone(self.verdict.get_or_insert_with(|| Arc::new(verdict(tree, ray, trace)))))
     }
 
     /// All algorithms on the ray; computed once for every ray and tree.

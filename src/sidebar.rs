@@ -9,6 +9,7 @@ use crate::space::{self, Layers, Space};
 use crate::view::{Preset, View};
 use eframe::egui::{CentralPanel, Frame, Margin, Panel, Rangef, ScrollArea, Ui, UiBuilder};
 use octoscope_core::query::Query;
+use octoscope_core::traverse::Variant;
 
 /// Windows of less than this, in points, have panels on one side only.
 const NARROW: f32 = 900.0;
@@ -19,8 +20,21 @@ const LEAST_VIEW: f32 = 240.0;
 /// Width of the question's side, margins included.
 const QUESTION: f32 = 280.0;
 
-/// Shows the panels on both sides and the space view between them. Returns the
-/// identifier of a built-in scene to open.
+/// What a panel wishes the window to do.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Wish {
+    /// Open the built-in scene of this identifier.
+    Scene(&'static str),
+    /// Open the counterexample of a misprint.
+    Counterexample(Variant),
+    /// Look for another ray on which the query goes wrong.
+    OtherRay,
+    /// Move the playhead.
+    Step(usize),
+}
+
+/// Shows the panels on both sides and the space view between them. Returns what
+/// they wish for.
 pub fn ui<const D: usize>(
     ui: &mut Ui,
     look: &Look,
@@ -28,12 +42,12 @@ pub fn ui<const D: usize>(
     view: &mut View,
     layers: Option<&mut Layers>,
     status: &mut String,
-) -> Option<&'static str> {
+) -> Option<Wish> {
     let moment = document.moment(view.playback.step);
     // The scroll bar lies in the margin.
     let margin = Margin { left: 16, right: 8, top: 8, bottom: 8 };
     let frame = Frame::new().fill(look.palette.panel).inner_margin(margin);
-    let mut scene = None;
+    let (mut scene, mut wish) = (None, None);
     let lecture = view.preset == Preset::Lecture;
     // In a narrow window the question stands below its explanation.
     let room = ui.available_width();
@@ -52,7 +66,7 @@ pub fn ui<const D: usize>(
         let most = (ui.available_width() - LEAST_VIEW).clamp(260.0, 760.0);
         right.size_range(Rangef::new(260.0, most)).show(ui, |ui| {
             scrolled(ui, |ui| {
-                explanation::ui(ui, look, document, &moment, view, &panels);
+                wish = explanation::ui(ui, look, document, &moment, view, &panels);
                 if question_below {
                     ui.separator();
                     scene = question(ui, look, document, view, status);
@@ -64,7 +78,7 @@ pub fn ui<const D: usize>(
     CentralPanel::default().frame(middle).show(ui, |ui| {
         space::ui(ui, look, Space { document, moment: &moment, view, layers });
     });
-    scene
+    scene.map(Wish::Scene).or(wish)
 }
 
 /// First width of the explanation in a window of so many points.

@@ -21,6 +21,7 @@ pub fn texts(language: Language) -> Texts {
 mod tests {
     use super::*;
     use crate::command::{COMMANDS, Menu};
+    use octoscope_core::paper::erratum_of;
     use octoscope_core::scenario::BUILT_IN;
     use octoscope_core::traverse::Variant;
 
@@ -49,7 +50,8 @@ mod tests {
             let inner = Menu::ALL.into_iter().filter_map(Menu::inner);
             let menus = Menu::ALL.into_iter().chain(inner).map(|menu| menu.id().to_owned());
             let scenes = BUILT_IN.iter().map(|scene| format!("scene-{}", scene.id));
-            let variants = Variant::ALL.into_iter().flat_map(|variant| {
+            let choices = Variant::ALL.into_iter().filter(|&variant| erratum_of(variant).is_none());
+            let variants = choices.flat_map(|variant| {
                 ["", "-why"].map(|end| format!("variant-{}{end}", variant.id()))
             });
             for key in commands.chain(menus).chain(scenes).chain(variants) {

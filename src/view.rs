@@ -3,6 +3,7 @@
 use crate::arrangement::Arrangement;
 use crate::playback::Playback;
 use eframe::egui::Vec2;
+use octoscope_core::paper::erratum_of;
 use octoscope_core::query::Query;
 use octoscope_core::text::Language;
 use octoscope_core::traverse::Algorithm;
@@ -133,11 +134,13 @@ pub enum PanelKind {
     Counters,
     /// All algorithms side by side.
     Compare,
+    /// Rules as printed against corrected.
+    Paper,
 }
 
 impl PanelKind {
     /// All panels, in the order of the menu.
-    pub const ALL: [Self; 10] = [
+    pub const ALL: [Self; 11] = [
         Self::Rail,
         Self::Automaton,
         Self::Codes,
@@ -148,6 +151,7 @@ impl PanelKind {
         Self::Stack,
         Self::Counters,
         Self::Compare,
+        Self::Paper,
     ];
 
     /// Key of its title in the language files.
@@ -163,6 +167,7 @@ impl PanelKind {
             Self::Stack => "panel-stack",
             Self::Counters => "panel-counters",
             Self::Compare => "panel-compare",
+            Self::Paper => "panel-paper",
         }
     }
 }
@@ -176,7 +181,8 @@ impl Preset {
     /// say about it give way to the one that explains it.
     pub fn panels<const D: usize>(self, query: &Query<D>) -> Vec<PanelKind> {
         use PanelKind::{
-            Automaton, Codes, Compare, Counters, Listing, Neighbour, Rail, Region, Stack, Variables,
+            Automaton, Codes, Compare, Counters, Listing, Neighbour, Paper, Rail, Region, Stack,
+            Variables,
         };
         let own = match query {
             Query::Ray { algorithm: Algorithm::Codes, .. } => Some(Neighbour),
@@ -207,13 +213,16 @@ impl Preset {
             Rail | Compare => about_rays,
             Automaton | Stack => has_states,
             Region | Neighbour => own == Some(*kind),
-            Codes | Listing | Variables | Counters => true,
+            Codes | Listing | Variables | Counters | Paper => true,
         };
         let mut panels: Vec<_> = chosen.iter().copied().filter(says_something).collect();
         if let Some(own) = own.filter(|own| !panels.contains(own))
             && self != Self::Debug
         {
             panels.insert(usize::from(about_rays).min(panels.len()), own);
+        }
+        if query.variants().iter().any(|variant| erratum_of(variant).is_some()) {
+            panels.insert(0, Paper);
         }
         panels
     }

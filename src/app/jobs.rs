@@ -8,8 +8,10 @@ use crate::view::Dialog;
 use crate::with_document;
 use anyhow::anyhow;
 use eframe::egui::Context;
+use octoscope_core::paper::{counterexample, find_other};
 use octoscope_core::progress::Progress;
 use octoscope_core::scenario::AnyScenario;
+use octoscope_core::traverse::Variant;
 use std::path::{Path, PathBuf};
 
 /// What the result of a job is for.
@@ -21,6 +23,8 @@ pub(super) enum Purpose {
     Restore,
     /// Its tree is taken into the present document.
     Rebuild,
+    /// Its ray is taken into the present document.
+    Aim,
 }
 
 impl App {
@@ -50,6 +54,31 @@ impl App {
         let title = self.look.texts.format("job-open", &[("name", id.into())]);
         let work = move |progress: &Progress| open_built_in(id, progress);
         self.job = Some((Job::start(title, context, work), Purpose::Open));
+    }
+
+    /// Opens the counterexample of a misprint.
+    pub(super) fn open_counterexample(&mut self, context: &Context, variant: Variant) {
+        let title = self.look.texts.format("job-open", &[("name", variant.id().into())]);
+        let work = move |progress: &Progress| {
+            open_scenario(counterexample(variant), Path::new(""), progress)
+        };
+        self.job = Some((Job::start(title, context, work), Purpose::Open));
+    }
+
+    /// Looks for another ray on which the query goes wrong; each time for another.
+    pub(super) fn find_other_ray(&mut self, context: &Context) {
+        self.n_searches += 1;
+        let (seed, mut document) = (self.n_searches, self.document.clone());
+        let (title, none) = (self.look.text("job-other-ray"), self.look.text("paper-no-other"));
+        let work = move |progress: &Progress| {
+            let found = with_document!(&mut document, d => {
+                let ray = find_other(&d.tree, &d.scenario.query, seed, progress);
+                ray.map(|ray| d.scenario.ray = ray).is_some()
+            });
+            progress.advance(0)?;
+            if found { Ok(document) } else { Err(anyhow!(none)) }
+        };
+        self.job = Some((Job::start(title, context, work), Purpose::Aim));
     }
 
     pub(super) fn open_dropped(&mut self, context: &Context) {
@@ -117,7 +146,17 @@ impl App {
                 (AnyDocument::Plane(_), AnyDocument::Space(_))
                 | (AnyDocument::Space(_), AnyDocument::Plane(_)) => {}
             },
-            (Err(error), Purpose::Open | Purpose::Rebuild) => {
+            (Ok(aimed), Purpose::Aim) => match (&mut self.document, aimed) {
+                (AnyDocument::Plane(now), AnyDocument::Plane(aimed)) => {
+                    now.scenario.ray = aimed.scenario.ray;
+                }
+                (AnyDocument::Space(now), AnyDocument::Space(aimed)) => {
+                    now.scenario.ray = aimed.scenario.ray;
+                }
+                (AnyDocument::Plane(_), AnyDocument::Space(_))
+                | (AnyDocument::Space(_), AnyDocument::Plane(_)) => {}
+            },
+            (Err(error), Purpose::Open | Purpose::Rebuild | Purpose::Aim) => {
                 if purpose == Purpose::Rebuild {
                     with_document!(&mut self.document, document => document.keep_tree());
                 }

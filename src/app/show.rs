@@ -4,7 +4,8 @@ use super::App;
 use crate::command::Command;
 use crate::panels::menu::Entry;
 use crate::panels::{dialogs, menu, sentence, timeline};
-use crate::{sidebar, with_document};
+use crate::sidebar::{self, Wish};
+use crate::with_document;
 use eframe::egui::{Frame, Margin, Panel, Ui, vec2};
 use octoscope_core::explain::{sentence as sentence_of, short_title};
 
@@ -37,11 +38,16 @@ impl App {
             });
         });
         let layers = self.layers.as_mut();
-        let scene = with_document!(&mut self.document, d => {
+        let wish = with_document!(&mut self.document, d => {
             sidebar::ui(ui, &self.look, d, &mut self.view, layers, &mut self.status)
         });
-        if let Some(id) = scene {
-            self.open_scene(&ui.ctx().clone(), id);
+        let context = ui.ctx().clone();
+        match wish {
+            None => {}
+            Some(Wish::Scene(id)) => self.open_scene(&context, id),
+            Some(Wish::Counterexample(variant)) => self.open_counterexample(&context, variant),
+            Some(Wish::OtherRay) => self.find_other_ray(&context),
+            Some(Wish::Step(step)) => self.go_to(step),
         }
         self.show_dialogs(ui, commands);
     }

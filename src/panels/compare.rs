@@ -7,6 +7,13 @@ use octoscope_core::explain::algorithm_name;
 use octoscope_core::trace::Counter;
 use octoscope_core::traverse::Algorithm;
 
+/// Sides of less than this, in points, show fewer numbers.
+const NARROW: f32 = 330.0;
+
+/// Keys of the heads of the numbers' columns.
+const HEADS: [&str; 5] =
+    ["compare-leaves", "compare-steps", "compare-nodes", "compare-tests", "compare-quotients"];
+
 /// Costs of every algorithm and whether it finds the right leaves, a row each;
 /// a click on a name chooses the algorithm. Returns the chosen one.
 pub fn ui(ui: &mut Ui, look: &Look, runs: &[Run], shown: Option<Algorithm>) -> Option<Algorithm> {
@@ -15,17 +22,13 @@ pub fn ui(ui: &mut Ui, look: &Look, runs: &[Run], shown: Option<Algorithm>) -> O
         return None;
     }
     let mut chosen = None;
+    // In a narrow side there is no room for all of them.
+    let n_numbers = if ui.available_width() < NARROW { 3 } else { HEADS.len() };
     let quiet = |text: String| RichText::new(text).size(12.0).color(look.palette.quiet);
     let grid = Grid::new("compare").num_columns(7).striped(true).min_row_height(22.0);
     grid.spacing([10.0, 2.0]).min_col_width(16.0).show(ui, |ui| {
         ui.label("");
-        for key in [
-            "compare-leaves",
-            "compare-steps",
-            "compare-nodes",
-            "compare-tests",
-            "compare-quotients",
-        ] {
+        for key in &HEADS[..n_numbers] {
             let head = ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
                 ui.label(quiet(look.text(key)))
             });
@@ -33,7 +36,7 @@ pub fn ui(ui: &mut Ui, look: &Look, runs: &[Run], shown: Option<Algorithm>) -> O
         }
         ui.end_row();
         for run in runs {
-            if row(ui, look, run, shown == Some(run.algorithm)) {
+            if row(ui, look, run, shown == Some(run.algorithm), n_numbers) {
                 chosen = Some(run.algorithm);
             }
             ui.end_row();
@@ -45,8 +48,9 @@ pub fn ui(ui: &mut Ui, look: &Look, runs: &[Run], shown: Option<Algorithm>) -> O
     chosen
 }
 
-/// Row of one algorithm; true if its name is clicked.
-fn row(ui: &mut Ui, look: &Look, run: &Run, is_shown: bool) -> bool {
+/// Row of one algorithm, with the first few of its numbers; true if its name is
+/// clicked.
+fn row(ui: &mut Ui, look: &Look, run: &Run, is_shown: bool, n_numbers: usize) -> bool {
     let name = algorithm_name(run.algorithm, look.texts.language());
     let id = RichText::new(run.algorithm.id()).size(13.0);
     let response = ui.selectable_label(is_shown, id);
@@ -66,7 +70,7 @@ fn row(ui: &mut Ui, look: &Look, run: &Run, is_shown: bool) -> bool {
         (run.counters.comparisons().to_string(), look.palette.ink, String::new()),
         (run.counters.get(Counter::Divisions).to_string(), look.palette.ink, String::new()),
     ];
-    for (number, color, spoken) in numbers {
+    for (number, color, spoken) in numbers.into_iter().take(n_numbers) {
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             let label = ui.label(RichText::new(number).monospace().size(13.0).color(color));
             if !spoken.is_empty() {

@@ -8,6 +8,7 @@ pub mod dialogs;
 pub mod listing;
 pub mod menu;
 pub mod neighbour;
+pub mod paper;
 pub mod query;
 pub mod ray;
 pub mod region;

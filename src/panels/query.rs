@@ -3,10 +3,12 @@
 use crate::document::Document;
 use crate::look::Look;
 use crate::widgets::{heading, number_field, segments};
-use eframe::egui::{ComboBox, Grid, RichText, Ui};
+use eframe::egui::containers::menu::{MenuButton, MenuConfig};
+use eframe::egui::{ComboBox, Grid, PopupCloseBehavior, RichText, Ui};
 use octoscope_core::explain::algorithm_name;
 use octoscope_core::geometry::AXIS_NAMES;
 use octoscope_core::locate::{Direction, NeighbourMethod, Reach};
+use octoscope_core::paper::{erratum_of, paper_texts};
 use octoscope_core::query::{Arithmetic, PointMethod, Query};
 use octoscope_core::traverse::{Algorithm, Options, StopAt, Variant, Variants};
 use octoscope_core::tree::Code;
@@ -126,12 +128,24 @@ fn ray_query(
         (Arithmetic::Doubles, look.text("arithmetic-doubles")),
         (Arithmetic::Exact, look.text("arithmetic-exact")),
     ];
-    segments(ui, arithmetic, &choices);
+    ui.horizontal(|ui| {
+        segments(ui, arithmetic, &choices);
+        rules(ui, look, *algorithm, &mut options.variants);
+    });
     let mut first = options.stop_at == StopAt::FirstFull;
     ui.checkbox(&mut first, look.text("query-first-full"));
     options.stop_at = if first { StopAt::FirstFull } else { StopAt::End };
     segment_end(ui, look, &mut options.segment_end);
-    variants(ui, look, *algorithm, &mut options.variants);
+}
+
+/// Name of a variant and what it does.
+fn variant_texts(look: &Look, variant: Variant) -> (String, String) {
+    let Some(erratum) = erratum_of(variant) else {
+        let key = format!("variant-{}", variant.id());
+        return (look.text(&key), look.text(&format!("{key}-why")));
+    };
+    let told = |part| paper_texts(look.texts.language()).get(&erratum.key(part));
+    (format!("{} · {}", variant.id(), told("title")), told("why"))
 }
 
 /// Where the ray ends, if it does.
@@ -147,15 +161,23 @@ fn segment_end(ui: &mut Ui, look: &Look, end: &mut Option<f64>) {
     });
 }
 
-/// The rules of the algorithm that can be had in another form.
-fn variants(ui: &mut Ui, look: &Look, algorithm: Algorithm, chosen: &mut Variants) {
-    for variant in Variant::ALL.into_iter().filter(|variant| variant.belongs_to(algorithm)) {
-        let mut on = chosen.has(variant);
-        let name = look.text(&format!("variant-{}", variant.id()));
-        let why = look.text(&format!("variant-{}-why", variant.id()));
-        ui.checkbox(&mut on, name).on_hover_text(why);
-        *chosen = if on { chosen.with(variant) } else { chosen.without(variant) };
-    }
+/// Menu of the rules of the algorithm that can be had in another form.
+fn rules(ui: &mut Ui, look: &Look, algorithm: Algorithm, chosen: &mut Variants) {
+    let own = Variant::ALL.into_iter().filter(|variant| variant.belongs_to(algorithm));
+    let n_changed = chosen.iter().count();
+    let title = look.texts.format("query-rules", &[("n", n_changed.into())]);
+    let stays = MenuConfig::new().close_behavior(PopupCloseBehavior::CloseOnClickOutside);
+    MenuButton::new(title).config(stays).ui(ui, |ui| {
+        if own.clone().next().is_none() {
+            ui.label(look.text("query-rules-none"));
+        }
+        for variant in own {
+            let mut on = chosen.has(variant);
+            let (name, why) = variant_texts(look, variant);
+            ui.checkbox(&mut on, name).on_hover_text(why);
+            *chosen = if on { chosen.with(variant) } else { chosen.without(variant) };
+        }
+    });
     // Those of another algorithm mean nothing here.
     *chosen = chosen.iter().filter(|variant| variant.belongs_to(algorithm)).collect();
 }

@@ -3,8 +3,10 @@
 use crate::document::Document;
 use crate::look::Look;
 use crate::panels::{
-    automaton, codes, compare, counters, listing, neighbour, region, stack, t_rail, variables,
+    automaton, codes, compare, counters, listing, neighbour, paper, region, stack, t_rail,
+    variables,
 };
+use crate::sidebar::Wish;
 use crate::view::{PanelKind, Preset, View};
 use crate::widgets::{Place, panel_heading};
 use eframe::egui::{Rect, Ui, UiBuilder, vec2};
@@ -27,7 +29,8 @@ pub fn ui<const D: usize>(
     moment: &Moment<D>,
     view: &mut View,
     panels: &[PanelKind],
-) {
+) -> Option<Wish> {
+    let mut wish = None;
     let n_columns = if ui.available_width() >= TWO_COLUMNS { 2 } else { 1 };
     let whole = ui.available_rect_before_wrap();
     let width = (whole.width() + GAP) / n_columns as f32 - GAP;
@@ -50,7 +53,8 @@ pub fn ui<const D: usize>(
             chosen = change.map(|change| (kind, change)).or(chosen);
             if !folded {
                 // By its kind: what is remembered of a panel moves with it.
-                column.push_id(kind, |ui| body(ui, look, document, moment, view, kind));
+                let body = |ui: &mut Ui| body(ui, look, document, moment, view, kind);
+                wish = column.push_id(kind, body).inner.or(wish);
             }
         }
         bottom = column.min_rect().bottom().max(bottom);
@@ -59,6 +63,7 @@ pub fn ui<const D: usize>(
     if let Some((kind, change)) = chosen {
         view.arrangement().change(kind, change, panels);
     }
+    wish
 }
 
 /// Quiet words beside the title of a panel.
@@ -82,7 +87,8 @@ fn note<const D: usize>(
         | PanelKind::Listing
         | PanelKind::Variables
         | PanelKind::Counters
-        | PanelKind::Compare => String::new(),
+        | PanelKind::Compare
+        | PanelKind::Paper => String::new(),
     }
 }
 
@@ -93,7 +99,7 @@ fn body<const D: usize>(
     moment: &Moment<D>,
     view: &mut View,
     kind: PanelKind,
-) {
+) -> Option<Wish> {
     let trace = Arc::clone(&document.trace);
     let tree = Arc::clone(&document.tree);
     let event = moment.step.checked_sub(1).and_then(|index| trace.events.get(index));
@@ -124,6 +130,11 @@ fn body<const D: usize>(
             variables::ui(ui, look, &now, &before);
         }
         PanelKind::Compare => comparison(ui, look, document),
+        PanelKind::Paper => {
+            let verdict = document.verdict();
+            let query = &mut document.scenario.query;
+            return paper::ui(ui, look, query, verdict.as_deref());
+        }
         PanelKind::Stack => stack::ui(ui, look, &tree, moment),
         PanelKind::Counters => {
             let mut step = Counters::default();
@@ -139,6 +150,7 @@ fn body<const D: usize>(
             counters::ui(ui, look, counters::Costs { step: &step, so_far, total }, detail);
         }
     }
+    None
 }
 
 fn comparison<const D: usize>(ui: &mut Ui, look: &Look, document: &mut Document<D>) {

@@ -6,6 +6,7 @@ use egui_kittest::{Harness, HarnessBuilder, Node};
 use octoscope::app::App;
 use octoscope::document::{AnyDocument, Document};
 use octoscope::space::{PageInWindow, interesting};
+use octoscope_core::scenario::AnyScenario;
 use octoscope_figure::{Camera, Page};
 use std::ops::{Deref, DerefMut};
 use std::path::{Path, PathBuf};
@@ -54,6 +55,15 @@ impl Desk {
         self.state_mut().open(&context, path.as_ref().to_owned());
         self.state_mut().finish_work();
         self.run();
+    }
+
+    /// Opens a scenario, as from a file.
+    pub fn open_scenario(&mut self, scenario: &AnyScenario) {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("scene.octo");
+        std::fs::write(&path, scenario.print()).unwrap();
+        self.open(&path);
+        assert_eq!(self.state().view.dialog, None);
     }
 
     /// Presses and releases a key.

@@ -8,6 +8,7 @@ mod desk;
 mod files;
 mod layout;
 mod panels;
+mod paper;
 mod pictures;
 mod queries;
 mod ray;

@@ -13,10 +13,11 @@ use octoscope::view::{Preset, View};
 use octoscope::with_document;
 use octoscope_core::event::Event;
 use octoscope_core::locate::{Direction, NeighbourMethod, Reach};
+use octoscope_core::paper::counterexample;
 use octoscope_core::query::Query;
 use octoscope_core::scenario::{AnyScenario, Scenario, built_in};
 use octoscope_core::text::Language;
-use octoscope_core::traverse::{Algorithm, Variants};
+use octoscope_core::traverse::{Algorithm, Variant, Variants};
 use octoscope_figure::Theme;
 use std::sync::OnceLock;
 
@@ -258,7 +259,7 @@ fn plane(id: &str, change: impl FnOnce(&mut Scenario<2>)) -> AnyScenario {
     AnyScenario::Quadtree(scenario)
 }
 
-fn asked(algorithm: Algorithm) -> Query<2> {
+fn asked<const D: usize>(algorithm: Algorithm) -> Query<D> {
     let Query::Ray { options, arithmetic, .. } = Query::<2>::default() else {
         panic!("the first query is about a ray")
     };
@@ -267,14 +268,6 @@ fn asked(algorithm: Algorithm) -> Query<2> {
 
 impl Desk {
     /// Opens a scenario from a file, as a user would.
-    fn open_scenario(&mut self, scenario: &AnyScenario) {
-        let folder = tempfile::tempdir().unwrap();
-        let path = folder.path().join("scene.octo");
-        std::fs::write(&path, scenario.print()).unwrap();
-        self.open(&path);
-        assert_eq!(self.state().view.dialog, None);
-    }
-
     fn go_to(&mut self, at: &At) {
         let document = self.state().document().clone();
         let length = document.n_events();
@@ -293,4 +286,80 @@ fn nth<const D: usize>(events: &[Event<D>], n: usize, kind: &str) -> usize {
     let mut found = events.iter().enumerate().filter(|(_, event)| is_kind(event));
     let (index, _) = found.nth(n - 1).unwrap();
     index + 1
+}
+
+#[test]
+fn the_paper_lab() {
+    compare("paper-lab", |desk| {
+        desk.open_scenario(&counterexample(Variant::B3));
+        desk.press(Key::End);
+    });
+}
+
+/// Compares the picture of an algorithm in the middle of its work.
+fn compare_algorithm(algorithm: Algorithm, scene: &str, at: &At) {
+    compare(&format!("algorithm-{}", algorithm.id()), |desk| {
+        let mut scenario = built_in(scene).unwrap();
+        match &mut scenario {
+            AnyScenario::Quadtree(scenario) => scenario.query = asked(algorithm),
+            AnyScenario::Octree(scenario) => scenario.query = asked(algorithm),
+        }
+        desk.open_scenario(&scenario);
+        desk.go_to(at);
+    });
+}
+
+#[test]
+fn recursion_is_done_without() {
+    compare_algorithm(Algorithm::Esvo, "points-3d", &At::Nth(3, "Resume"));
+}
+
+#[test]
+fn every_child_is_tested() {
+    compare_algorithm(Algorithm::AllChildren, "quadtree-82", &At::Nth(14, "Test"));
+}
+
+#[test]
+fn hero_flips_a_bit() {
+    compare_algorithm(Algorithm::Hero, "points-3d", &At::Nth(2, "Flip"));
+}
+
+#[test]
+fn gargantini_classifies_a_piece() {
+    compare_algorithm(Algorithm::Gargantini, "quadtree-82", &At::Nth(5, "Classify"));
+}
+
+#[test]
+fn glassner_leaves_a_leaf() {
+    compare_algorithm(Algorithm::Glassner, "quadtree-82", &At::Nth(6, "Target"));
+}
+
+#[test]
+fn samet_mirrors_the_way_up() {
+    compare_algorithm(Algorithm::Samet, "quadtree-82", &At::Nth(4, "Mirror"));
+}
+
+#[test]
+fn samet_corner_climbs() {
+    compare_algorithm(Algorithm::SametCorner, "points-3d", &At::Nth(2, "Father"));
+}
+
+#[test]
+fn samet_net_follows_a_link() {
+    compare_algorithm(Algorithm::SametNet, "quadtree-82", &At::Nth(6, "Rope"));
+}
+
+#[test]
+fn bsp_splits_a_part() {
+    compare_algorithm(Algorithm::Bsp, "quadtree-82", &At::Nth(9, "Split"));
+}
+
+#[test]
+fn dda_crosses_a_plane() {
+    compare_algorithm(Algorithm::Dda, "points-3d", &At::Nth(9, "Cross"));
+}
+
+#[test]
+fn dda_looks_a_cell_up() {
+    compare_algorithm(Algorithm::DdaOctree, "quadtree-82", &At::Nth(12, "Cross"));
 }

@@ -60,6 +60,7 @@ panel-listing = Programm
 panel-variables = Variablen
 panel-stack = Stapel
 panel-counters = Zähler
+panel-paper = Werkstatt zum Aufsatz
 panel-compare = Vergleich
 panel-menu = Tafel { $title }
 panel-fold = Einklappen
@@ -136,6 +137,11 @@ query-region = Bereich
 query-neighbour = Nachbar
 query-algorithm = Verfahren
 query-first-full = Halt am ersten vollen Blatt
+query-rules = Regeln{ $n ->
+    [0] {""}
+   *[other] {" "}({ $n })
+}
+query-rules-none = Keine Regel dieses Verfahrens gibt es in anderer Form.
 query-segment-end = Ende bei t
 variant-one-by-one = eine Ebene auf einmal
 variant-one-by-one-why = Von Ebenen, die zugleich getroffen werden, wird nur eine gekreuzt: Unterwegs werden Zellen berührt.
@@ -244,3 +250,17 @@ about-licence = Version { $version }, unter der MIT- oder der Apache-Lizenz 2.0.
 drop-here = Datei loslassen, um sie zu öffnen
 status-saved = Gespeichert als { $name }
 status-exported = Exportiert als { $name }
+
+paper-none = Keine Regel dieses Verfahrens ist im Aufsatz falsch gedruckt.
+paper-counterexample = Gegenbeispiel laden
+paper-too-large = Der Baum ist zu groß, um Blatt für Blatt geprüft zu werden.
+paper-agrees = Bei dieser Eingabe schadet die gedruckte Regel nicht.
+paper-wrong = Geht bei Schritt { $step } schief.
+paper-go = Zu diesem Schritt
+paper-other = Anderen Strahl suchen, bei dem sie abweichen
+paper-no-other = Kein Strahl gefunden, bei dem gedruckte und richtige Regel abweichen; ein Baum mit mehr Ebenen könnte helfen.
+paper-printed = Wie gedruckt
+paper-right = Berichtigt
+paper-all = Alle Errata von „Ray Tracing mit Octrees“
+paper-try = { $variant } ausprobieren
+job-other-ray = Ein anderer Strahl wird gesucht …

@@ -60,6 +60,7 @@ panel-listing = Listing
 panel-variables = Variables
 panel-stack = Stack
 panel-counters = Counters
+panel-paper = Paper lab
 panel-compare = Comparison
 panel-menu = Panel { $title }
 panel-fold = Fold
@@ -136,6 +137,11 @@ query-region = Region
 query-neighbour = Neighbour
 query-algorithm = Algorithm
 query-first-full = stop at the first full leaf
+query-rules = Rules{ $n ->
+    [0] {""}
+   *[other] {" "}({ $n })
+}
+query-rules-none = No rule of this algorithm comes in another form.
 query-segment-end = end at t
 variant-one-by-one = one plane at a time
 variant-one-by-one-why = Of planes that are met at once only one is crossed: cells are touched on the way.
@@ -244,3 +250,17 @@ about-licence = Version { $version }, under the MIT or the Apache licence 2.0.
 drop-here = Drop the file to open it
 status-saved = Saved as { $name }
 status-exported = Exported as { $name }
+
+paper-none = No rule of this algorithm is misprinted in the paper.
+paper-counterexample = Load the counterexample
+paper-too-large = The tree is too large to be checked leaf by leaf.
+paper-agrees = On this input the printed rule does no harm.
+paper-wrong = Goes wrong at step { $step }.
+paper-go = Go to that step
+paper-other = Find another ray where they differ
+paper-no-other = No ray was found on which the printed and the right rule differ; try a tree with more levels.
+paper-printed = As printed
+paper-right = Corrected
+paper-all = All errata of “Ray Tracing mit Octrees”
+paper-try = Try { $variant }
+job-other-ray = Looking for another ray …

@@ -106,7 +106,11 @@ impl<const D: usize> Query<D> {
 
     /// The same question with every rule in its right form.
     pub fn corrected(self) -> Self {
-        let variants = Variants::NONE;
+        self.with_variants(Variants::NONE)
+    }
+
+    /// The same question with just these rules in another form.
+    pub fn with_variants(self, variants: Variants) -> Self {
         match self {
             Self::Ray { algorithm, options, arithmetic } => {
                 let options = Options { variants, ..options };

@@ -1,0 +1,129 @@
+//! The paper lab: rules as printed against corrected.
+
+use crate::look::Look;
+use crate::sidebar::Wish;
+use eframe::egui::{CollapsingHeader, Label, RichText, Ui};
+use octoscope_core::paper::{ERRATA, Erratum, Severity, Verdict, erratum_of, paper_texts};
+use octoscope_core::query::Query;
+use octoscope_core::traverse::Variant;
+
+/// Switches for the misprints of what is asked, what they do, and the list of all
+/// errata. `verdict` is that of the present run, where the tree is not too large
+/// for one. Returns what is wished for.
+pub fn ui<const D: usize>(
+    ui: &mut Ui,
+    look: &Look,
+    query: &mut Query<D>,
+    verdict: Option<&Verdict>,
+) -> Option<Wish> {
+    let mut wish = None;
+    let misprints = |variant: &Variant| erratum_of(*variant).is_some();
+    let own: Vec<Variant> =
+        Variant::ALL.into_iter().filter(misprints).filter(|&v| query.takes(v)).collect();
+    if own.is_empty() {
+        ui.add(Label::new(quiet(look, look.text("paper-none"))).wrap());
+    }
+    ui.horizontal_wrapped(|ui| {
+        for variant in own {
+            let mut variants = query.variants();
+            let mut on = variants.has(variant);
+            let title = erratum_of(variant).map(|erratum| told(look, erratum, "title"));
+            let response = ui.toggle_value(&mut on, variant.id());
+            if response.on_hover_text(title.unwrap_or_default()).changed() {
+                variants = if on { variants.with(variant) } else { variants.without(variant) };
+                *query = query.with_variants(variants);
+            }
+        }
+    });
+
+    let printed: Vec<Variant> = query.variants().iter().filter(misprints).collect();
+    for &variant in &printed {
+        if let Some(erratum) = erratum_of(variant) {
+            ui.add_space(4.0);
+            explained(ui, look, erratum);
+            if ui.button(look.text("paper-counterexample")).clicked() {
+                wish = Some(Wish::Counterexample(variant));
+            }
+        }
+    }
+    if !printed.is_empty() {
+        ui.add_space(4.0);
+        wish = judged(ui, look, query, verdict).or(wish);
+    }
+    ui.add_space(4.0);
+    CollapsingHeader::new(look.text("paper-all")).id_salt("errata").show(ui, |ui| {
+        wish = list(ui, look).or(wish.take());
+    });
+    wish
+}
+
+/// Whether the run goes wrong, where, and a search for another ray that does.
+fn judged<const D: usize>(
+    ui: &mut Ui,
+    look: &Look,
+    query: &Query<D>,
+    verdict: Option<&Verdict>,
+) -> Option<Wish> {
+    let mut wish = None;
+    let Some(verdict) = verdict else {
+        ui.label(quiet(look, look.text("paper-too-large")));
+        return None;
+    };
+    match verdict.first_wrong_step {
+        None => {
+            ui.label(look.text("paper-agrees"));
+        }
+        Some(step) => {
+            let text = look.texts.format("paper-wrong", &[("step", step.into())]);
+            ui.label(RichText::new(text).strong().color(look.palette.ray));
+            if ui.button(look.text("paper-go")).clicked() {
+                wish = Some(Wish::Step(step));
+            }
+        }
+    }
+    if matches!(query, Query::Ray { .. }) && ui.button(look.text("paper-other")).clicked() {
+        wish = Some(Wish::OtherRay);
+    }
+    wish
+}
+
+/// What is printed, what is right, and why.
+fn explained(ui: &mut Ui, look: &Look, erratum: &Erratum) {
+    ui.label(RichText::new(format!("{} · {}", erratum.id, told(look, erratum, "title"))).strong());
+    for (key, part) in [("paper-printed", "printed"), ("paper-right", "right")] {
+        ui.label(quiet(look, look.text(key)));
+        ui.add(Label::new(RichText::new(told(look, erratum, part)).monospace().size(13.0)).wrap());
+    }
+    ui.add(Label::new(told(look, erratum, "why")).wrap());
+}
+
+/// All errata; a click unfolds one.
+fn list(ui: &mut Ui, look: &Look) -> Option<Wish> {
+    let mut wish = None;
+    for erratum in &ERRATA {
+        let sign = match erratum.severity {
+            Severity::Wrong => "!!",
+            Severity::Misleading => "!",
+            Severity::Cosmetic => "·",
+        };
+        let title = format!("{} {sign} {}", erratum.id, told(look, erratum, "title"));
+        CollapsingHeader::new(RichText::new(title).size(13.0)).id_salt(erratum.id).show(ui, |ui| {
+            explained(ui, look, erratum);
+            for &variant in erratum.variants {
+                let text = look.texts.format("paper-try", &[("variant", variant.id().into())]);
+                if ui.button(text).clicked() {
+                    wish = Some(Wish::Counterexample(variant));
+                }
+            }
+        });
+    }
+    wish
+}
+
+fn told(look: &Look, erratum: &Erratum, part: &str) -> String {
+    paper_texts(look.texts.language()).get(&erratum.key(part))
+}
+
+fn quiet(look: &Look, text: String) -> RichText {
+    RichText::new(text).size(13.0).color(look.palette.quiet)
+}

@@ -1,0 +1,57 @@
+//! The paper lab.
+
+use crate::desk::Desk;
+use eframe::egui::Key;
+use eframe::egui::accesskit::Role;
+use octoscope::document::AnyDocument;
+use octoscope_core::paper::counterexample;
+use octoscope_core::query::Query;
+use octoscope_core::scenario::AnyScenario;
+use octoscope_core::traverse::{Algorithm, Options, Variant, Variants};
+
+/// Follows the rule of a variant, as the menu of the rules does.
+fn follow(desk: &mut Desk, algorithm: Algorithm, variant: Variant) {
+    let AnyDocument::Plane(document) = desk.state_mut().document_mut() else { panic!() };
+    let variants = Variants::NONE.with(variant);
+    let options = Options { variants, ..Options::default() };
+    let Query::Ray { arithmetic, .. } = document.scenario.query else { panic!() };
+    document.scenario.query = Query::Ray { algorithm, options, arithmetic };
+    desk.run();
+}
+
+#[test]
+fn a_misprint_is_explained_and_its_first_wrong_step_is_found() {
+    let mut desk = Desk::new();
+    desk.open_scenario(&counterexample(Variant::B3));
+    assert!(desk.texts().iter().any(|text| text.starts_with("B-3 · ")));
+    let wrong = desk.texts().into_iter().find(|text| text.starts_with("Goes wrong at step "));
+    let wrong = wrong.expect("the counterexample goes wrong");
+    desk.click(Role::Button, "Go to that step");
+    assert_eq!(wrong, format!("Goes wrong at step {}.", desk.step_number()));
+}
+
+#[test]
+fn another_ray_is_found_and_undone() {
+    let mut desk = Desk::new();
+    desk.open_scenario(&counterexample(Variant::B3));
+    let before = desk.plane().scenario.ray;
+    desk.click(Role::Button, "Find another ray where they differ");
+    desk.state_mut().finish_work();
+    desk.run();
+    assert_ne!(desk.plane().scenario.ray, before);
+    assert!(desk.texts().iter().any(|text| text.starts_with("Goes wrong at step ")));
+    desk.press_with(eframe::egui::Modifiers::COMMAND, Key::Z);
+    assert_eq!(desk.plane().scenario.ray, before);
+}
+
+#[test]
+fn the_counterexample_of_a_misprint_is_loaded_by_a_click() {
+    let mut desk = Desk::new();
+    follow(&mut desk, Algorithm::Parametric, Variant::B10);
+    desk.click(Role::Button, "Load the counterexample");
+    desk.state_mut().finish_work();
+    desk.run();
+    let AnyScenario::Octree(expected) = counterexample(Variant::B10) else { panic!() };
+    let shown = &desk.space().scenario;
+    assert_eq!((shown.ray, shown.query), (expected.ray, expected.query));
+}
