@@ -216,6 +216,11 @@ impl<const D: usize> Document<D> {
         Some(Arc::clone(self.verdict.get_or_insert_with(|| Arc::new(verdict(tree, ray, trace)))))
     }
 
+    /// The verdict, if it was asked for.
+    pub fn known_verdict(&self) -> Option<&Verdict> {
+        self.verdict.as_deref()
+    }
+
     /// All algorithms on the ray; computed once for every ray and tree.
     pub fn comparison(&mut self) -> Arc<Vec<Run>> {
         let options = match self.traced.1 {

@@ -13,6 +13,9 @@ use octoscope_core::trace::{Moment, Trace};
 
 /// What the rail shows of a node.
 struct Rail<const D: usize> {
+    /// Whether `near` and `far` are parameters of the planes of every axis, and
+    /// not only the ends of an interval.
+    has_planes: bool,
     near: [f64; D],
     mid: Option<[f64; D]>,
     far: [f64; D],
@@ -22,15 +25,26 @@ impl<const D: usize> Rail<D> {
     /// Of the node on top of the stack, of the leaf that is left, or of the root.
     fn of(moment: &Moment<D>) -> Option<Self> {
         if let Some(frame) = moment.frame() {
-            let [near, far] = frame.planes().unwrap_or([[frame.enter(); D], [frame.exit(); D]]);
-            return Some(Self { near, mid: frame.mid, far });
+            return Some(match frame.planes() {
+                Some([near, far]) => Self { has_planes: true, near, mid: frame.mid, far },
+                None => Self::interval([frame.enter(), frame.exit()], frame.mid),
+            });
+        }
+        if let Some(interval) = moment.part.and(moment.part_interval) {
+            return Some(Self::interval(interval, None));
         }
         if let Some(exits) = moment.exits {
             let enter = moment.leaves.last().map_or(0.0, |leaf| leaf.enter);
-            return Some(Self { near: [enter; D], mid: None, far: exits.exits });
+            let near = [enter; D];
+            return Some(Self { has_planes: true, near, mid: None, far: exits.exits });
         }
         let clip = moment.clip?;
-        Some(Self { near: clip.near, mid: None, far: clip.far })
+        Some(Self { has_planes: true, near: clip.near, mid: None, far: clip.far })
+    }
+
+    /// Of a node of which only the interval is known in which the ray is in it.
+    fn interval([enter, exit]: [f64; 2], mid: Option<[f64; D]>) -> Self {
+        Self { has_planes: false, near: [enter; D], mid, far: [exit; D] }
     }
 
     fn enter(&self) -> f64 {
@@ -169,7 +183,9 @@ fn paint_axis<const D: usize>(
     if near < far {
         painter.hline(x_of(near)..=x_of(far), y, Stroke::new(5.0, color));
     }
-    let marks = [(near, "0"), (rail.mid.map_or(f64::NAN, |mid| mid[axis]), "m"), (far, "1")];
+    let ends = |t: f64| if rail.has_planes { t } else { f64::NAN };
+    let middle = rail.mid.map_or(f64::NAN, |mid| mid[axis]);
+    let marks = [(ends(near), "0"), (middle, "m"), (ends(far), "1")];
     let mut labels_end = f32::NEG_INFINITY;
     for (t, which) in marks {
         if t.is_nan() {
@@ -225,7 +241,7 @@ mod tests {
     use super::*;
 
     fn rail(near: f64, far: f64) -> Rail<2> {
-        Rail { near: [near; 2], mid: None, far: [far; 2] }
+        Rail { has_planes: true, near: [near; 2], mid: None, far: [far; 2] }
     }
 
     #[test]

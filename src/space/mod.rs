@@ -11,8 +11,12 @@ use crate::view::View;
 pub use base::Layers;
 use eframe::egui::{Pos2, Rect, Sense, Ui, WidgetInfo, accesskit::Role};
 use octoscope_core::geometry::Aabb;
+use octoscope_core::paper::erratum_of;
 use octoscope_core::trace::Moment;
-use octoscope_figure::{Camera, Page, axes, content, leaves, marks, space_figure};
+use octoscope_core::tree::NodeId;
+use octoscope_figure::{
+    Camera, Mark, Page, Role as MarkRole, Shape, axes, content, leaves, marks, space_figure,
+};
 
 /// What the view shows and changes.
 pub struct Space<'a, const D: usize> {
@@ -64,6 +68,7 @@ pub fn ui<const D: usize>(ui: &mut Ui, look: &Look, space: Space<'_, D>) {
         painted.extend(content(&document.content));
     }
     painted.extend(marks);
+    painted.extend(expected(document));
     painted.extend(hover::marks(&tree, hovered, under.as_ref()));
     if let Some(layers) = layers {
         layers.paint(ui, rect, &camera, document, (view.show::<D>(), view.theme), &painted);
@@ -76,6 +81,20 @@ pub fn ui<const D: usize>(ui: &mut Ui, look: &Look, space: Space<'_, D>) {
     paint::figure(&painter, look, view.theme, frame, &figure);
     gesture::paint_region_being_drawn(ui, &painter, look, &response);
     hover::labels(ui, look, (rect, frame), &tree, hovered, under.as_ref());
+}
+
+/// What would be right, where a misprint is followed and the panel about it has
+/// asked for a verdict.
+fn expected<const D: usize>(document: &Document<D>) -> Vec<Mark<D>> {
+    let misprinted = document.trace.query.variants().iter().any(|v| erratum_of(v).is_some());
+    let Some(verdict) = document.known_verdict().filter(|_| misprinted) else {
+        return Vec::new();
+    };
+    let mark = |&node: &NodeId| {
+        let bounds = document.tree.node_box(node);
+        Mark::new(Shape::Box(bounds), MarkRole::Expected).of_node(node)
+    };
+    verdict.expected.iter().map(mark).collect()
 }
 
 /// Where the page of a camera lies in the window.

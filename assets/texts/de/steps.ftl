@@ -34,6 +34,8 @@ clip-mirror = { " " }Entlang { $axes } ist seine Richtung negativ; Zustand i ste
 clip-behind = Der Strahl verfehlt die Wurzel, die hinter seinem Startpunkt liegt: Schon für die erste ferne Ebene gilt { $exit } ≤ 0.
 clip-miss = Der Strahl verfehlt die Wurzel: Er trifft eine ferne Ebene nicht später als die letzte nahe, { $exit } { $relation } { $enter }.
 clip-short = Der Strahl endet, bevor er die Wurzel trifft, deren letzte nahe Ebene bei { $enter } liegt.
+clip-printed = Nach der gedruckten Regel, { $rule }, wird die Wurzel getroffen, von t = { $enter } bis t = { $exit }.
+as-printed = { " " }So sagt es die gedruckte Regel, { $rule }.
 clip-parallel = Der Strahl verfehlt die Wurzel: Entlang { $axes } bewegt er sich nicht, und sein Startpunkt liegt dort außerhalb.
 
 test-hit = { $node } wird zwischen t = { $enter } und t = { $exit } getroffen.
@@ -66,6 +68,7 @@ first-many = { $comparisons }, also sind die Bits von { $axes } 1: Der Strahl { 
     [yes] {""}
    *[no] { " " }ein
 }, im Zustand { $state }.
+first-printed = Nach der gedruckten Regel, { $rule }, tritt der Strahl im Zustand { $state } ein.
 first-none = { $comparisons }, also ist kein Bit 1: Der Strahl { $inside ->
     [yes] beginnt
    *[no] tritt

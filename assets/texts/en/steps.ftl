@@ -34,6 +34,8 @@ clip-mirror = { " " }Its direction is negative along { $axes }, so state i stand
 clip-behind = The ray misses the root, which lies behind its origin: even the first far plane has { $exit } ≤ 0.
 clip-miss = The ray misses the root: it meets a far plane no later than the last near plane, { $exit } { $relation } { $enter }.
 clip-short = The ray ends before it meets the root, whose last near plane has { $enter }.
+clip-printed = By the printed rule, { $rule }, the root is hit, from t = { $enter } to t = { $exit }.
+as-printed = { " " }So says the printed rule, { $rule }.
 clip-parallel = The ray misses the root: it does not move along { $axes }, and its origin lies outside there.
 
 test-hit = { $node } is met between t = { $enter } and t = { $exit }.
@@ -60,6 +62,7 @@ first-many = { $comparisons }, so the { $axes } bits are 1: the ray { $inside ->
     [yes] starts
    *[no] enters
 } in the upper halves of { $axes }, in state { $state }.
+first-printed = By the printed rule, { $rule }, the ray enters in state { $state }.
 first-none = { $comparisons }, so no bit is 1: the ray { $inside ->
     [yes] starts
    *[no] enters

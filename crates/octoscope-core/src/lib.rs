@@ -25,3 +25,4 @@ pub mod text;
 pub mod trace;
 pub mod traverse;
 pub mod tree;
+pub mod variant;

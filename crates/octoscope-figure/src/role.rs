@@ -38,6 +38,8 @@ pub enum Role {
     Touch,
     /// A leaf that was tested and is not on the ray.
     Missed,
+    /// A leaf or node that would be right where a misprint is followed.
+    Expected,
     /// The node that a query has found.
     Found,
     /// The point that is located.
@@ -97,7 +99,7 @@ pub enum Role {
 impl Role {
     /// One role of every kind, in the order in which they cover each other,
     /// the lowest first.
-    pub const KINDS: [Self; 49] = [
+    pub const KINDS: [Self; 50] = [
         Self::Pixel([128; 3]),
         Self::EmptyLeaf,
         Self::FullLeaf,
@@ -119,6 +121,7 @@ impl Role {
         Self::Current,
         Self::GridCell,
         Self::Found,
+        Self::Expected,
         Self::OwnedSide,
         Self::Hover,
         Self::HoverSide,
@@ -168,6 +171,7 @@ impl Role {
             Self::OrderNumber => "order-number",
             Self::Touch => "touch",
             Self::Missed => "missed",
+            Self::Expected => "expected",
             Self::Found => "found",
             Self::QueryPoint => "query-point",
             Self::Region => "region",

@@ -136,6 +136,7 @@ impl Style {
                 dash: Dash::Dashed,
                 ..line(p.quiet_ink.faded(0.8), 1.2)
             },
+            Role::Expected => Self { dash: Dash::Dotted, ..line(p.ink, 3.5) },
             Role::Hover => line(p.quiet_ink, 1.6),
             Role::HoverSide => Self { fill: Some(p.accent.faded(0.3)), ..line(p.accent, 4.0) },
             Role::EntryPoint => Self { fill: Some(p.ray), radius: 4.5, ..line(p.background, 1.2) },

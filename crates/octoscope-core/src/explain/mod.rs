@@ -1,5 +1,6 @@
 //! What happens, in words: a sentence a step, the listing, the variables.
 
+mod as_printed;
 mod listing;
 mod names;
 mod number;

@@ -1,5 +1,6 @@
 //! One sentence for every step.
 
+use super::as_printed::with_printed_rules;
 use super::number::{approx, distinct};
 use super::rich::{RichText, on_axis, strong};
 use super::rounding::{Disagreement, double_would_differ};
@@ -92,7 +93,7 @@ impl<const D: usize> Teller<'_, D> {
     /// The event, and whether doubles would have decided otherwise.
     fn tell_all(&self, event: &Event<D>) -> String {
         let Self { words, ray, trace, before } = *self;
-        let told = self.tell(event);
+        let told = with_printed_rules(words, &trace.query, event, || self.tell(event));
         if !trace.query.is_exact(words.tree.domain(), ray) {
             return told;
         }

@@ -3,13 +3,15 @@
 use super::*;
 use crate::geometry::Ray;
 use crate::locate::{Direction, NeighbourMethod, Reach};
+use crate::paper::counterexample;
 use crate::progress::Progress;
 use crate::query::{Arithmetic, PointMethod, Query};
 use crate::random::Random;
+use crate::scenario::{AnyScenario, Scenario};
 use crate::text::Language;
 use crate::trace::{Moment, record};
 use crate::traverse::{Algorithm, Options, StopAt, Variant, Variants};
-use crate::tree::{Cell, Domain, Split, Tree, grow};
+use crate::tree::{Cell, Domain, Split, Tree, build, grow};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Divides the cells along one diagonal; the last of them is full.
@@ -369,4 +371,37 @@ fn the_first_sentence_tells_no_key_of_the_window() {
             assert!(!text.contains('→'), "{text}");
         }
     });
+}
+
+/// The sentences of the counterexample of a variant, in English.
+fn printed(variant: Variant) -> Vec<String> {
+    fn of<const D: usize>(scenario: &Scenario<D>) -> Vec<String> {
+        let (content, domain) = (scenario.source.content().unwrap(), scenario.grid().unwrap());
+        let tree = build(&content, domain, &scenario.recipe, &Progress::default()).unwrap();
+        let trace = record(&tree, &scenario.ray, &scenario.query);
+        let sentences = sentence::sentences(&tree, &scenario.ray, &trace, Language::English);
+        sentences.iter().map(RichText::plain).collect()
+    }
+    match counterexample(variant) {
+        AnyScenario::Quadtree(scenario) => of(&scenario),
+        AnyScenario::Octree(scenario) => of(&scenario),
+    }
+}
+
+#[test]
+fn steps_by_a_printed_rule_say_so() {
+    for (variant, expected) in [
+        (Variant::B1, "By the printed rule, B-1, the root is hit, from t = 0 to t = 3."),
+        (Variant::B2, "By the printed rule, B-2, the ray enters in state 1."),
+        (Variant::B3, "By the printed rule, B-3, the ray enters in state 0."),
+        (Variant::B24b, "So says the printed rule, B-24b."),
+        (Variant::B28, "So says the printed rule, B-28."),
+    ] {
+        let sentences = printed(variant);
+        assert!(sentences.iter().any(|text| text.ends_with(expected)), "{sentences:#?}");
+    }
+    for variant in Variant::ALL.into_iter().filter(|variant| variant.is_misprint()) {
+        let named = format!("printed rule, {}", variant.id());
+        assert!(printed(variant).iter().any(|text| text.contains(&named)), "{named}");
+    }
 }

@@ -114,14 +114,16 @@ pub(super) fn equation(name: &str, value: &str) -> String {
     format!("{name} = {}", strong(value))
 }
 
-/// How `a` compares to `b`: <, = or >.
+/// How `a` compares to `b`: <, = or >; ≠ where one is no number.
 pub(super) fn relation(a: f64, b: f64) -> &'static str {
     if a < b {
         "<"
     } else if a > b {
         ">"
-    } else {
+    } else if a == b {
         "="
+    } else {
+        "≠"
     }
 }
 

@@ -5,8 +5,8 @@
 
 use super::Direction;
 use crate::event::{Event, Observer};
-use crate::traverse::{Variant, Variants};
 use crate::tree::{Code, Domain, Node, Tree, common_level};
+use crate::variant::{Variant, Variants};
 
 /// Code of a point. As printed, the domain is closed: the coordinate of its
 /// upper face has a code as well, 2^R.

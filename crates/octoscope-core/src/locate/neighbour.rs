@@ -4,8 +4,8 @@ use super::point::{descend, found};
 use super::{climb, misprint};
 use crate::event::{End, Event, Observer, Outcome};
 use crate::geometry::Axes;
-use crate::traverse::{Variant, Variants};
 use crate::tree::{Child, Node, NodeId, Tree};
+use crate::variant::{Variant, Variants};
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
 

@@ -3,8 +3,8 @@
 use super::misprint;
 use crate::event::{End, Event, Observer, Outcome};
 use crate::geometry::Aabb;
-use crate::traverse::Variants;
 use crate::tree::{Child, Code, Node, Tree, branch};
+use crate::variant::Variants;
 
 /// Leaf that owns `point`, by comparing it with the mid planes of every node on
 /// the way down: D comparisons and one leaf test a level, O(depth).

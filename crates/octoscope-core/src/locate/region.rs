@@ -3,8 +3,8 @@
 use super::misprint;
 use super::point::{descend, found};
 use crate::event::{End, Event, Observer, Outcome};
-use crate::traverse::{Variant, Variants};
 use crate::tree::Tree;
+use crate::variant::{Variant, Variants};
 
 /// Smallest node that holds the smallest cells of both corners, `min` and `max`
 /// included. The level is one more than the highest bit in which their codes

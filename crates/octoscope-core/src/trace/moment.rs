@@ -39,6 +39,8 @@ pub struct Moment<const D: usize> {
     pub clip: Option<RootClip<D>>,
     /// Part of the current node in which a binary space partition is.
     pub part: Option<Part<D>>,
+    /// Parameters between which the ray is in that part.
+    pub part_interval: Option<[f64; 2]>,
     /// Parts that wait on the stack of a binary space partition, its top last,
     /// with the parameters between which the ray is in them.
     pub pending: Vec<(Part<D>, [f64; 2])>,
@@ -117,14 +119,16 @@ impl<const D: usize> Moment<D> {
             Event::Classify { child, .. } | Event::Flip { child, .. } => {
                 self.change_frame(|frame| frame.child = Some(child));
             }
-            Event::Split { taken, kept, at, interval, .. } => {
+            Event::Split { taken, kept, at, interval: [enter, exit], .. } => {
                 self.current = Some(taken.node);
                 self.part = Some(taken);
-                self.pending.extend(kept.map(|part| (part, [at, interval[1]])));
+                self.part_interval = Some([enter, if kept.is_some() { at } else { exit }]);
+                self.pending.extend(kept.map(|part| (part, [at, exit])));
             }
-            Event::Pop { part, .. } => {
+            Event::Pop { part, interval } => {
                 self.current = Some(part.node);
                 self.part = Some(part);
+                self.part_interval = Some(interval);
                 self.pending.pop();
             }
             Event::Grid { cell, next } => {
