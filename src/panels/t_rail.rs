@@ -13,12 +13,21 @@ use octoscope_core::trace::{Moment, Trace};
 
 /// What the rail shows of a node.
 struct Rail<const D: usize> {
-    /// Whether `near` and `far` are parameters of the planes of every axis, and
-    /// not only the ends of an interval.
-    has_planes: bool,
+    /// How the ends of the bars are called, where they are planes and not only
+    /// the ends of an interval.
+    ends: [Option<&'static str>; 2],
     near: [f64; D],
     mid: Option<[f64; D]>,
     far: [f64; D],
+}
+
+/// Names of the near and the far plane.
+const PLANES: [Option<&str>; 2] = [Some("0"), Some("1")];
+
+/// Where the ray comes into the root.
+fn entered<const D: usize>(moment: &Moment<D>) -> f64 {
+    let near = moment.clip.map_or([0.0; D], |clip| clip.near);
+    near.into_iter().fold(0.0, f64::max)
 }
 
 impl<const D: usize> Rail<D> {
@@ -26,25 +35,31 @@ impl<const D: usize> Rail<D> {
     fn of(moment: &Moment<D>) -> Option<Self> {
         if let Some(frame) = moment.frame() {
             return Some(match frame.planes() {
-                Some([near, far]) => Self { has_planes: true, near, mid: frame.mid, far },
+                Some([near, far]) => Self { ends: PLANES, near, mid: frame.mid, far },
                 None => Self::interval([frame.enter(), frame.exit()], frame.mid),
             });
         }
         if let Some(interval) = moment.part.and(moment.part_interval) {
             return Some(Self::interval(interval, None));
         }
+        if let Some(grid) = moment.grid {
+            // From where the ray was last to the planes ahead.
+            let left = moment.leaves.last().map(|leaf| leaf.exit);
+            let near = [left.unwrap_or_else(|| entered(moment)); D];
+            return Some(Self { ends: [None, Some("max")], near, mid: None, far: grid.next });
+        }
         if let Some(exits) = moment.exits {
             let enter = moment.leaves.last().map_or(0.0, |leaf| leaf.enter);
             let near = [enter; D];
-            return Some(Self { has_planes: true, near, mid: None, far: exits.exits });
+            return Some(Self { ends: PLANES, near, mid: None, far: exits.exits });
         }
         let clip = moment.clip?;
-        Some(Self { has_planes: true, near: clip.near, mid: None, far: clip.far })
+        Some(Self { ends: PLANES, near: clip.near, mid: None, far: clip.far })
     }
 
     /// Of a node of which only the interval is known in which the ray is in it.
     fn interval([enter, exit]: [f64; 2], mid: Option<[f64; D]>) -> Self {
-        Self { has_planes: false, near: [enter; D], mid, far: [exit; D] }
+        Self { ends: [None; 2], near: [enter; D], mid, far: [exit; D] }
     }
 
     fn enter(&self) -> f64 {
@@ -183,12 +198,12 @@ fn paint_axis<const D: usize>(
     if near < far {
         painter.hline(x_of(near)..=x_of(far), y, Stroke::new(5.0, color));
     }
-    let ends = |t: f64| if rail.has_planes { t } else { f64::NAN };
+    let [first, last] = rail.ends.map(|name| name.unwrap_or_default());
     let middle = rail.mid.map_or(f64::NAN, |mid| mid[axis]);
-    let marks = [(ends(near), "0"), (middle, "m"), (ends(far), "1")];
+    let marks = [(near, first), (middle, "m"), (far, last)];
     let mut labels_end = f32::NEG_INFINITY;
     for (t, which) in marks {
-        if t.is_nan() {
+        if t.is_nan() || which.is_empty() {
             continue;
         }
         let x = x_of(t);
@@ -241,7 +256,7 @@ mod tests {
     use super::*;
 
     fn rail(near: f64, far: f64) -> Rail<2> {
-        Rail { has_planes: true, near: [near; 2], mid: None, far: [far; 2] }
+        Rail { ends: PLANES, near: [near; 2], mid: None, far: [far; 2] }
     }
 
     #[test]
