@@ -197,6 +197,7 @@ pub const COMMANDS: &[Row] = &[
     panel(PanelKind::Variables, "panel-variables"),
     panel(PanelKind::Stack, "panel-stack"),
     panel(PanelKind::Counters, "panel-counters"),
+    panel(PanelKind::Tables, "panel-tables"),
     panel(PanelKind::Compare, "panel-compare"),
     panel(PanelKind::Paper, "panel-paper"),
     row(Command::RestorePanels, "command-restore-panels", Menu::View, &[ctrl(Key::R)]),

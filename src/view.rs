@@ -3,6 +3,7 @@
 use crate::arrangement::Arrangement;
 use crate::playback::Playback;
 use eframe::egui::Vec2;
+use octoscope_core::locate::NeighbourMethod;
 use octoscope_core::paper::erratum_of;
 use octoscope_core::query::Query;
 use octoscope_core::text::Language;
@@ -132,6 +133,8 @@ pub enum PanelKind {
     Stack,
     /// Costs.
     Counters,
+    /// Tables of neighbours.
+    Tables,
     /// All algorithms side by side.
     Compare,
     /// Rules as printed against corrected.
@@ -140,7 +143,7 @@ pub enum PanelKind {
 
 impl PanelKind {
     /// All panels, in the order of the menu.
-    pub const ALL: [Self; 11] = [
+    pub const ALL: [Self; 12] = [
         Self::Rail,
         Self::Automaton,
         Self::Codes,
@@ -150,6 +153,7 @@ impl PanelKind {
         Self::Variables,
         Self::Stack,
         Self::Counters,
+        Self::Tables,
         Self::Compare,
         Self::Paper,
     ];
@@ -166,6 +170,7 @@ impl PanelKind {
             Self::Variables => "panel-variables",
             Self::Stack => "panel-stack",
             Self::Counters => "panel-counters",
+            Self::Tables => "panel-tables",
             Self::Compare => "panel-compare",
             Self::Paper => "panel-paper",
         }
@@ -182,10 +187,12 @@ impl Preset {
     pub fn panels<const D: usize>(self, query: &Query<D>) -> Vec<PanelKind> {
         use PanelKind::{
             Automaton, Codes, Compare, Counters, Listing, Neighbour, Paper, Rail, Region, Stack,
-            Variables,
+            Tables, Variables,
         };
         let own = match query {
             Query::Ray { algorithm: Algorithm::Codes, .. } => Some(Neighbour),
+            Query::Ray { algorithm: Algorithm::Samet, .. }
+            | Query::Neighbour { method: NeighbourMethod::Tables, .. } => Some(Tables),
             Query::Ray { .. } => None,
             Query::Point { .. } => Some(Codes),
             Query::Region { .. } => Some(Region),
@@ -209,10 +216,15 @@ impl Preset {
             query,
             Query::Ray { algorithm: Algorithm::Parametric | Algorithm::ParametricTable, .. }
         );
+        let has_stack = match query {
+            Query::Ray { algorithm, .. } => is_top_down(*algorithm),
+            Query::Point { .. } | Query::Region { .. } | Query::Neighbour { .. } => false,
+        };
         let says_something = |kind: &PanelKind| match kind {
             Rail | Compare => about_rays,
-            Automaton | Stack => has_states,
-            Region | Neighbour => own == Some(*kind),
+            Automaton => has_states,
+            Stack => has_stack,
+            Region | Neighbour | Tables => own == Some(*kind),
             Codes | Listing | Variables | Counters | Paper => true,
         };
         let mut panels: Vec<_> = chosen.iter().copied().filter(says_something).collect();
@@ -233,6 +245,27 @@ impl Preset {
             Self::Lecture => 1.6,
             Self::Bits | Self::Rail | Self::Automaton | Self::Debug | Self::Compare => 1.0,
         }
+    }
+}
+
+/// Whether an algorithm keeps a stack of nodes.
+fn is_top_down(algorithm: Algorithm) -> bool {
+    match algorithm {
+        Algorithm::Parametric
+        | Algorithm::ParametricTable
+        | Algorithm::Esvo
+        | Algorithm::AllChildren
+        | Algorithm::Hero
+        | Algorithm::Gargantini
+        | Algorithm::Bsp => true,
+        Algorithm::Codes
+        | Algorithm::Glassner
+        | Algorithm::Samet
+        | Algorithm::SametCorner
+        | Algorithm::SametNet
+        | Algorithm::Dda
+        | Algorithm::DdaOctree
+        | Algorithm::Exhaustive => false,
     }
 }
 
@@ -347,7 +380,7 @@ mod tests {
         let mut ids: Vec<_> = PanelKind::ALL.map(PanelKind::id).to_vec();
         ids.sort_unstable();
         ids.dedup();
-        assert_eq!(ids.len(), 10);
+        assert_eq!(ids.len(), PanelKind::ALL.len());
     }
 
     #[test]

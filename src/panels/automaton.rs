@@ -1,6 +1,7 @@
 //! The automaton that leads from child to child.
 
 use crate::look::Look;
+use crate::widgets::cell_text;
 use eframe::egui::{
     Align, Align2, Color32, FontId, Grid, Layout, Painter, Pos2, RichText, Sense, Stroke, Ui, Vec2,
     WidgetInfo, accesskit::Role, pos2, vec2,
@@ -179,15 +180,6 @@ fn exit_table<const D: usize>(
                 ui.end_row();
             }
         });
-}
-
-fn cell_text(look: &Look, text: String, in_row: bool, used: bool) -> RichText {
-    let text = RichText::new(text).monospace().color(look.palette.ink);
-    match (in_row, used) {
-        (_, true) => text.strong().background_color(look.palette.current_line.gamma_multiply(0.55)),
-        (true, false) => text.background_color(look.palette.current_fill),
-        (false, false) => text,
-    }
 }
 
 /// Table 2: which mid planes decide, by the plane of entry.

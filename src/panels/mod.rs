@@ -17,5 +17,6 @@ pub mod sentence;
 pub mod show;
 pub mod stack;
 pub mod t_rail;
+pub mod tables;
 pub mod timeline;
 pub mod variables;

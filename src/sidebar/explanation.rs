@@ -3,7 +3,7 @@
 use crate::document::Document;
 use crate::look::Look;
 use crate::panels::{
-    automaton, codes, compare, counters, listing, neighbour, paper, region, stack, t_rail,
+    automaton, codes, compare, counters, listing, neighbour, paper, region, stack, t_rail, tables,
     variables,
 };
 use crate::sidebar::Wish;
@@ -87,6 +87,7 @@ fn note<const D: usize>(
         | PanelKind::Listing
         | PanelKind::Variables
         | PanelKind::Counters
+        | PanelKind::Tables
         | PanelKind::Compare
         | PanelKind::Paper => String::new(),
     }
@@ -128,6 +129,9 @@ fn body<const D: usize>(
                 None => now.clone(),
             };
             variables::ui(ui, look, &now, &before);
+        }
+        PanelKind::Tables => {
+            tables::ui(ui, look, &trace.events[..moment.step.min(trace.events.len())]);
         }
         PanelKind::Compare => comparison(ui, look, document),
         PanelKind::Paper => {

@@ -1,6 +1,7 @@
 //! Controls and drawings that several panels share.
 
 mod bits;
+mod cell_text;
 mod heading;
 mod number_field;
 mod panel_heading;
@@ -8,6 +9,7 @@ mod rich;
 mod segments;
 
 pub use bits::{BitRow, BitTable, bit_table};
+pub use cell_text::cell_text;
 pub use heading::heading;
 pub use number_field::number_field;
 pub use panel_heading::{Place, panel_heading};
