@@ -1,4 +1,4 @@
-//! The paper "Ray Tracing mit Octrees" [Kirschmann]: what is misprinted in it,
+//! The paper "Ray Tracing mit Octrees" by M. Kirschmann: what is misprinted in it,
 //! and where that goes wrong.
 
 mod counterexample;
