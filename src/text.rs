@@ -8,10 +8,12 @@ pub fn texts(language: Language) -> Texts {
         Language::English => [
             include_str!("../assets/texts/en/window.ftl"),
             include_str!("../assets/texts/en/gallery.ftl"),
+            include_str!("../assets/texts/en/algorithms.ftl"),
         ],
         Language::German => [
             include_str!("../assets/texts/de/window.ftl"),
             include_str!("../assets/texts/de/gallery.ftl"),
+            include_str!("../assets/texts/de/algorithms.ftl"),
         ],
     };
     Texts::new(language, &sources)
@@ -32,8 +34,15 @@ mod tests {
 
     #[test]
     fn both_languages_have_the_same_keys() {
-        let english = keys(include_str!("../assets/texts/en/window.ftl"));
-        let german = keys(include_str!("../assets/texts/de/window.ftl"));
+        let of = |window, algorithms| [keys(window), keys(algorithms)].concat();
+        let english = of(
+            include_str!("../assets/texts/en/window.ftl"),
+            include_str!("../assets/texts/en/algorithms.ftl"),
+        );
+        let german = of(
+            include_str!("../assets/texts/de/window.ftl"),
+            include_str!("../assets/texts/de/algorithms.ftl"),
+        );
         assert_eq!(english, german);
         assert!(english.len() > 100);
         for language in Language::ALL {

@@ -135,6 +135,18 @@ pub enum PanelKind {
     Counters,
     /// Tables of neighbours.
     Tables,
+    /// Sorted mid planes and the pieces between them.
+    Cuts,
+    /// Every child, tested one after the other.
+    Children,
+    /// From the root down again.
+    WayDown,
+    /// Links between neighbours.
+    Links,
+    /// A part and the plane that halves it.
+    Halves,
+    /// Cells of the finest grid.
+    Grid,
     /// All algorithms side by side.
     Compare,
     /// Rules as printed against corrected.
@@ -143,7 +155,7 @@ pub enum PanelKind {
 
 impl PanelKind {
     /// All panels, in the order of the menu.
-    pub const ALL: [Self; 12] = [
+    pub const ALL: [Self; 18] = [
         Self::Rail,
         Self::Automaton,
         Self::Codes,
@@ -154,6 +166,12 @@ impl PanelKind {
         Self::Stack,
         Self::Counters,
         Self::Tables,
+        Self::Cuts,
+        Self::Children,
+        Self::WayDown,
+        Self::Links,
+        Self::Halves,
+        Self::Grid,
         Self::Compare,
         Self::Paper,
     ];
@@ -171,6 +189,12 @@ impl PanelKind {
             Self::Stack => "panel-stack",
             Self::Counters => "panel-counters",
             Self::Tables => "panel-tables",
+            Self::Cuts => "panel-cuts",
+            Self::Children => "panel-children",
+            Self::WayDown => "panel-way-down",
+            Self::Links => "panel-links",
+            Self::Halves => "panel-halves",
+            Self::Grid => "panel-grid",
             Self::Compare => "panel-compare",
             Self::Paper => "panel-paper",
         }
@@ -186,24 +210,18 @@ impl Preset {
     /// say about it give way to the one that explains it.
     pub fn panels<const D: usize>(self, query: &Query<D>) -> Vec<PanelKind> {
         use PanelKind::{
-            Automaton, Codes, Compare, Counters, Listing, Neighbour, Paper, Rail, Region, Stack,
-            Tables, Variables,
+            Automaton, Children, Codes, Compare, Counters, Cuts, Grid, Halves, Links, Listing,
+            Neighbour, Paper, Rail, Region, Stack, Tables, Variables, WayDown,
         };
-        let own = match query {
-            Query::Ray { algorithm: Algorithm::Codes, .. } => Some(Neighbour),
-            Query::Ray { algorithm: Algorithm::Samet, .. }
-            | Query::Neighbour { method: NeighbourMethod::Tables, .. } => Some(Tables),
-            Query::Ray { .. } => None,
-            Query::Point { .. } => Some(Codes),
-            Query::Region { .. } => Some(Region),
-            Query::Neighbour { .. } => Some(Neighbour),
-        };
+        let own = own_panel(query);
         let about_rays = matches!(query, Query::Ray { .. });
         let chosen: &[PanelKind] = match self {
             Self::Bits => &[Codes, Neighbour, Counters],
             // In space, rail and automaton fill a side each.
             Self::Rail if D == 2 => &[Rail, Automaton, Codes, Counters],
-            Self::Rail => &[Rail, Codes, Counters],
+            Self::Rail if own.is_none() || own == Some(Neighbour) => &[Rail, Codes, Counters],
+            // What is peculiar to the algorithm takes the place of the codes.
+            Self::Rail => &[Rail, Counters],
             Self::Automaton if D == 2 => &[Automaton, Rail, Counters],
             Self::Automaton => &[Automaton, Rail],
             Self::Debug => &[Listing, Variables, Stack, Counters],
@@ -224,14 +242,22 @@ impl Preset {
             Rail | Compare => about_rays,
             Automaton => has_states,
             Stack => has_stack,
-            Region | Neighbour | Tables => own == Some(*kind),
-            Codes | Listing | Variables | Counters | Paper => true,
+            Region | Neighbour | Tables | Cuts | Children | WayDown | Links | Halves | Grid => {
+                own == Some(*kind)
+            }
+            // Beside these there is no room for them.
+            Codes => self != Self::Rail || !matches!(own, Some(Tables | Halves)),
+            Listing | Variables | Counters | Paper => true,
         };
         let mut panels: Vec<_> = chosen.iter().copied().filter(says_something).collect();
         if let Some(own) = own.filter(|own| !panels.contains(own))
             && self != Self::Debug
         {
             panels.insert(usize::from(about_rays).min(panels.len()), own);
+            // What waits on the stack is half of what its panel shows.
+            if own == Halves {
+                panels.insert(2.min(panels.len()), Stack);
+            }
         }
         if query.variants().iter().any(|variant| erratum_of(variant).is_some()) {
             panels.insert(0, Paper);
@@ -245,6 +271,32 @@ impl Preset {
             Self::Lecture => 1.6,
             Self::Bits | Self::Rail | Self::Automaton | Self::Debug | Self::Compare => 1.0,
         }
+    }
+}
+
+/// The panel that shows what is peculiar to a query and its algorithm.
+fn own_panel<const D: usize>(query: &Query<D>) -> Option<PanelKind> {
+    match query {
+        Query::Ray { algorithm, .. } => match algorithm {
+            Algorithm::Parametric
+            | Algorithm::ParametricTable
+            | Algorithm::Esvo
+            | Algorithm::Exhaustive => None,
+            Algorithm::AllChildren => Some(PanelKind::Children),
+            Algorithm::Hero | Algorithm::Gargantini => Some(PanelKind::Cuts),
+            Algorithm::Codes => Some(PanelKind::Neighbour),
+            Algorithm::Glassner => Some(PanelKind::WayDown),
+            Algorithm::Samet | Algorithm::SametCorner => Some(PanelKind::Tables),
+            Algorithm::SametNet => Some(PanelKind::Links),
+            Algorithm::Bsp => Some(PanelKind::Halves),
+            Algorithm::Dda | Algorithm::DdaOctree => Some(PanelKind::Grid),
+        },
+        Query::Point { .. } => Some(PanelKind::Codes),
+        Query::Region { .. } => Some(PanelKind::Region),
+        Query::Neighbour { method, .. } => Some(match method {
+            NeighbourMethod::Codes => PanelKind::Neighbour,
+            NeighbourMethod::Tables => PanelKind::Tables,
+        }),
     }
 }
 

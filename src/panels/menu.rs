@@ -42,7 +42,8 @@ pub fn ui(
                     if let Some(inner) = menu.inner() {
                         ui.menu_button(look.text(inner.id()), |ui| {
                             // In a low window, or in large type, a long menu is scrolled.
-                            ScrollArea::vertical().max_height(height).show(ui, |ui| {
+                            let scroll = ScrollArea::vertical().max_height(height);
+                            scroll.min_scrolled_height(height).show(ui, |ui| {
                                 rows(ui, look, inner, &entry, commands);
                             });
                         });

@@ -1,10 +1,15 @@
 //! The panels, each a function that shows its part of the state.
 
 pub mod automaton;
+pub mod children;
 pub mod codes;
 pub mod compare;
 pub mod counters;
+pub mod cuts;
 pub mod dialogs;
+pub mod grid;
+pub mod halves;
+pub mod links;
 pub mod listing;
 pub mod menu;
 pub mod neighbour;
@@ -20,3 +25,4 @@ pub mod t_rail;
 pub mod tables;
 pub mod timeline;
 pub mod variables;
+pub mod way_down;

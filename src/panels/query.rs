@@ -117,10 +117,18 @@ fn ray_query(
 ) {
     let name = |algorithm: Algorithm| algorithm_name(algorithm, look.texts.language());
     let label = look.text("query-algorithm");
-    let combo = ComboBox::from_id_salt("algorithm").width(ui.available_width() - 8.0).truncate();
+    // High enough for all of them at once.
+    let combo = ComboBox::from_id_salt("algorithm").height(560.0);
+    let combo = combo.width(ui.available_width() - 8.0).truncate();
     let shown = combo.selected_text(name(*algorithm)).show_ui(ui, |ui| {
-        for choice in Algorithm::ALL {
-            ui.selectable_value(algorithm, choice, name(choice));
+        ui.spacing_mut().item_spacing.y = 0.0;
+        ui.spacing_mut().interact_size.y = 21.0;
+        ui.spacing_mut().button_padding.y = 1.0;
+        for (key, group) in groups() {
+            ui.label(RichText::new(look.text(key)).size(12.0).color(look.palette.quiet));
+            for choice in group {
+                ui.selectable_value(algorithm, choice, name(choice));
+            }
         }
     });
     shown.response.on_hover_text(label);
@@ -146,6 +154,23 @@ fn variant_texts(look: &Look, variant: Variant) -> (String, String) {
     };
     let told = |part| paper_texts(look.texts.language()).get(&erratum.key(part));
     (format!("{} · {}", variant.id(), told("title")), told("why"))
+}
+
+/// The algorithms by the way they go, each group with the key of its title.
+fn groups() -> [(&'static str, Vec<Algorithm>); 4] {
+    use Algorithm::{
+        AllChildren, Bsp, Codes, Dda, DdaOctree, Esvo, Exhaustive, Gargantini, Glassner, Hero,
+        Parametric, ParametricTable, Samet, SametCorner, SametNet,
+    };
+    [
+        (
+            "algorithms-top-down",
+            vec![Parametric, ParametricTable, Esvo, AllChildren, Hero, Gargantini, Bsp],
+        ),
+        ("algorithms-bottom-up", vec![Codes, Samet, SametCorner, SametNet, Glassner]),
+        ("algorithms-grid", vec![Dda, DdaOctree]),
+        ("algorithms-reference", vec![Exhaustive]),
+    ]
 }
 
 /// Where the ray ends, if it does.
@@ -239,4 +264,18 @@ fn pick_direction<const D: usize>(ui: &mut Ui, look: &Look, direction: &mut Dire
 
 fn hint(ui: &mut Ui, look: &Look, key: &str) {
     ui.label(RichText::new(look.text(key)).size(13.0).color(look.palette.quiet));
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_algorithm_is_in_one_group() {
+        let mut grouped: Vec<_> = groups().into_iter().flat_map(|(_, group)| group).collect();
+        assert_eq!(grouped.len(), Algorithm::ALL.len());
+        grouped.sort_by_key(|algorithm| algorithm.id());
+        grouped.dedup();
+        assert_eq!(grouped.len(), Algorithm::ALL.len());
+    }
 }

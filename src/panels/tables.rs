@@ -1,84 +1,283 @@
-//! The tables by which neighbours are found.
+//! Tables of neighbours, and the way up and down by them.
 
 use crate::look::Look;
-use crate::widgets::cell_text;
-use eframe::egui::{Grid, Label, RichText, Ui};
+use crate::widgets::{Lit, caption, lit, segments};
+use eframe::egui::{CollapsingHeader, Grid, Id, Response, RichText, Ui};
 use octoscope_core::event::{Event, Lookup};
 use octoscope_core::geometry::AXIS_NAMES;
-use octoscope_core::locate::{adjacent, common_part, reflected};
-use octoscope_core::tree::Child;
+use octoscope_core::locate::{Direction, adjacent, common_part, reflected};
+use octoscope_core::tree::{Child, NodeId, Tree};
 
-/// What the last step of the search has looked up.
-struct Used<const D: usize> {
-    direction: [i8; D],
-    son: Child<D>,
-    /// Whether the way led down, by REFLECT.
-    down: bool,
+/// One of the tables.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Table {
+    Adjacent,
+    Common,
+    Reflect,
 }
 
-/// ADJ, COMMON and REFLECT for the direction of the search, with the row of the
-/// son lit; `events` are those until now.
-pub fn ui<const D: usize>(ui: &mut Ui, look: &Look, events: &[Event<D>]) {
-    let Some(used) = used(events) else {
-        ui.label(RichText::new(look.text("tables-none")).color(look.palette.quiet));
-        return;
-    };
-    let Used { direction, son, down } = used;
-    let quiet = |text: String| RichText::new(text).size(13.0).color(look.palette.quiet);
-    let text = look.texts.format("tables-direction", &[("direction", signs(direction).into())]);
-    ui.label(quiet(text));
-    let grid = Grid::new("neighbour-tables").num_columns(4).striped(true);
-    grid.spacing([14.0, 2.0]).min_row_height(20.0).show(ui, |ui| {
-        for head in ["tables-son", "tables-adjacent", "tables-common", "tables-reflect"] {
-            ui.label(quiet(look.text(head))).on_hover_text(look.text(&format!("{head}-why")));
-        }
-        ui.end_row();
-        for row in Child::<D>::all() {
-            let lit = row == son;
-            ui.label(cell_text(look, format!("{} ({})", row.0, bits(row)), lit, lit));
-            let beside =
-                look.text(if adjacent(direction, row) { "tables-yes" } else { "tables-no" });
-            ui.label(cell_text(look, beside, lit, lit && !down));
-            ui.label(cell_text(look, signs(common_part(direction, row)), lit, lit && !down));
-            ui.label(cell_text(look, reflected(direction, row).0.to_string(), lit, lit && down));
-            ui.end_row();
-        }
-    });
-    ui.add(Label::new(quiet(look.text("tables-rule"))).wrap());
-}
+impl Table {
+    const ALL: [Self; 3] = [Self::Adjacent, Self::Common, Self::Reflect];
 
-/// The look-up of the last event, or of the last that was one.
-fn used<const D: usize>(events: &[Event<D>]) -> Option<Used<D>> {
-    let last = events.iter().rposition(|event| {
-        matches!(event, Event::Father { lookup: Lookup::Tables, .. } | Event::Mirror { .. })
-    })?;
-    let son_left = |event: &Event<D>| match *event {
-        Event::Father { son, direction, .. } => Some((son, direction)),
-        _ => None,
-    };
-    match events[last] {
-        Event::Father { son, direction, .. } => Some(Used { direction, son, down: false }),
-        // On the way down every look-up repeats one on the way up.
-        Event::Mirror { son, mirrored, .. } => {
-            let fits = |&(left, direction): &(Child<D>, [i8; D])| {
-                left == son && reflected(direction, son) == mirrored
-            };
-            let (_, direction) = events[..last].iter().rev().filter_map(son_left).find(fits)?;
-            Some(Used { direction, son, down: true })
+    /// Its name in the literature, which has no translation.
+    fn name(self) -> &'static str {
+        match self {
+            Self::Adjacent => "ADJ",
+            Self::Common => "COMMON",
+            Self::Reflect => "REFLECT",
         }
-        _ => None,
+    }
+
+    /// Key of the rule that all its entries follow.
+    fn why(self) -> &'static str {
+        match self {
+            Self::Adjacent => "tables-adjacent-why",
+            Self::Common => "tables-common-why",
+            Self::Reflect => "tables-reflect-why",
+        }
     }
 }
 
-/// A direction as (+x, −z); (0) for none.
-fn signs<const D: usize>(direction: [i8; D]) -> String {
-    let parts: Vec<String> = (0..D)
-        .filter(|&e| direction[e] != 0)
-        .map(|e| format!("{}{}", if direction[e] > 0 { '+' } else { '−' }, AXIS_NAMES[e]))
-        .collect();
-    if parts.is_empty() { "0".to_owned() } else { parts.join(" ") }
+/// Which entries a step has used.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Used<const D: usize> {
+    direction: [i8; D],
+    son: Child<D>,
+    /// Whether a father or a mirrored son was reached.
+    down: bool,
+    lookup: Lookup,
 }
 
-fn bits<const D: usize>(child: Child<D>) -> String {
-    (0..D).map(|e| if child.is_upper(e) { '1' } else { '0' }).collect()
+/// A step of the way: the node that was reached, and the entries used.
+type Step<const D: usize> = (NodeId, Used<D>);
+
+/// Steps of the way to the neighbour since the last leaf.
+struct Way<const D: usize> {
+    up: Vec<Step<D>>,
+    down: Vec<Step<D>>,
+}
+
+impl<const D: usize> Way<D> {
+    fn of(past: &[Event<D>]) -> Self {
+        let starts = |event: &Event<D>| matches!(event, Event::Leaf { .. } | Event::Begin { .. });
+        let start = past.iter().rposition(starts).unwrap_or(0);
+        let mut way = Self { up: Vec::new(), down: Vec::new() };
+        for event in &past[start..] {
+            if let &Event::Father { node, son, direction, lookup, .. } = event {
+                way.up.push((node, Used { direction, son, down: false, lookup }));
+            }
+            if let &Event::Mirror { son, node, .. } = event {
+                // The last father's son is mirrored first.
+                let father = way.up.len().checked_sub(way.down.len() + 1);
+                if let Some((_, used)) = father.and_then(|index| way.up.get(index)) {
+                    way.down.push((node, Used { son, down: true, ..*used }));
+                }
+            }
+        }
+        way
+    }
+
+    fn last(&self) -> Option<Used<D>> {
+        self.down.last().or(self.up.last()).map(|(_, used)| *used)
+    }
+}
+
+/// The entries of all sons in the present direction, the used one lit; the way
+/// up and the mirrored way down; all directions on demand. `past` are the events
+/// so far.
+pub fn ui<const D: usize>(ui: &mut Ui, look: &Look, tree: &Tree<D>, past: &[Event<D>]) {
+    let way = Way::of(past);
+    let used = way.last();
+    match used {
+        Some(used) => {
+            let direction = named(used.direction);
+            let arguments = [("direction", direction.into()), ("son", used.son.0.into())];
+            let key = match used.lookup {
+                Lookup::Tables => "tables-used",
+                Lookup::Bits => "tables-used-bits",
+            };
+            caption(ui, look, look.texts.format(key, &arguments));
+            sons(ui, look, used);
+        }
+        None => caption(ui, look, look.text("tables-none")),
+    }
+    if used.is_some() {
+        ui.add_space(4.0);
+        ui.horizontal_top(|ui| {
+            for (key, steps) in [("tables-up", &way.up), ("tables-down", &way.down)] {
+                ui.vertical(|ui| {
+                    caption(ui, look, look.text(key));
+                    list(ui, look, tree, steps);
+                });
+                ui.add_space(20.0);
+            }
+        });
+    }
+    let title = RichText::new(look.text("tables-all")).size(13.0);
+    CollapsingHeader::new(title).id_salt("all-directions").show(ui, |ui| all(ui, look, used));
+}
+
+/// The three tables for one direction.
+fn sons<const D: usize>(ui: &mut Ui, look: &Look, used: Used<D>) {
+    let grid = Grid::new("sons").num_columns(1 + Child::<D>::COUNT);
+    grid.spacing([10.0, 0.0]).min_col_width(22.0).min_row_height(18.0).show(ui, |ui| {
+        caption(ui, look, look.text("tables-son"));
+        for son in Child::<D>::all() {
+            let tone = if son == used.son { Lit::Line } else { Lit::No };
+            ui.label(lit(look, son.0.to_string(), tone));
+        }
+        ui.end_row();
+        for table in Table::ALL {
+            let in_use = match used.lookup {
+                Lookup::Tables => (table == Table::Reflect) == used.down,
+                Lookup::Bits => table == Table::Common,
+            };
+            caption(ui, look, table.name());
+            for son in Child::<D>::all() {
+                let tone = match (in_use, son == used.son) {
+                    (true, true) => Lit::Used,
+                    (true, false) | (false, true) => Lit::Line,
+                    (false, false) => Lit::No,
+                };
+                entry(ui, look, table, used.direction, son, tone);
+            }
+            ui.end_row();
+        }
+    });
+}
+
+/// An entry, which tells its rule where it is pointed at.
+fn entry<const D: usize>(
+    ui: &mut Ui,
+    look: &Look,
+    table: Table,
+    direction: [i8; D],
+    son: Child<D>,
+    tone: Lit,
+) -> Response {
+    let text = match table {
+        Table::Adjacent if adjacent(direction, son) => look.text("tables-yes"),
+        Table::Adjacent => "–".to_owned(),
+        Table::Common if common_part(direction, son) == [0; D] => "–".to_owned(),
+        Table::Common => signs(common_part(direction, son)),
+        Table::Reflect => reflected(direction, son).0.to_string(),
+    };
+    let bits: Vec<_> =
+        (0..D).map(|e| format!("{} = {}", AXIS_NAMES[e], u8::from(son.is_upper(e)))).collect();
+    let arguments = [
+        ("son", son.0.into()),
+        ("bits", bits.join(", ").into()),
+        ("direction", named(direction).into()),
+    ];
+    let why = look.texts.format(table.why(), &arguments);
+    ui.label(lit(look, text, tone).size(12.0)).on_hover_text(why)
+}
+
+/// The nodes of one way, each with the son that led there.
+fn list<const D: usize>(ui: &mut Ui, look: &Look, tree: &Tree<D>, steps: &[Step<D>]) {
+    for (n, (node, used)) in steps.iter().enumerate() {
+        let son = if used.down { reflected(used.direction, used.son) } else { used.son };
+        let codes = tree.code(*node).map(|c| c.to_string()).join(", ");
+        let arguments =
+            [("son", son.0.into()), ("level", tree.level(*node).into()), ("codes", codes.into())];
+        let key = if used.down { "tables-step-down" } else { "tables-step-up" };
+        let text = RichText::new(look.texts.format(key, &arguments)).size(13.0);
+        let color = if n + 1 == steps.len() { look.palette.ink } else { look.palette.quiet };
+        let label = ui.label(text.color(color));
+        label.on_hover_text(look.texts.format("node-note", &arguments));
+    }
+    if steps.is_empty() {
+        ui.label(lit(look, "–", Lit::Quiet));
+    }
+}
+
+/// One of the tables for all directions: sides, then edges, then corners.
+fn all<const D: usize>(ui: &mut Ui, look: &Look, used: Option<Used<D>>) {
+    let id = Id::unique("chosen-table");
+    let mut table = ui.data(|data| data.get_temp(id)).unwrap_or(Table::Common);
+    segments(ui, &mut table, &Table::ALL.map(|table| (table, table.name().to_owned())));
+    ui.data_mut(|data| data.insert_temp(id, table));
+    let grid = Grid::new("directions").num_columns(1 + Child::<D>::COUNT);
+    grid.spacing([10.0, 0.0]).min_col_width(22.0).min_row_height(17.0).show(ui, |ui| {
+        caption(ui, look, AXIS_NAMES[..D].join(""));
+        for son in Child::<D>::all() {
+            let tone =
+                if used.is_some_and(|used| used.son == son) { Lit::Line } else { Lit::Quiet };
+            ui.label(lit(look, son.0.to_string(), tone));
+        }
+        ui.end_row();
+        for n_axes in 1..=D {
+            let is_kind = |d: &[i8; D]| d.iter().filter(|s| **s != 0).count() == n_axes;
+            let kind = Direction::<D>::all().map(Direction::components).filter(is_kind);
+            for direction in kind {
+                let row = used.is_some_and(|used| used.direction == direction);
+                ui.label(lit(look, signs(direction), if row { Lit::Line } else { Lit::Quiet }));
+                for son in Child::<D>::all() {
+                    let column = used.is_some_and(|used| used.son == son);
+                    let tone = match (row, column) {
+                        (true, true) => Lit::Used,
+                        (true, false) | (false, true) => Lit::Line,
+                        (false, false) => Lit::No,
+                    };
+                    entry(ui, look, table, direction, son, tone);
+                }
+                ui.end_row();
+            }
+        }
+    });
+}
+
+/// A direction by its signs, x first: +−, +· …
+fn signs<const D: usize>(direction: [i8; D]) -> String {
+    direction
+        .iter()
+        .map(|s| {
+            if *s > 0 {
+                '+'
+            } else if *s < 0 {
+                '−'
+            } else {
+                '·'
+            }
+        })
+        .collect()
+}
+
+/// A direction by axes and signs: +x −y.
+fn named<const D: usize>(direction: [i8; D]) -> String {
+    let axes = (0..D).filter(|&e| direction[e] != 0);
+    let named =
+        axes.map(|e| format!("{}{}", if direction[e] > 0 { '+' } else { '−' }, AXIS_NAMES[e]));
+    named.collect::<Vec<_>>().join(" ")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn directions_are_told_by_their_signs() {
+        assert_eq!(signs([1, 0, -1]), "+·−");
+        assert_eq!(named([1, 0, -1]), "+x −z");
+    }
+
+    #[test]
+    fn sons_are_mirrored_in_the_opposite_order_of_their_fathers() {
+        let father = |son: u8, direction: [i8; 2]| Event::<2>::Father {
+            node: NodeId::ROOT,
+            son: Child(son),
+            direction,
+            common: [0; 2],
+            lookup: Lookup::Tables,
+        };
+        let mirror = |son: u8| Event::<2>::Mirror {
+            son: Child(son),
+            mirrored: Child(0),
+            node: NodeId::ROOT,
+        };
+        let way = Way::of(&[father(3, [1, 1]), father(2, [1, 0]), mirror(2), mirror(3)]);
+        let told: Vec<_> = way.down.iter().map(|(_, used)| (used.son.0, used.direction)).collect();
+        assert_eq!(told, [(2, [1, 0]), (3, [1, 1])]);
+        assert_eq!(way.last().map(|used| used.down), Some(true));
+    }
 }

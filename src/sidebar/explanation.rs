@@ -3,8 +3,8 @@
 use crate::document::Document;
 use crate::look::Look;
 use crate::panels::{
-    automaton, codes, compare, counters, listing, neighbour, paper, region, stack, t_rail, tables,
-    variables,
+    automaton, children, codes, compare, counters, cuts, grid, halves, links, listing, neighbour,
+    paper, region, stack, t_rail, tables, variables, way_down,
 };
 use crate::sidebar::Wish;
 use crate::view::{PanelKind, Preset, View};
@@ -82,7 +82,13 @@ fn note<const D: usize>(
         }),
         PanelKind::Automaton => automaton::note(look, moment),
         PanelKind::Stack => stack::note(moment),
-        PanelKind::Region
+        PanelKind::WayDown => way_down::note(look, moment),
+        PanelKind::Grid => grid::note(look, moment),
+        PanelKind::Cuts
+        | PanelKind::Children
+        | PanelKind::Links
+        | PanelKind::Halves
+        | PanelKind::Region
         | PanelKind::Neighbour
         | PanelKind::Listing
         | PanelKind::Variables
@@ -103,7 +109,8 @@ fn body<const D: usize>(
 ) -> Option<Wish> {
     let trace = Arc::clone(&document.trace);
     let tree = Arc::clone(&document.tree);
-    let event = moment.step.checked_sub(1).and_then(|index| trace.events.get(index));
+    let past = &trace.events[..moment.step.min(trace.events.len())];
+    let event = past.last();
     match kind {
         PanelKind::Codes => codes::ui(ui, look, &tree, moment),
         PanelKind::Region => region::ui(ui, look, &tree, moment),
@@ -130,9 +137,18 @@ fn body<const D: usize>(
             };
             variables::ui(ui, look, &now, &before);
         }
-        PanelKind::Tables => {
-            tables::ui(ui, look, &trace.events[..moment.step.min(trace.events.len())]);
+        PanelKind::Tables => tables::ui(ui, look, &tree, past),
+        PanelKind::Cuts => cuts::ui(ui, look, &tree, moment, event),
+        PanelKind::Children => children::ui(ui, look, &tree, moment, past),
+        PanelKind::WayDown => {
+            way_down::ui(ui, look, &tree, &document.scenario.ray, moment, past);
         }
+        PanelKind::Links => {
+            let ray = &document.scenario.ray;
+            links::ui(ui, look, links::Net { tree: &tree, ray }, &trace, moment);
+        }
+        PanelKind::Halves => halves::ui(ui, look, past),
+        PanelKind::Grid => grid::ui(ui, look, moment, past),
         PanelKind::Compare => comparison(ui, look, document),
         PanelKind::Paper => {
             let verdict = document.verdict();

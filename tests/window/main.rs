@@ -3,6 +3,7 @@
 
 #![allow(clippy::unwrap_used, reason = "a test may panic")]
 
+mod algorithms;
 mod controls;
 mod desk;
 mod files;

@@ -4,9 +4,10 @@
 //! `TEST_GPU=require` does not accept.
 
 use crate::desk::{Desk, sample};
-use eframe::egui::Key;
+use eframe::egui::{Key, accesskit::Role};
 use eframe::egui_wgpu::WgpuSetup;
 use eframe::wgpu::{Backends, DeviceType};
+use egui_kittest::kittest::Queryable;
 use egui_kittest::wgpu::default_wgpu_setup;
 use egui_kittest::{Harness, SnapshotOptions};
 use octoscope::view::{Preset, View};
@@ -362,4 +363,34 @@ fn dda_crosses_a_plane() {
 #[test]
 fn dda_looks_a_cell_up() {
     compare_algorithm(Algorithm::DdaOctree, "quadtree-82", &At::Nth(12, "Cross"));
+}
+
+#[test]
+fn the_menu_of_algorithms() {
+    compare("algorithm-menu", |desk| {
+        desk.open_scenario(&plane("quadtree-82", |scenario| {
+            scenario.query = asked(Algorithm::Bsp);
+        }));
+        desk.press(Key::Home);
+        let menu = desk.get_all_by_role(Role::ComboBox).last().unwrap();
+        menu.click();
+        desk.run();
+    });
+}
+
+#[test]
+fn the_tables_of_all_directions() {
+    compare("algorithm-tables", |desk| {
+        let mut scenario = built_in("points-3d").unwrap();
+        if let AnyScenario::Octree(scenario) = &mut scenario {
+            scenario.query = asked(Algorithm::Samet);
+        }
+        desk.open_scenario(&scenario);
+        desk.state_mut().view.theme = Theme::Dark;
+        desk.state_mut().view.preset = Preset::Automaton;
+        desk.state_mut().view.language = Language::German;
+        desk.go_to(&At::Nth(4, "Father"));
+        desk.get_by_label("Alle Richtungen").click();
+        desk.run();
+    });
 }

@@ -267,16 +267,3 @@ paper-all = Alle Errata von „Ray Tracing mit Octrees“
 paper-try = { $variant } ausprobieren
 job-other-ray = Ein anderer Strahl wird gesucht …
 
-tables-none = Tabellen werden gebraucht, sobald ein Blatt verlassen wird.
-tables-direction = Richtung des Nachbarn: { $direction }
-tables-son = Sohn
-tables-son-why = Der Knoten als Sohn seines Vaters, mit seinen Bits
-tables-adjacent = ADJ
-tables-adjacent-why = Ob der Sohn an dieser Seite seines Vaters liegt
-tables-common = COMMON
-tables-common-why = Der Teil der Richtung, in dem er es tut
-tables-reflect = REFLECT
-tables-reflect-why = Der Sohn auf der anderen Seite
-tables-yes = ja
-tables-no = nein
-tables-rule = Alle drei folgen aus den Bits: Ein Sohn liegt an Seite + einer Achse, wenn sein Bit 1 ist, an Seite −, wenn es 0 ist; REFLECT kippt die Bits der Richtung.

@@ -267,16 +267,3 @@ paper-all = All errata of “Ray Tracing mit Octrees”
 paper-try = Try { $variant }
 job-other-ray = Looking for another ray …
 
-tables-none = Tables are used once a leaf is left.
-tables-direction = Direction of the neighbour: { $direction }
-tables-son = son
-tables-son-why = The node as a son of its father, with its bits
-tables-adjacent = ADJ
-tables-adjacent-why = Whether the son lies on that side of its father
-tables-common = COMMON
-tables-common-why = The part of the direction along which it does
-tables-reflect = REFLECT
-tables-reflect-why = The son on the other side
-tables-yes = yes
-tables-no = no
-tables-rule = All three follow from the bits: a son lies on side + of an axis if its bit is 1, on side − if it is 0; REFLECT flips the bits of the direction.

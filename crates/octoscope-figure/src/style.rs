@@ -119,7 +119,7 @@ impl Style {
             Role::GridCell => Self { fill: Some(p.ray.faded(0.25)), ..line(p.ray, 1.5) },
             Role::WayUp | Role::Push => Self { fill: Some(p.ray), ..line(p.ray, 2.5) },
             Role::WayDown => Self { fill: Some(p.ancestor), ..line(p.ancestor, 2.5) },
-            Role::Link => Self { fill: Some(p.current_outline), ..line(p.current_outline, 2.5) },
+            Role::Link => Self { fill: Some(p.ink), ..line(p.ink, 3.0) },
             Role::Cut(axis) => {
                 Self { fill: Some(p.axes[axis]), radius: 5.0, ..line(p.background, 1.2) }
             }

@@ -1,0 +1,80 @@
+# Texte der Tafeln, die zu einem Verfahren oder zu wenigen gehören, auf Deutsch.
+
+panel-cuts = Schnitte
+panel-children = Jedes Kind
+panel-way-down = Weg von der Wurzel
+panel-links = Verweise
+panel-halves = Halbieren
+panel-grid = Feinstes Raster
+
+algorithms-top-down = Von oben nach unten
+algorithms-bottom-up = Von Blatt zu Blatt, von unten
+algorithms-grid = Auf dem feinsten Raster
+algorithms-reference = Vergleichsmaßstab
+
+cuts-none = Zeigt die sortierten Mittelebenen, sobald ein Knoten zerschnitten wird.
+cuts-mask = Vorzeichen
+cuts-plane = Ebene
+cuts-inside = schneidet
+cuts-before = davor
+cuts-after = danach
+cuts-piece = Stück von t
+cuts-child = Kind
+
+children-none = Zeigt die Prüfung aller Kinder, sobald ein Knoten betreten wird.
+children-order = Nr.
+children-child = Kind
+children-bits = Bits
+children-interval = t
+children-missed = verfehlt
+
+way-down-none = Zeigt den Weg von der Wurzel, sobald ein Punkt gesucht wird.
+way-down-count = { $n ->
+    [one] einmal von der Wurzel
+   *[other] { $n } × von der Wurzel
+}
+way-down-level = Ebene { $level }
+way-down-root = Wurzel
+way-down-exit = Austrittspunkt
+way-down-pushed = verschoben nach
+way-down-target = Codes dahinter
+
+tables-none = Zeigt die benutzten Einträge, sobald ein Nachbar gesucht wird.
+tables-used = Richtung { $direction }, Sohn { $son }: Warum steht ein Eintrag da? Darauf zeigen.
+tables-used-bits = Richtung { $direction }, Sohn { $son }: aus den Bits gelesen, ohne Tabelle.
+tables-son = Sohn
+tables-yes = ja
+tables-up = Weg hinauf
+tables-down = gespiegelt hinab
+tables-step-up = von Sohn { $son } auf Ebene { $level }
+tables-step-down = zu Sohn { $son }, Ebene { $level }
+tables-all = Alle Richtungen
+tables-adjacent-why = Sohn { $son } hat { $bits }. Er liegt auf der Seite { $direction } seines Vaters, wenn sein Bit bei + eine 1 und bei − eine 0 ist.
+tables-common-why = Sohn { $son } hat { $bits }. Von { $direction } bleiben die Achsen, auf denen er auf dieser Seite seines Vaters liegt: sein Bit ist 1 bei +, 0 bei −. Dort liegt der Nachbar jenseits des Vaters.
+tables-reflect-why = Sohn { $son } hat { $bits }. Die Bits aller Achsen in { $direction } werden umgekehrt.
+
+links-none = Zeigt die Verweise eines Blattes, sobald das erste gefunden ist.
+links-of = des Blattes auf Ebene { $level }, Codes { $codes }
+links-side = Seite
+links-size = Nachbar
+links-larger = größeres Blatt
+links-equal = Blatt
+links-divided = geteilt
+links-border = Rand
+
+halves-none = Zeigt die Ebene und ihren Parameter, sobald ein Teil halbiert wird.
+halves-near = nur nahe Hälfte
+halves-far = nur ferne Hälfte
+halves-both = nahe, später ferne
+halves-near-why = Der Strahl trifft die Ebene erst nach dem Teil, hinter seinem Ursprung oder nie.
+halves-far-why = Der Strahl hat die Ebene getroffen, bevor er in den Teil eintritt.
+halves-both-why = Der Strahl trifft die Ebene im Teil: die ferne Hälfte wartet auf dem Stapel.
+
+grid-none = Zeigt die nächsten Ebenen, sobald die erste Zelle gefunden ist.
+grid-count = { $n ->
+    [one] 1 Zelle
+   *[other] { $n } Zellen
+}
+grid-cell = Zelle
+grid-outside = außerhalb
+grid-crossed = über { $axes }

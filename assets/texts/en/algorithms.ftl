@@ -1,0 +1,80 @@
+# Texts of the panels that belong to one algorithm or a few, in English.
+
+panel-cuts = Cuts
+panel-children = Every child
+panel-way-down = Way from the root
+panel-links = Links
+panel-halves = Halving
+panel-grid = Finest grid
+
+algorithms-top-down = Top-down
+algorithms-bottom-up = Bottom-up, from leaf to leaf
+algorithms-grid = On the finest grid
+algorithms-reference = Reference
+
+cuts-none = Shows the sorted mid planes once a node is cut.
+cuts-mask = signs
+cuts-plane = plane
+cuts-inside = cuts
+cuts-before = before
+cuts-after = after
+cuts-piece = piece of t
+cuts-child = child
+
+children-none = Shows the tests of all children once a node is entered.
+children-order = no.
+children-child = child
+children-bits = bits
+children-interval = t
+children-missed = missed
+
+way-down-none = Shows the path from the root once a point is looked for.
+way-down-count = { $n ->
+    [one] once from the root
+   *[other] { $n } × from the root
+}
+way-down-level = level { $level }
+way-down-root = root
+way-down-exit = exit point
+way-down-pushed = pushed to
+way-down-target = codes beyond
+
+tables-none = Shows the used entries once a neighbour is looked for.
+tables-used = Direction { $direction }, son { $son }: why is an entry so? Point at it.
+tables-used-bits = Direction { $direction }, son { $son }: read from the bits, without a table.
+tables-son = son
+tables-yes = yes
+tables-up = way up
+tables-down = mirrored way down
+tables-step-up = from son { $son } to level { $level }
+tables-step-down = to son { $son }, level { $level }
+tables-all = All directions
+tables-adjacent-why = Son { $son } has { $bits }. It lies on the side { $direction } of its father if its bit is 1 where the sign is +, and 0 where it is −.
+tables-common-why = Son { $son } has { $bits }. Of { $direction } what stays are the axes along which it lies on that side of its father: its bit is 1 for +, 0 for −. There the neighbour is beyond the father.
+tables-reflect-why = Son { $son } has { $bits }. The bits of all axes in { $direction } are flipped.
+
+links-none = Shows the links of a leaf once the first one is found.
+links-of = of the leaf of level { $level }, codes { $codes }
+links-side = side
+links-size = neighbour
+links-larger = larger leaf
+links-equal = leaf
+links-divided = divided
+links-border = border
+
+halves-none = Shows the plane and its parameter once a part is halved.
+halves-near = near half only
+halves-far = far half only
+halves-both = near, later far
+halves-near-why = The ray meets the plane after the part, or behind its origin, or never.
+halves-far-why = The ray has met the plane before it enters the part.
+halves-both-why = The ray meets the plane inside the part: the far half waits on the stack.
+
+grid-none = Shows the planes ahead once the first cell is found.
+grid-count = { $n ->
+    [one] 1 cell
+   *[other] { $n } cells
+}
+grid-cell = cell
+grid-outside = outside
+grid-crossed = across { $axes }

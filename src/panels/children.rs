@@ -1,0 +1,81 @@
+//! Every child of a node, tested one after the other.
+
+use crate::look::Look;
+use crate::widgets::{Lit, caption, child_bits, lit};
+use eframe::egui::{Grid, RichText, Ui};
+use octoscope_core::event::Event;
+use octoscope_core::explain::approx;
+use octoscope_core::geometry::Axes;
+use octoscope_core::trace::Moment;
+use octoscope_core::tree::{Child, NodeId, Tree};
+
+/// The children of the node at work in the order of their tests: hit or missed,
+/// and between which parameters. `past` are the events so far.
+pub fn ui<const D: usize>(
+    ui: &mut Ui,
+    look: &Look,
+    tree: &Tree<D>,
+    moment: &Moment<D>,
+    past: &[Event<D>],
+) {
+    let inner = |node: &NodeId| !tree.node(*node).is_leaf();
+    let Some(parent) = moment.stack.iter().rev().map(|frame| frame.node).find(inner) else {
+        caption(ui, look, look.text("children-none"));
+        return;
+    };
+    let mask = moment.clip.map_or(Axes::NONE, |clip| clip.mirror);
+    let tests = tests_of(tree, parent, past);
+    let codes = tree.code(parent).map(|c| c.to_string()).join(", ");
+    let arguments = [("level", tree.level(parent).into()), ("codes", codes.into())];
+    caption(ui, look, look.texts.format("node-note", &arguments));
+    let grid = Grid::new("children").num_columns(4);
+    grid.spacing([14.0, 0.0]).min_col_width(24.0).min_row_height(18.0).show(ui, |ui| {
+        for key in ["children-order", "children-child", "children-bits", "children-interval"] {
+            caption(ui, look, look.text(key));
+        }
+        ui.end_row();
+        for (n, state) in Child::<D>::all().enumerate() {
+            let child = state.mirrored(mask);
+            let node = tree.child(tree.node(parent), child).id;
+            let test = tests.iter().find(|(tested, _)| *tested == node);
+            let last = tests.last().is_some_and(|(tested, _)| *tested == node);
+            let visited = moment.stack.iter().any(|frame| frame.node == node);
+            let tone = match (last, visited, test) {
+                (true, _, _) => Lit::Used,
+                (false, true, _) => Lit::Line,
+                (false, false, Some((_, Some(_)))) => Lit::No,
+                (false, false, Some((_, None)) | None) => Lit::Quiet,
+            };
+            ui.label(lit(look, (n + 1).to_string(), Lit::Quiet));
+            ui.label(lit(look, child.0.to_string(), tone));
+            child_bits(ui, look, child, Axes::NONE);
+            match test {
+                Some((_, Some([enter, exit]))) => {
+                    ui.label(lit(look, format!("{} – {}", approx(*enter), approx(*exit)), tone));
+                }
+                Some((_, None)) => {
+                    let missed = RichText::new(look.text("children-missed")).size(13.0);
+                    ui.label(missed.color(look.palette.rejected));
+                }
+                None => {
+                    ui.label(lit(look, "·", Lit::Quiet));
+                }
+            }
+            ui.end_row();
+        }
+    });
+}
+
+/// Tests of the children of `parent` since it was entered last.
+fn tests_of<const D: usize>(
+    tree: &Tree<D>,
+    parent: NodeId,
+    past: &[Event<D>],
+) -> Vec<(NodeId, Option<[f64; 2]>)> {
+    let entered = |event: &Event<D>| matches!(event, Event::Visit { node, .. } if *node == parent);
+    let start = past.iter().rposition(entered).unwrap_or(past.len());
+    let tests = past[start..].iter().filter_map(|event| {
+        if let Event::Test { node, interval } = event { Some((*node, *interval)) } else { None }
+    });
+    tests.filter(|(node, _)| tree.parent(*node) == Some(parent)).collect()
+}
