@@ -44,7 +44,8 @@ pub fn traverse<const D: usize, P: Parameter>(
         return missed(observe);
     };
     let report = Report::of(options);
-    let decide = if options.variants.has(Variant::Gem) { as_in_the_gem } else { halves };
+    let is_gem = options.variants.has(Variant::Gem);
+    let decide = if is_gem { as_in_the_gem } else { halves };
     let root = tree.root();
     let mut stack =
         vec![Pending::<D, P> { node: root, part: Part::whole(root.id), from: enter, to: exit }];
@@ -61,7 +62,13 @@ pub fn traverse<const D: usize, P: Parameter>(
             let half = 1 << (level - 1);
             let plane = domain.plane(axis, code[axis] + half);
             let (origin, direction) = (ray.origin()[axis], ray.direction()[axis]);
-            let at = P::at_plane(plane, origin, direction);
+            let at = if direction != 0.0 || is_gem {
+                P::at_plane(plane, origin, direction)
+            } else if plane <= origin {
+                P::BEFORE_ALL
+            } else {
+                P::BEYOND_ALL
+            };
             let (halves, near_is_upper) = decide(plane, at, [origin, direction], [from, to]);
 
             // Near, far, or first the near and later the far half.
