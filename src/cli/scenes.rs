@@ -6,6 +6,7 @@ use crate::text::texts;
 use clap::Args;
 use octoscope_core::explain::algorithm_name;
 use octoscope_core::gallery::Degenerate;
+use octoscope_core::paper::{ERRATA, paper_texts};
 use octoscope_core::scenario::BUILT_IN;
 use octoscope_core::text::Language;
 use octoscope_core::traverse::{Algorithm, Variant};
@@ -13,8 +14,8 @@ use serde_json::json;
 use std::collections::BTreeMap;
 use std::io::Write;
 
-/// Lists the built-in scenes, the algorithms and the degenerate rays, with their
-/// identifiers.
+/// Lists the built-in scenes, the algorithms, the degenerate rays and the errata of
+/// the paper, with their identifiers.
 ///
 /// A scene's identifier, scene:NAME, stands wherever a command takes a file; a
 /// ray's, gallery:NAME, where one takes a ray. A scenario that names a scene may
@@ -67,10 +68,18 @@ fn as_text() -> String {
         let plane = if ray.exists_in(2) { "" } else { " (in space)" };
         format!("{id:<22}{}{plane}\n", ray.name(Language::English))
     });
+    let errata = ERRATA.map(|erratum| {
+        let variants = erratum.variants.iter().map(|variant| format!(" @{}", variant.id()));
+        let title = paper_texts(Language::English).get(&erratum.key("title"));
+        format!("{:<22}{title}{}\n", erratum.id, variants.collect::<String>())
+    });
     let scenes: String = scenes.collect();
-    let [algorithms, rays] = [algorithms.concat(), rays.concat()];
-    let heads = ["algorithm", "degenerate ray"].map(|name| format!("{name:<22}what it is"));
-    format!("{head}{scenes}\n{}\n{algorithms}\n{}\n{rays}", heads[0], heads[1])
+    let [algorithms, rays, errata] = [algorithms.concat(), rays.concat(), errata.concat()];
+    let [of_algorithms, of_rays, of_errata] =
+        ["algorithm", "degenerate ray", "erratum"].map(|name| format!("{name:<22}what it is"));
+    format!(
+        "{head}{scenes}\n{of_algorithms}\n{algorithms}\n{of_rays}\n{rays}\n{of_errata}\n{errata}"
+    )
 }
 
 fn as_json() -> String {
@@ -83,10 +92,15 @@ fn as_json() -> String {
             "largest_n": scene.n.map(|[_, most]| most),
         })
     });
+    let errata = ERRATA.iter().map(|erratum| {
+        let variants: Vec<_> = erratum.variants.iter().map(|variant| variant.id()).collect();
+        json!({ "id": erratum.id, "severity": erratum.severity.id(), "variants": variants })
+    });
     let list = json!({
         "scenes": scenes.collect::<Vec<_>>(),
         "algorithms": Algorithm::ALL.map(Algorithm::id),
         "rays": Degenerate::ALL.map(|ray| format!("gallery:{}", ray.id())),
+        "errata": errata.collect::<Vec<_>>(),
         "variants": Algorithm::ALL
             .map(|algorithm| (algorithm.id(), variants(algorithm).map(Variant::id).collect()))
             .into_iter()
@@ -104,7 +118,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn every_scene_algorithm_and_ray_is_listed() {
+    fn every_scene_algorithm_ray_and_erratum_is_listed() {
         for list in [as_text(), as_json()] {
             for scene in &BUILT_IN {
                 assert!(list.contains(&format!("scene:{}", scene.id)));
@@ -112,6 +126,8 @@ mod tests {
             assert!(Algorithm::ALL.iter().all(|algorithm| list.contains(algorithm.id())));
             let named = |ray: &Degenerate| list.contains(&format!("gallery:{}", ray.id()));
             assert!(Degenerate::ALL.iter().all(named));
+            assert!(ERRATA.iter().all(|erratum| list.contains(erratum.id)));
+            assert!(list.contains("B-24c"));
         }
     }
 }

@@ -53,8 +53,8 @@ pub struct Visit {
     #[arg(long, value_name = "N", default_value = "3", value_parser = dimension, allow_negative_numbers = true)]
     dim: Dimension,
     /// Identifier of the algorithm (see octoscope scenes), with @ and variants
-    /// as in bsp@gem; or all: runs every one, prints what the oracle finds, and
-    /// fails where one differs from it.
+    /// as in bsp@gem or parametric@B-2; or all: runs every one, prints what the
+    /// oracle finds, and fails where one differs from it.
     #[arg(long, value_name = "ID", default_value = "parametric")]
     algorithm: Choice,
     /// Ends each ray at its first occupied leaf.

@@ -14,8 +14,10 @@ pub struct Verdict {
     pub expected: Vec<NodeId>,
     /// Whether the trace has found just these.
     pub agrees: bool,
-    /// Number of events up to and with the first one that is wrong: the report
-    /// of another leaf or node than expected, or the end before all are found.
+    /// Number of events up to and with the first one that is wrong, if the trace
+    /// does not agree: the report of another leaf than expected, or, of a query
+    /// without a ray, the step to a node off the path of the right rules; else
+    /// the end before all are found.
     pub first_wrong_step: Option<usize>,
 }
 
@@ -32,26 +34,50 @@ pub fn verdict<const D: usize>(tree: &Tree<D>, ray: &Ray<D>, trace: &Trace<D>) -
             trace.query.corrected()
         }
     };
+    let right = record(tree, ray, &right);
     let results =
         |trace: &Trace<D>| -> Vec<NodeId> { trace.events.iter().filter_map(result).collect() };
-    let (expected, found) = (results(&record(tree, ray, &right)), results(trace));
-    let difference = match right {
+    let (expected, found) = (results(&right), results(trace));
+    let first_wrong_step = match trace.query {
         Query::Ray { .. } => {
             let difference = first_difference(tree, ray, &expected, &found, Slivers::Ignore);
-            difference.map(|difference| difference.found)
+            difference.map(|difference| step_of(trace, difference.found))
         }
         Query::Point { .. } | Query::Region { .. } | Query::Neighbour { .. } => {
-            let same = expected.iter().zip(&found).take_while(|(a, b)| a == b).count();
-            (expected != found).then(|| found.get(same).copied())
+            (expected != found).then(|| step_off_path(trace, &right))
         }
     };
-    let step_of = |wrong: Option<NodeId>| {
-        let is_wrong = |event: &Event<D>| wrong.is_some() && result(event) == wrong;
-        let index = trace.events.iter().position(is_wrong);
-        index.map_or(trace.events.len(), |index| index + 1)
-    };
-    let first_wrong_step = difference.map(step_of);
     Verdict { expected, agrees: first_wrong_step.is_none(), first_wrong_step }
+}
+
+/// Number of events up to and with the report of `wrong`, or of all.
+fn step_of<const D: usize>(trace: &Trace<D>, wrong: Option<NodeId>) -> usize {
+    let is_wrong = |event: &Event<D>| wrong.is_some() && result(event) == wrong;
+    let index = trace.events.iter().position(is_wrong);
+    index.map_or(trace.events.len(), |index| index + 1)
+}
+
+/// Number of events up to and with the first one at another node than that of
+/// `right`, or of all.
+fn step_off_path<const D: usize>(trace: &Trace<D>, right: &Trace<D>) -> usize {
+    let mut path = right.events.iter().filter_map(stop);
+    let leaves_path = |event: &Event<D>| {
+        let node = stop(event);
+        node.is_some() && node != path.next()
+    };
+    let index = trace.events.iter().position(leaves_path);
+    index.map_or(trace.events.len(), |index| index + 1)
+}
+
+/// The node that a query without a ray comes to, and whether it is its result.
+fn stop<const D: usize>(event: &Event<D>) -> Option<(NodeId, bool)> {
+    match *event {
+        Event::Begin { node }
+        | Event::Follow { node, .. }
+        | Event::Climb { node, .. }
+        | Event::Facing { node, .. } => Some((node, false)),
+        _ => result(event).map(|node| (node, true)),
+    }
 }
 
 /// The leaf that is visited, or the node that is found.
@@ -59,5 +85,51 @@ fn result<const D: usize>(event: &Event<D>) -> Option<NodeId> {
     match *event {
         Event::Leaf { node, .. } | Event::Found { node } => Some(node),
         _ => None,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::counterexample;
+    use super::*;
+    use crate::progress::Progress;
+    use crate::scenario::AnyScenario;
+    use crate::traverse::Variant;
+    use crate::tree::build;
+
+    /// The first wrong event of the counterexample of `variant`.
+    fn first_wrong(variant: Variant) -> (usize, Event<2>) {
+        let AnyScenario::Quadtree(scenario) = counterexample(variant) else { panic!() };
+        let content = scenario.source.content().unwrap();
+        let domain = scenario.grid().unwrap();
+        let tree = build(&content, domain, &scenario.recipe, &Progress::default()).unwrap();
+        let trace = record(&tree, &scenario.ray, &scenario.query);
+        let step = verdict(&tree, &scenario.ray, &trace).first_wrong_step.unwrap();
+        (step, trace.events[step - 1])
+    }
+
+    /// Step and level at which it goes down off the right path.
+    fn wrong_way_down(variant: Variant) -> (usize, u8) {
+        let (step, event) = first_wrong(variant);
+        let Event::Follow { level, .. } = event else { panic!("{variant:?}: {event:?}") };
+        (step, level)
+    }
+
+    #[test]
+    fn queries_go_wrong_where_they_leave_the_right_path() {
+        assert_eq!(wrong_way_down(Variant::B19), (4, 1));
+        // From the root already, by the differences of the codes.
+        assert_eq!(wrong_way_down(Variant::B24c), (4, 4));
+        // Past the level of the region.
+        assert_eq!(wrong_way_down(Variant::B24a), (6, 2));
+        // Down from the cell itself, without a climb.
+        assert_eq!(wrong_way_down(Variant::B25Leftmost), (5, 1));
+        assert_eq!(wrong_way_down(Variant::B25Rightmost), (5, 1));
+        assert_eq!(wrong_way_down(Variant::B28), (7, 1));
+    }
+
+    #[test]
+    fn a_point_outside_goes_wrong_at_the_root() {
+        assert!(matches!(first_wrong(Variant::B21), (2, Event::Begin { .. })));
     }
 }
