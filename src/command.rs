@@ -72,6 +72,8 @@ pub enum Command {
     FullScreen,
     /// Blank the window or show it again.
     Blank,
+    /// Search everything that has a name.
+    Find,
     /// Show all keys.
     Keys,
     /// Show what this program is.
@@ -260,7 +262,8 @@ pub const COMMANDS: &[Row] = &[
     row(Command::Play, "command-play", Menu::Step, &[key(Key::Space)]),
     row(Command::Faster, "command-faster", Menu::Step, &[key(Key::CloseBracket)]),
     row(Command::Slower, "command-slower", Menu::Step, &[key(Key::OpenBracket)]),
-    row(Command::Keys, "command-keys", Menu::Help, &[key(Key::F1)]),
+    row(Command::Find, "command-find", Menu::Help, &[ctrl(Key::K), key(Key::F1)]),
+    row(Command::Keys, "command-keys", Menu::Help, &[key(Key::Questionmark)]),
     row(Command::About, "command-about", Menu::Help, &[]),
 ];
 

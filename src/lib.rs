@@ -9,6 +9,7 @@ pub mod comparison;
 pub mod document;
 pub mod export;
 pub mod files;
+pub mod finder;
 pub mod history;
 pub mod job;
 pub mod look;

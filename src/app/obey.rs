@@ -7,13 +7,16 @@ use crate::command::{COMMANDS, Command, belongs_to_focus};
 use crate::document::AnyDocument;
 use crate::files::Chosen;
 use crate::history::History;
-use crate::view::{Dialog, PanelKind, Preset};
+use crate::finder::Target;
+use crate::view::{Dialog, PanelKind, Preset, Search};
 use crate::{export, save, with_document};
 use eframe::egui::{Context, Key, Popup, ViewportCommand};
 use octoscope_core::gallery::{Degenerate, snap};
+use octoscope_core::paper::paper_texts;
 use octoscope_core::query::Query;
 use octoscope_core::scenario::AnyScenario;
 use octoscope_core::text::Language;
+use octoscope_core::traverse::Algorithm;
 use octoscope_figure::Theme;
 use std::path::Path;
 
@@ -100,6 +103,7 @@ impl App {
             | Command::ScaleReset
             | Command::FullScreen
             | Command::Blank
+            | Command::Find
             | Command::Keys
             | Command::About => true,
         }
@@ -162,9 +166,44 @@ impl App {
             Command::ScaleDown => self.view.change_scale(1.0 / 1.1),
             Command::ScaleReset => self.view.scale = 1.0,
             Command::Blank => self.view.blank = !self.view.blank,
+            Command::Find => self.view.dialog = Some(Dialog::Find(Search::default())),
             Command::Keys => self.view.dialog = Some(Dialog::Keys),
             Command::About => self.view.dialog = Some(Dialog::About),
         }
+    }
+
+    /// Does what was found by its name.
+    pub(super) fn take(&mut self, context: &Context, target: Target) {
+        match target {
+            Target::Command(command) if self.is_enabled(command) => self.obey(context, command),
+            Target::Command(_) => self.status = self.look.text("find-disabled"),
+            Target::Scene(id) => self.open_scene(context, id),
+            Target::Algorithm(algorithm) => self.run(algorithm),
+            Target::Erratum(erratum) => match erratum.variants.first() {
+                Some(&variant) => self.open_counterexample(context, variant),
+                None => {
+                    let texts = paper_texts(self.view.language);
+                    let [title, why] = ["title", "why"].map(|part| texts.get(&erratum.key(part)));
+                    self.status = format!("{} · {title}: {why}", erratum.id);
+                }
+            },
+        }
+    }
+
+    /// Follows the ray with an algorithm.
+    fn run(&mut self, algorithm: Algorithm) {
+        if !self.is_about_a_ray() {
+            let step = with_document!(&mut self.document, d => d.back_to_ray());
+            self.go_to(step);
+        }
+        with_document!(&mut self.document, d => {
+            if let Query::Ray { algorithm: present, options, .. } = &mut d.scenario.query {
+                *present = algorithm;
+                // Those of another algorithm mean nothing here.
+                let own = options.variants.iter().filter(|variant| variant.belongs_to(algorithm));
+                options.variants = own.collect();
+            }
+        });
     }
 
     fn is_about_a_ray(&self) -> bool {

@@ -72,6 +72,7 @@ impl App {
             None => {}
             Some(dialogs::Answer::Export(format)) => self.chosen.ask_export(&context, format),
             Some(dialogs::Answer::Path(path)) => self.open(&context, path),
+            Some(dialogs::Answer::Take(target)) => self.take(&context, target),
         }
         dialogs::status(&context, &self.look, &mut self.status);
     }

@@ -1,7 +1,9 @@
 //! Windows over the window.
 
 use crate::command::{COMMANDS, Command, Menu};
+use crate::finder::Target;
 use crate::look::Look;
+use crate::panels::find;
 use crate::view::Dialog;
 use eframe::egui::{
     Align2, Area, Context, Frame, Grid, Id, Key, Label, Modal, Order, ProgressBar, RichText,
@@ -16,6 +18,8 @@ pub enum Answer {
     Export(&'static str),
     /// Open this path.
     Path(PathBuf),
+    /// Do what was found.
+    Take(Target),
 }
 
 /// Shows the dialog, if there is one; closes it on Escape, a click beside it or
@@ -33,6 +37,13 @@ pub fn ui(
     let response = Modal::new(Id::unique("dialog")).frame(frame).show(context, |ui| {
         ui.set_max_width(480.0);
         match shown {
+            Dialog::Find(search) => {
+                title(ui, &look.text("command-find"));
+                if let Some(target) = find::ui(ui, look, search) {
+                    answer = Some(Answer::Take(target));
+                    close = true;
+                }
+            }
             Dialog::Keys => keys(ui, look),
             Dialog::About => about(ui, look),
             Dialog::Error(message) => {

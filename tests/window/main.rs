@@ -7,6 +7,7 @@ mod algorithms;
 mod controls;
 mod desk;
 mod files;
+mod find;
 mod layout;
 mod panels;
 mod paper;

@@ -1,0 +1,176 @@
+//! Search over everything that has a name: commands, scenes, algorithms, errata.
+
+use crate::command::{COMMANDS, Command};
+use crate::text::texts;
+use octoscope_core::explain::algorithm_name;
+use octoscope_core::paper::{ERRATA, Erratum, paper_texts};
+use octoscope_core::scenario::BUILT_IN;
+use octoscope_core::text::{Language, Texts};
+use octoscope_core::traverse::Algorithm;
+
+/// Something that can be found.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Target {
+    /// A command of the window.
+    Command(Command),
+    /// A built-in scene, by its identifier.
+    Scene(&'static str),
+    /// An algorithm of the ray.
+    Algorithm(Algorithm),
+    /// An error of the paper.
+    Erratum(&'static Erratum),
+}
+
+/// A target that matches, with its name in the language of the window.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Hit {
+    /// What was found.
+    pub target: Target,
+    /// Its name.
+    pub name: String,
+}
+
+impl Target {
+    /// Everything that can be found, in the order of the menus.
+    pub fn all() -> impl Iterator<Item = Self> {
+        let commands = COMMANDS.iter().map(|row| row.command);
+        let commands = commands.filter(|&command| command != Command::Find).map(Self::Command);
+        let scenes = BUILT_IN.iter().map(|scene| Self::Scene(scene.id));
+        let algorithms = Algorithm::ALL.into_iter().map(Self::Algorithm);
+        commands.chain(algorithms).chain(scenes).chain(ERRATA.iter().map(Self::Erratum))
+    }
+
+    /// Key of the heading under which it is listed.
+    pub fn kind(self) -> &'static str {
+        match self {
+            Self::Command(_) => "find-command",
+            Self::Scene(_) => "find-scene",
+            Self::Algorithm(_) => "find-algorithm",
+            Self::Erratum(_) => "find-erratum",
+        }
+    }
+
+    /// The identifier that files and the command line know, if there is one.
+    fn id(self) -> &'static str {
+        match self {
+            Self::Command(_) => "",
+            Self::Scene(id) => id,
+            Self::Algorithm(algorithm) => algorithm.id(),
+            Self::Erratum(erratum) => erratum.id,
+        }
+    }
+
+    fn name(self, texts: &Texts, paper: &Texts) -> String {
+        match self {
+            Self::Command(command) => texts.get(command.row().id),
+            Self::Scene(id) => texts.get(&format!("scene-{id}")),
+            Self::Algorithm(algorithm) => algorithm_name(algorithm, texts.language()),
+            Self::Erratum(erratum) => {
+                format!("{} · {}", erratum.id, paper.get(&erratum.key("title")))
+            }
+        }
+    }
+}
+
+/// What matches all words of `wanted` by its name in either language or by its
+/// identifier, best first; everything if nothing is wanted. Names are in `language`.
+pub fn find(wanted: &str, language: Language) -> Vec<Hit> {
+    let all_texts = Language::ALL.map(|each| (each, texts(each), paper_texts(each)));
+    let wanted = folded(wanted);
+    let words: Vec<&str> = wanted.split_whitespace().collect();
+    let mut hits: Vec<(u8, Hit)> = Vec::new();
+    for target in Target::all() {
+        let mut best = closeness(&folded(target.id()), &words).map(|rank| rank + 1);
+        let mut shown = String::new();
+        for (each, texts, paper) in &all_texts {
+            let name = target.name(texts, paper);
+            let foreign = u8::from(*each != language);
+            let rank = closeness(&folded(&name), &words).map(|rank| rank + foreign);
+            best = [best, rank].into_iter().flatten().min();
+            if *each == language {
+                shown = name;
+            }
+        }
+        if let Some(rank) = best {
+            hits.push((rank, Hit { target, name: shown }));
+        }
+    }
+    // Stable: equals stay in the order of the menus.
+    hits.sort_by_key(|(rank, _)| *rank);
+    hits.into_iter().map(|(_, hit)| hit).collect()
+}
+
+/// How well the words are found in a name, 0 is best; `None` if one is missing.
+fn closeness(name: &str, words: &[&str]) -> Option<u8> {
+    let begins = |word: &str| {
+        let parts = name.split(|c: char| !c.is_alphanumeric());
+        parts.into_iter().any(|part| part.starts_with(word)) || name.starts_with(word)
+    };
+    if !words.iter().all(|word| name.contains(word)) {
+        None
+    } else if words.first().is_none_or(|word| name.starts_with(word)) {
+        Some(0)
+    } else if words.iter().all(|word| begins(word)) {
+        Some(2)
+    } else {
+        Some(4)
+    }
+}
+
+/// In small letters, umlauts as their vowels, so that either keyboard finds them.
+fn folded(text: &str) -> String {
+    let mut folded = String::with_capacity(text.len());
+    for letter in text.chars().flat_map(char::to_lowercase) {
+        match letter {
+            'ä' => folded.push('a'),
+            'ö' => folded.push('o'),
+            'ü' => folded.push('u'),
+            'ß' => folded.push_str("ss"),
+            other => folded.push(other),
+        }
+    }
+    folded
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn check(wanted: &str, first: Target) {
+        for language in Language::ALL {
+            let hits = find(wanted, language);
+            assert_eq!(hits.first().map(|hit| hit.target), Some(first), "{wanted} {language:?}");
+        }
+    }
+
+    #[test]
+    fn either_language_finds_the_same() {
+        check("step forward", Target::Command(Command::StepForward));
+        check("schritt vor", Target::Command(Command::StepForward));
+        check("hero", Target::Algorithm(Algorithm::Hero));
+        check("sphere-grid", Target::Scene("sphere-grid"));
+        check("b-25", Target::Erratum(ERRATA.iter().find(|e| e.id == "B-25").unwrap()));
+    }
+
+    #[test]
+    fn umlauts_are_found_by_their_vowels() {
+        let with = find("Öffnen", Language::German);
+        assert!(with.iter().any(|hit| hit.target == Target::Command(Command::Open)));
+        assert_eq!(with, find("offnen", Language::German));
+    }
+
+    #[test]
+    fn nothing_wanted_is_everything_and_nonsense_is_nothing() {
+        assert_eq!(find(" ", Language::English).len(), Target::all().count());
+        assert_eq!(find("xyzzy", Language::German), []);
+    }
+
+    #[test]
+    fn every_target_has_a_name_in_every_language() {
+        for language in Language::ALL {
+            for hit in find("", language) {
+                assert!(!hit.name.is_empty() && !hit.name.contains("algorithm-"), "{hit:?}");
+            }
+        }
+    }
+}
