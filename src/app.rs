@@ -1,5 +1,6 @@
 //! The window: keeps the state, and runs one frame of it.
 
+mod hall;
 mod jobs;
 mod obey;
 mod show;
@@ -167,6 +168,7 @@ impl eframe::App for App {
         } else {
             self.show(ui, &mut commands);
         }
+        self.show_hall(&context, &mut commands);
         for command in commands {
             self.obey(&context, command);
         }

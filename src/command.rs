@@ -72,6 +72,10 @@ pub enum Command {
     FullScreen,
     /// Blank the window or show it again.
     Blank,
+    /// Dim everything but the surroundings of the pointer, or no longer.
+    Spotlight,
+    /// Show notes on a second screen, or close them.
+    Notes,
     /// Search everything that has a name.
     Find,
     /// Show all keys.
@@ -217,6 +221,8 @@ pub const COMMANDS: &[Row] = &[
     row(Command::ScaleReset, "command-scale-reset", Menu::View, &[key(Key::Num0)]),
     row(Command::FullScreen, "command-full-screen", Menu::View, &[key(Key::F11)]),
     row(Command::Blank, "command-blank", Menu::View, &[key(Key::B), key(Key::Period)]),
+    row(Command::Spotlight, "command-spotlight", Menu::View, &[key(Key::S)]),
+    row(Command::Notes, "command-notes", Menu::View, &[key(Key::P)]),
     row(Command::ReverseRay, "command-reverse-ray", Menu::Ray, &[key(Key::R)]),
     row(Command::SnapRay, "command-snap-ray", Menu::Ray, &[key(Key::N)]),
     row(Command::NextDegenerate, "command-next-degenerate", Menu::Ray, &[key(Key::G)]),

@@ -38,6 +38,8 @@ pub struct Palette {
     pub current_line: Color32,
     /// What was not taken.
     pub rejected: Color32,
+    /// Over what is not to be looked at.
+    pub shade: Color32,
     /// What is chosen.
     pub accent: Color32,
     /// Text on what is chosen.

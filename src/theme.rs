@@ -37,6 +37,7 @@ fn palette(theme: Theme) -> Palette {
         current_fill: color32(palette.current.faded(palette.current_fill.max(0.22))),
         current_line: color32(palette.current_outline),
         rejected: color32(palette.rejected),
+        shade: color32(palette.shade),
         accent: color32(palette.accent),
         on_accent: color32(palette.on_accent),
     }

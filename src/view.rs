@@ -46,6 +46,13 @@ pub struct View {
     /// Whether the window is blank.
     #[serde(skip)]
     pub blank: bool,
+    /// Whether everything but the surroundings of the pointer is dimmed.
+    #[serde(skip)]
+    pub spotlight: bool,
+    /// When the clock of the notes was started, in seconds since the program was;
+    /// `None` without notes.
+    #[serde(skip)]
+    pub notes_since: Option<f64>,
     /// The window that lies over everything else.
     #[serde(skip)]
     pub dialog: Option<Dialog>,
@@ -405,6 +412,8 @@ impl Default for View {
             orbit_camera: None,
             hover: Hover::default(),
             blank: false,
+            spotlight: false,
+            notes_since: None,
             dialog: None,
         }
     }

@@ -6,8 +6,8 @@ use crate::arrangement::Change;
 use crate::command::{COMMANDS, Command, belongs_to_focus};
 use crate::document::AnyDocument;
 use crate::files::Chosen;
-use crate::history::History;
 use crate::finder::Target;
+use crate::history::History;
 use crate::view::{Dialog, PanelKind, Preset, Search};
 use crate::{export, save, with_document};
 use eframe::egui::{Context, Key, Popup, ViewportCommand};
@@ -103,6 +103,8 @@ impl App {
             | Command::ScaleReset
             | Command::FullScreen
             | Command::Blank
+            | Command::Spotlight
+            | Command::Notes
             | Command::Find
             | Command::Keys
             | Command::About => true,
@@ -166,6 +168,11 @@ impl App {
             Command::ScaleDown => self.view.change_scale(1.0 / 1.1),
             Command::ScaleReset => self.view.scale = 1.0,
             Command::Blank => self.view.blank = !self.view.blank,
+            Command::Spotlight => self.view.spotlight = !self.view.spotlight,
+            Command::Notes => {
+                let now = context.input(|input| input.time);
+                self.view.notes_since = self.view.notes_since.is_none().then_some(now);
+            }
             Command::Find => self.view.dialog = Some(Dialog::Find(Search::default())),
             Command::Keys => self.view.dialog = Some(Dialog::Keys),
             Command::About => self.view.dialog = Some(Dialog::About),

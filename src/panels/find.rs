@@ -3,7 +3,9 @@
 use crate::finder::{Hit, Target, find};
 use crate::look::Look;
 use crate::view::Search;
-use eframe::egui::{Align, Button, Event, Key, Label, Modifiers, RichText, ScrollArea, TextEdit, Ui};
+use eframe::egui::{
+    Align, Button, Event, Key, Label, Modifiers, RichText, ScrollArea, TextEdit, Ui,
+};
 
 /// Edits what is searched for and lists what is found; the arrow keys choose.
 /// Returns what Enter or a click takes.

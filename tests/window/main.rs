@@ -8,6 +8,7 @@ mod controls;
 mod desk;
 mod files;
 mod find;
+mod hall;
 mod layout;
 mod panels;
 mod paper;

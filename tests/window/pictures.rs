@@ -4,7 +4,7 @@
 //! `TEST_GPU=require` does not accept.
 
 use crate::desk::{Desk, sample};
-use eframe::egui::{Key, accesskit::Role};
+use eframe::egui::{Event as Input, Key, accesskit::Role, pos2};
 use eframe::egui_wgpu::WgpuSetup;
 use eframe::wgpu::{Backends, DeviceType};
 use egui_kittest::kittest::Queryable;
@@ -55,6 +55,16 @@ fn the_search_in_german() {
         desk.state_mut().view.dialog = Some(Dialog::Find(Search { wanted, chosen: 1 }));
         // The caret blinks: it never settles.
         desk.run_steps(4);
+    });
+}
+
+#[test]
+fn a_light_at_the_pointer() {
+    compare("spotlight", |desk| {
+        desk.go_to(&At::Nth(6, "First"));
+        desk.tap(Key::S);
+        desk.event(Input::PointerMoved(pos2(560.0, 330.0)));
+        desk.run();
     });
 }
 

@@ -124,6 +124,8 @@ pub struct Palette {
     pub rejected: Colour,
     /// Outline of the root and its descendants on the stack.
     pub ancestor: Colour,
+    /// Over what is not to be looked at, covering in part.
+    pub shade: Colour,
     /// Selected and ticked things.
     pub accent: Colour,
     /// Text on the accent.
@@ -148,6 +150,7 @@ impl Palette {
             current_outline: Colour::hex(0xb87a00),
             rejected: Colour::hex(0x7a3e9d),
             ancestor: Colour::hex(0x3f7fb5),
+            shade: Colour::hex(0x000000).faded(0.6),
             accent: Colour::hex(0x00619e),
             on_accent: Colour::hex(0xffffff),
         };
@@ -180,6 +183,7 @@ impl Palette {
                 current_outline: Colour::hex(0xffc145),
                 rejected: Colour::hex(0xcfa3f0),
                 ancestor: Colour::hex(0x66a6dd),
+                shade: Colour::hex(0x000000).faded(0.7),
                 accent: Colour::hex(0x66b7ff),
                 on_accent: Colour::hex(0x12161b),
             },
