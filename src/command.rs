@@ -1,6 +1,7 @@
 //! All commands of the window, with their names, menus and keys: one table,
 //! from which menus, tooltips and shortcuts follow.
 
+use crate::space::Standpoint;
 use crate::view::PanelKind;
 use eframe::egui::{Key, KeyboardShortcut, Modifiers};
 use octoscope_core::gallery::Degenerate;
@@ -48,6 +49,12 @@ pub enum Command {
     RestorePanels,
     /// Fit the tree and the ray into the view.
     FrameAll,
+    /// Move the camera to a place by name.
+    Stand(Standpoint),
+    /// Let the camera go with the current node, or no longer.
+    Follow,
+    /// Perspective, parallel in turn.
+    NextLens,
     /// Turn the ray round.
     ReverseRay,
     /// Make the ray degenerate in the nearest way.
@@ -214,6 +221,12 @@ pub const COMMANDS: &[Row] = &[
     panel(PanelKind::Paper, "panel-paper"),
     row(Command::RestorePanels, "command-restore-panels", Menu::View, &[ctrl(Key::R)]),
     row(Command::FrameAll, "command-frame-all", Menu::View, &[key(Key::F)]),
+    row(Command::Stand(Standpoint::Node), "command-stand-node", Menu::View, &[key(Key::C)]),
+    row(Command::Stand(Standpoint::Right), "command-stand-right", Menu::View, &[key(Key::X)]),
+    row(Command::Stand(Standpoint::Front), "command-stand-front", Menu::View, &[key(Key::Y)]),
+    row(Command::Stand(Standpoint::Above), "command-stand-above", Menu::View, &[key(Key::Z)]),
+    row(Command::NextLens, "command-next-lens", Menu::View, &[key(Key::O)]),
+    row(Command::Follow, "command-follow", Menu::View, &[key(Key::V)]),
     row(Command::NextTheme, "command-next-theme", Menu::View, &[key(Key::T)]),
     row(Command::NextLanguage, "command-next-language", Menu::View, &[key(Key::L)]),
     row(Command::ScaleUp, "command-scale-up", Menu::View, &[key(Key::Plus), key(Key::Equals)]),

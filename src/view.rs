@@ -2,6 +2,7 @@
 
 use crate::arrangement::Arrangement;
 use crate::playback::Playback;
+use crate::space::Standpoint;
 use eframe::egui::Vec2;
 use octoscope_core::locate::NeighbourMethod;
 use octoscope_core::paper::erratum_of;
@@ -9,7 +10,7 @@ use octoscope_core::query::Query;
 use octoscope_core::text::Language;
 use octoscope_core::traverse::Algorithm;
 use octoscope_core::tree::{NodeId, Tree};
-use octoscope_figure::{Camera, Show, Theme};
+use octoscope_figure::{Camera, Lens, Show, Theme};
 use serde::{Deserialize, Serialize};
 use std::any::Any;
 use std::collections::BTreeMap;
@@ -40,6 +41,16 @@ pub struct View {
     /// Camera of octrees; `None` fits everything.
     #[serde(skip)]
     pub orbit_camera: Option<Camera<3>>,
+    /// How depth looks in octrees.
+    pub lens: Lens,
+    /// Whether the camera goes with the current node.
+    pub follow: bool,
+    /// The node that the camera went to last.
+    #[serde(skip)]
+    pub followed: Option<NodeId>,
+    /// Where the camera is to go.
+    #[serde(skip)]
+    pub standpoint: Option<Standpoint>,
     /// The node under the pointer.
     #[serde(skip)]
     pub hover: Hover,
@@ -410,6 +421,10 @@ impl Default for View {
             playback: Playback::default(),
             plane_camera: None,
             orbit_camera: None,
+            lens: Lens::default(),
+            follow: false,
+            followed: None,
+            standpoint: None,
             hover: Hover::default(),
             blank: false,
             spotlight: false,

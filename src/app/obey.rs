@@ -8,6 +8,7 @@ use crate::document::AnyDocument;
 use crate::files::Chosen;
 use crate::finder::Target;
 use crate::history::History;
+use crate::space::Standpoint;
 use crate::view::{Dialog, PanelKind, Preset, Search};
 use crate::{export, save, with_document};
 use eframe::egui::{Context, Key, Popup, ViewportCommand};
@@ -17,7 +18,7 @@ use octoscope_core::query::Query;
 use octoscope_core::scenario::AnyScenario;
 use octoscope_core::text::Language;
 use octoscope_core::traverse::Algorithm;
-use octoscope_figure::Theme;
+use octoscope_figure::{Lens, Theme};
 use std::path::Path;
 
 impl App {
@@ -84,7 +85,11 @@ impl App {
             }
             Command::BackToRay => !self.is_about_a_ray(),
             Command::Degenerate(ray) => self.is_about_a_ray() && ray.exists_in(self.dimension()),
+            Command::Stand(Standpoint::Right | Standpoint::Front | Standpoint::Above)
+            | Command::NextLens => self.dimension() == 3,
             Command::Open
+            | Command::Stand(Standpoint::Node)
+            | Command::Follow
             | Command::Save
             | Command::SaveAs
             | Command::Export
@@ -136,6 +141,14 @@ impl App {
             Command::Faster => self.view.playback.change_speed(2.0),
             Command::Slower => self.view.playback.change_speed(0.5),
             Command::FrameAll => (self.view.plane_camera, self.view.orbit_camera) = (None, None),
+            Command::Stand(standpoint) if self.is_enabled(command) => {
+                self.view.standpoint = Some(standpoint);
+            }
+            Command::NextLens if self.is_enabled(command) => {
+                self.view.lens = following(&Lens::ALL, self.view.lens);
+            }
+            Command::Stand(_) | Command::NextLens => {}
+            Command::Follow => self.view.follow = !self.view.follow,
             Command::ReverseRay => with_document!(&mut self.document, d => d.reverse_ray()),
             Command::BackToRay => {
                 if self.is_enabled(command) {

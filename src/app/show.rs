@@ -56,6 +56,9 @@ impl App {
         if let Command::Panel(kind) = command {
             return if self.panels().contains(&kind) { Entry::On } else { Entry::Off };
         }
+        if command == Command::Follow {
+            return if self.view.follow { Entry::On } else { Entry::Off };
+        }
         if self.is_enabled(command) { Entry::Enabled } else { Entry::Disabled }
     }
 

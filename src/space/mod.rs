@@ -4,6 +4,7 @@ mod base;
 mod gesture;
 mod hover;
 mod paint;
+mod standpoint;
 
 use crate::document::Document;
 use crate::look::Look;
@@ -17,6 +18,7 @@ use octoscope_core::tree::NodeId;
 use octoscope_figure::{
     Camera, Mark, Page, Role as MarkRole, Shape, axes, content, leaves, marks, space_figure,
 };
+pub use standpoint::Standpoint;
 
 /// What the view shows and changes.
 pub struct Space<'a, const D: usize> {
@@ -46,6 +48,7 @@ pub fn ui<const D: usize>(ui: &mut Ui, look: &Look, space: Space<'_, D>) {
     let mut camera: Camera<D> =
         view.camera().unwrap_or_else(|| Camera::framing(&interesting(document), frame.page));
     let before = camera;
+    standpoint::stand(view, &mut camera, frame.page, document, moment);
     let under = gesture::handle(ui, &response, frame, &mut camera, document);
     if let Some(under) = &under {
         view.hover.offer(under.leaf);

@@ -4,6 +4,7 @@
 #![allow(clippy::unwrap_used, reason = "a test may panic")]
 
 mod algorithms;
+mod camera;
 mod controls;
 mod desk;
 mod files;

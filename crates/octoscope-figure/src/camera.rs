@@ -1,6 +1,7 @@
 //! From the world to a page and back, for quadtrees and octrees alike.
 
 use octoscope_core::geometry::{Aabb, Ray};
+use serde::{Deserialize, Serialize};
 
 /// Extent of a page or a view, in its own units (points, logical pixels);
 /// x to the right, y down, (0, 0) in the upper left corner.
@@ -29,13 +30,19 @@ pub struct Camera<const D: usize> {
 }
 
 /// How depth looks.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
 pub enum Lens {
     /// Far things are smaller.
     #[default]
     Perspective,
     /// Parallel lines stay parallel.
     Orthographic,
+}
+
+impl Lens {
+    /// All lenses.
+    pub const ALL: [Self; 2] = [Self::Perspective, Self::Orthographic];
 }
 
 /// A world point on the page.
