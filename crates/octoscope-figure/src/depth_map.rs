@@ -1,9 +1,14 @@
 //! Which of many areas can be seen.
 
-use crate::{Lens, Page, Projected};
+use crate::camera::corners;
+use crate::{Camera, Lens, Page, Projected};
+use octoscope_core::geometry::Aabb;
 
-/// How near the nearest area is, at points spread evenly over a page.
+/// How near the nearest area is, at points spread evenly over a part of the plane
+/// of the page.
 pub(crate) struct DepthMap {
+    /// Least corner of that part.
+    from: [f64; 2],
     size: [usize; 2],
     /// Samples per page unit.
     density: f64,
@@ -16,11 +21,28 @@ const DENSITY: f64 = 2.0;
 const MOST: f64 = 2048.0;
 
 impl DepthMap {
-    /// Map of an empty page.
-    pub fn new(page: Page, lens: Lens) -> Self {
-        let density = DENSITY.min(MOST / page.width.max(page.height));
-        let size = [page.width, page.height].map(|side| (side * density).ceil() as usize);
-        Self { size, density, nearest: vec![f32::NEG_INFINITY; size[0] * size[1]], lens }
+    /// Empty map of what is seen of `root`. A figure may be larger than the page,
+    /// as a near view shows more than fits on it; what lies farther beside the page
+    /// than it is large is not seen.
+    pub fn of<const D: usize>(root: &Aabb<D>, camera: &Camera<D>, page: Page) -> Self {
+        let size = [page.width, page.height];
+        let corners: Option<Vec<_>> = corners(root).map(|c| camera.project(page, c)).collect();
+        let reach = |e: usize| match &corners {
+            Some(corners) => corners.iter().fold([size[e], 0.0], |[low, high], corner| {
+                [low.min(corner.at[e]), high.max(corner.at[e])]
+            }),
+            None => [f64::NEG_INFINITY, f64::INFINITY],
+        };
+        let between = [0, 1].map(|e| reach(e).map(|at| at.clamp(-size[e], 2.0 * size[e])));
+        Self::between(between.map(|[low, _]| low), between.map(|[_, high]| high), camera.lens)
+    }
+
+    /// Empty map of what lies between two corners.
+    fn between(from: [f64; 2], to: [f64; 2], lens: Lens) -> Self {
+        let sides: [f64; 2] = std::array::from_fn(|e| to[e] - from[e]);
+        let density = DENSITY.min(MOST / sides[0].max(sides[1]));
+        let size = sides.map(|side| (side * density).ceil() as usize);
+        Self { from, size, density, nearest: vec![f32::NEG_INFINITY; size[0] * size[1]], lens }
     }
 
     /// Lays a flat convex polygon on the page.
@@ -49,8 +71,9 @@ impl DepthMap {
 
     /// Tells the samples in a polygon, and how near it is there.
     fn scan(&self, polygon: &[Projected], mut tell: impl FnMut(usize, f32)) {
-        let points: Vec<[f64; 2]> =
-            polygon.iter().map(|p| p.at.map(|x| x * self.density - 0.5)).collect();
+        let place =
+            |at: [f64; 2]| std::array::from_fn(|e| (at[e] - self.from[e]) * self.density - 0.5);
+        let points: Vec<[f64; 2]> = polygon.iter().map(|p| place(p.at)).collect();
         let Some([start, slope @ ..]) = nearness(&points, polygon, self.lens) else {
             return;
         };
@@ -108,7 +131,7 @@ fn nearness(points: &[[f64; 2]], polygon: &[Projected], lens: Lens) -> Option<[f
 mod tests {
     use super::*;
 
-    const PAGE: Page = Page { width: 100.0, height: 50.0 };
+    const SIZE: [f64; 2] = [100.0, 50.0];
 
     fn square([x, y]: [f64; 2], side: f64, depth: f64) -> Vec<Projected> {
         [[0.0, 0.0], [side, 0.0], [side, side], [0.0, side]]
@@ -119,7 +142,7 @@ mod tests {
     #[test]
     fn what_is_nearer_hides_and_what_looks_out_is_seen() {
         for lens in [Lens::Perspective, Lens::Orthographic] {
-            let mut map = DepthMap::new(PAGE, lens);
+            let mut map = DepthMap::between([0.0; 2], SIZE, lens);
             let near = square([10.0, 10.0], 20.0, 1.0);
             let (hidden, half) = (square([12.0, 12.0], 9.0, 2.0), square([25.0, 15.0], 10.0, 3.0));
             [&near, &hidden, &half].into_iter().for_each(|polygon| map.add(polygon));
@@ -129,8 +152,20 @@ mod tests {
     }
 
     #[test]
+    fn a_near_view_is_seen_beside_the_page() {
+        let page = Page { width: 100.0, height: 50.0 };
+        let root = Aabb { min: [0.0; 3], max: [1.0; 3] };
+        let mut camera = Camera::framing(&root, page);
+        camera.height /= 4.0;
+        let mut map = DepthMap::of(&root, &camera, page);
+        let beside = square([-30.0, -20.0], 9.0, 1.0);
+        map.add(&beside);
+        assert!(map.shows(&beside));
+    }
+
+    #[test]
     fn what_is_not_on_the_page_is_not_seen() {
-        let mut map = DepthMap::new(PAGE, Lens::Perspective);
+        let mut map = DepthMap::between([0.0; 2], SIZE, Lens::Perspective);
         for outside in [[-30.0, 5.0], [5.0, -30.0], [200.0, 5.0], [1e300, 1e300]] {
             let polygon = square(outside, 20.0, 1.0);
             map.add(&polygon);

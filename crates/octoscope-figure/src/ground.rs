@@ -35,7 +35,7 @@ pub(crate) fn ground<const D: usize>(
     };
     let mut drawn = view.lines(&boxes(Role::EmptyLeaf).map(|(b, _)| b).collect::<Vec<_>>());
     let solids: Vec<Area<D>> = of(Role::Solid).flat_map(|mark| view.solid(mark)).collect();
-    let mut map = DepthMap::new(page, camera.lens);
+    let mut map = DepthMap::of(root, camera, page);
     solids.iter().for_each(|area| map.add(&area.polygon));
     drawn.extend(view.leaves(&boxes(Role::FullLeaf).collect::<Vec<_>>(), &map));
     drawn.extend(view.painted(solids, Role::Solid, |area| match area.ball {
@@ -116,7 +116,7 @@ impl<const D: usize> View<'_, D> {
                 }
             }
         }
-        let mut map = DepthMap::new(self.page, self.camera.lens);
+        let mut map = DepthMap::of(self.root, self.camera, self.page);
         areas.iter().for_each(|area| map.add(&area.polygon));
         let is_seen = |area: &Area<D>| map.shows(&area.polygon) && solids.is_bare(&area.polygon);
         self.painted(areas, Role::FullLeaf, is_seen)

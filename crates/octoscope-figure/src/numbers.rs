@@ -13,6 +13,9 @@ pub(crate) struct Number {
     pub chord: [[f64; 2]; 2],
     /// Radius of its disc, the line around it included.
     pub radius: f64,
+    /// Least and largest corner of its leaf on the page, where the leaf is an area
+    /// of it: in the plane.
+    pub leaf: Option<[[f64; 2]; 2]>,
 }
 
 /// Where a number stands.
@@ -85,16 +88,29 @@ fn rank(order: usize) -> usize {
     if order == 1 { 0 } else { steps.unwrap_or(3) }
 }
 
-/// Places that touch the chord, the best first: at its middle, to the upper
-/// side, then the lower; then towards its ends.
+/// Places that touch the chord, the best first: those in the leaf, then those of
+/// which half is; at its middle, to the upper side, then the lower; then towards
+/// its ends.
 fn beside(number: &Number) -> impl Iterator<Item = Stand> + use<> {
-    let Number { chord, radius, .. } = *number;
+    let Number { chord, radius, leaf, .. } = *number;
     let across = upwards(chord);
     let away = radius + GAP;
-    [0.5, 0.25, 0.75, 0.0, 1.0].into_iter().flat_map(move |share| {
-        let foot = between(chord, share);
-        [away, -away].map(|away| Stand { at: moved(foot, across, away), leader: None })
-    })
+    let mut places: Vec<[f64; 2]> = [0.5, 0.25, 0.75, 0.0, 1.0]
+        .into_iter()
+        .flat_map(|share| [away, -away].map(|away| moved(between(chord, share), across, away)))
+        .collect();
+    if let Some([min, max]) = leaf {
+        let room = |at: &[f64; 2]| {
+            let sides = (0..2).map(|e| (at[e] - min[e]).min(max[e] - at[e]));
+            sides.fold(f64::INFINITY, f64::min)
+        };
+        places.sort_by_key(|at| match room(at) {
+            room if room >= radius => 0,
+            room if room >= 0.0 => 1,
+            _ => 2,
+        });
+    }
+    places.into_iter().map(|at| Stand { at, leader: None })
 }
 
 /// Places a little farther away, with a line from the middle of the chord.
@@ -202,7 +218,7 @@ mod tests {
         let mut numbers = Vec::new();
         for (index, length) in lengths.into_iter().enumerate() {
             let chord = [at, at + length].map(|by| moved(from, along, by));
-            numbers.push(Number { order: index + 1, chord, radius: RADIUS });
+            numbers.push(Number { order: index + 1, chord, radius: RADIUS, leaf: None });
             at += length;
         }
         numbers
@@ -244,6 +260,16 @@ mod tests {
         for order in (10..=150).step_by(10).chain([1, 157]) {
             assert!(shown.contains(&order), "{order} of {shown:?}");
         }
+    }
+
+    #[test]
+    fn numbers_stand_in_their_leaf_where_it_has_room() {
+        // The ray cuts the upper left corner off; above it lies another leaf.
+        let chord = [[0.0, 112.0], [20.0, 100.0]];
+        let leaf = Some([[0.0, 100.0], [80.0, 180.0]]);
+        let number = Number { order: 1, chord, radius: RADIUS, leaf };
+        let stand = stands(&[number], &[], PAGE)[0].unwrap();
+        assert!(stand.at[0] > RADIUS && stand.at[1] > 100.0 + RADIUS, "{stand:?}");
     }
 
     #[test]

@@ -8,13 +8,16 @@ use crate::painter::{Half, back_to_front};
 use crate::sides::sides_to_eye;
 use crate::{Camera, Drawn, Figure, Form, Mark, Page, Part, Projected, Role, Shape, Style, Theme};
 use octoscope_core::geometry::Aabb;
+use octoscope_core::tree::NodeId;
+use std::collections::HashMap;
 
 /// Figure of `marks` as `camera` shows them on `page`. In space, boxes of one
 /// tree cover each other as they do for the eye; leaves and solids lie below
 /// the marks of the path, and what cannot be seen of them is left out.
 pub fn space_figure<const D: usize>(marks: &[Mark<D>], camera: &Camera<D>, page: Page) -> Figure {
+    let chord = chord_length(marks, camera, page);
     let mut canvas =
-        Canvas { camera, page, drawn: Vec::new(), in_space: Vec::new(), taken: Vec::new() };
+        Canvas { camera, page, chord, drawn: Vec::new(), in_space: Vec::new(), taken: Vec::new() };
     let (ground_marks, others): (Vec<_>, Vec<_>) = marks.iter().partition(|mark| is_ground(mark));
     for mark in others {
         canvas.draw(mark);
@@ -40,6 +43,19 @@ pub fn space_figure<const D: usize>(marks: &[Mark<D>], camera: &Camera<D>, page:
     figure.drawn.extend(painted(in_space, root.as_ref(), camera));
     figure.drawn.extend(above.into_iter().map(|(_, drawn)| drawn));
     figure
+}
+
+/// Length on the page of the part of the ray in the current node, +∞ without one.
+fn chord_length<const D: usize>(marks: &[Mark<D>], camera: &Camera<D>, page: Page) -> f64 {
+    let end = |role: Role| {
+        let mark = marks.iter().rev().find(|mark| mark.role == role)?;
+        let Shape::Point(point) = mark.shape else { return None };
+        Some(camera.project(page, point)?.at)
+    };
+    match [Role::EntryPoint, Role::ExitPoint].map(end) {
+        [Some(enter), Some(exit)] => distance(enter, exit),
+        [_, _] => f64::INFINITY,
+    }
 }
 
 /// What lies in space, the farthest first.
@@ -74,6 +90,8 @@ const GROUND: f64 = -f64::MAX / 2.0;
 struct Canvas<'a, const D: usize> {
     camera: &'a Camera<D>,
     page: Page,
+    /// Length on the page of the part of the ray in the current node.
+    chord: f64,
     drawn: Vec<(f64, Drawn)>,
     /// What is drawn in the order of its depth.
     in_space: Vec<InSpace<D>>,
@@ -124,7 +142,7 @@ impl<const D: usize> Canvas<'_, D> {
                 }
             }
             Shape::Point(point) => {
-                let radius = Style::of(Theme::Light, mark.role).radius;
+                let radius = self.radius(mark);
                 let projected = self.camera.project(self.page, point);
                 if let Some(Projected { at, .. }) = projected.filter(|p| self.is_near(p.at, radius))
                 {
@@ -171,6 +189,16 @@ impl<const D: usize> Canvas<'_, D> {
                 }
             }
             Shape::Label(_) | Shape::LabelIn { .. } | Shape::LabelAlong(_) => {}
+        }
+    }
+
+    /// Radius of a point. Those of a small node are small, so that they do not hide it.
+    fn radius(&self, mark: &Mark<D>) -> f64 {
+        const LEAST: f64 = 1.8;
+        let radius = Style::of(Theme::Light, mark.role).radius;
+        match mark.role {
+            Role::EntryPoint | Role::ExitPoint => radius.min((0.25 * self.chord).max(LEAST)),
+            _ => radius,
         }
     }
 
@@ -364,6 +392,7 @@ impl<const D: usize> Canvas<'_, D> {
     fn number(&mut self, marks: &[Mark<D>]) {
         let page = [self.page.width, self.page.height];
         let (mut numbers, mut labels) = (Vec::new(), Vec::new());
+        let leaves = self.visited_areas(marks);
         let along = marks.iter().filter_map(|mark| match (mark.shape, &mark.text) {
             (Shape::LabelAlong(ends), Some(text)) => Some((mark, ends, text)),
             _ => None,
@@ -374,7 +403,8 @@ impl<const D: usize> Canvas<'_, D> {
                 let [half_width, _] = text_reach(mark.role, text);
                 let disc = style.radius.max(half_width + 2.0);
                 let radius = disc + 0.5 * style.width;
-                numbers.push(Number { order: index + 1, chord, radius });
+                let leaf = mark.node.and_then(|node| leaves.get(&node)).copied();
+                numbers.push(Number { order: index + 1, chord, radius, leaf });
                 labels.push((mark, disc, text));
             }
         }
@@ -395,6 +425,24 @@ impl<const D: usize> Canvas<'_, D> {
             self.push_at(above_space(mark.role), mark, Part::Whole, disc);
             self.text(mark, at, text);
         }
+    }
+
+    /// Corners on the page of the visited leaves, where they are areas of it.
+    fn visited_areas(&self, marks: &[Mark<D>]) -> HashMap<NodeId, [[f64; 2]; 2]> {
+        if D != 2 {
+            return HashMap::new();
+        }
+        let boxes = marks.iter().filter_map(|mark| match (mark.role, mark.shape) {
+            (Role::Visited { .. }, Shape::Box(bounds)) => Some((mark.node?, bounds)),
+            _ => None,
+        });
+        let areas = boxes.filter_map(|(node, bounds)| {
+            let [a, b] = [bounds.min, bounds.max].map(|p| self.camera.project(self.page, p));
+            let (a, b) = (a?.at, b?.at);
+            let corner = |pick: fn(f64, f64) -> f64| std::array::from_fn(|e| pick(a[e], b[e]));
+            Some((node, [corner(f64::min), corner(f64::max)]))
+        });
+        areas.collect()
     }
 
     fn text(&mut self, mark: &Mark<D>, at: [f64; 2], text: &str) {
