@@ -66,10 +66,12 @@ impl App {
             // Longer shortcuts first: Ctrl+Shift+S is not Ctrl+S.
             let mut free: Vec<_> = free.collect();
             free.sort_by_key(|(_, key)| !key.modifiers.shift);
-            free.into_iter()
-                .filter(|(_, key)| input.consume_shortcut(key))
-                .map(|(c, _)| c)
-                .collect()
+            // Each press counts, also where a slow frame brings several.
+            let given = free.into_iter().flat_map(|(command, key)| {
+                let n_presses = input.count_and_consume_key(key.modifiers, key.logical_key);
+                std::iter::repeat_n(command, n_presses)
+            });
+            given.collect()
         })
     }
 

@@ -124,3 +124,13 @@ fn dragging_the_timeline_moves_the_playhead() {
     desk.drag([ruler.left_center(), ruler.right_center()], Default::default());
     assert_eq!(desk.step_number(), desk.plane().trace.events.len());
 }
+
+#[test]
+fn every_press_counts_when_a_frame_brings_several() {
+    let mut desk = Desk::new();
+    for _ in 0..3 {
+        desk.key_press(Key::ArrowRight);
+    }
+    desk.run();
+    assert_eq!(desk.step_number(), 3);
+}
