@@ -117,6 +117,7 @@ push = Der Austrittspunkt { $from } wird entlang { $axis } verschoben, nach { $t
 begin-root = Die Suche beginnt an der Wurzel, { $node }.
 begin-node = Die Suche beginnt hier: { $node }.
 encode = Der Punkt { $point } hat binär die Ortscodes { $codes }.
+encode-ray = Unmittelbar nach t = { $after }, nahe { $point }, ist der Strahl in der kleinsten Zelle mit den Ortscodes { $codes }, binär geschrieben.
 compare = { $comparisons }, also liegt der Punkt in Kind { $child }: { $node }.
 follow = Bit { $bit } der Codes ist { $bits } und wählt Kind { $child }: { $node }.
 bit-of = { $value } in { $axis }

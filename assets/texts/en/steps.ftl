@@ -108,6 +108,7 @@ push = The exit point { $from } is pushed along { $axis }, to { $to }.
 begin-root = The search begins at the root, { $node }.
 begin-node = The search begins at { $node }.
 encode = The point { $point } has the location codes { $codes } in binary.
+encode-ray = Just after t = { $after }, near { $point }, the ray is in the smallest cell with the location codes { $codes } in binary.
 compare = { $comparisons }, so the point lies in child { $child }: { $node }.
 follow = Bit { $bit } of the codes is { $bits }, which selects child { $child }: { $node }.
 bit-of = { $value } in { $axis }

@@ -97,7 +97,8 @@ fn the_point_0_55_goes_right_left_left() {
     let mut events = Vec::new();
     let outcome = locate_by_codes(&tree, [0.55], &mut events);
     assert_eq!(place(&tree, outcome.node), (2, [0b01_0000]));
-    assert!(events.contains(&Event::Encode { point: [0.55], code: [0b01_0001] }));
+    let code = [0b01_0001];
+    assert!(events.contains(&Event::Encode { point: [0.55], code, after: None }));
     let turns: Vec<_> = events
         .iter()
         .filter_map(|event| match event {

@@ -232,12 +232,16 @@ pub enum Event<const D: usize> {
         /// The node.
         node: NodeId,
     },
-    /// A point is turned into location codes.
+    /// A place is turned into location codes: those of a given point, or those
+    /// of the smallest cell in which the ray is just after some parameter.
     Encode {
-        /// The point, in world units.
+        /// The point, in world units; on the ray, rounded.
         point: [f64; D],
-        /// Its codes.
+        /// The codes.
         code: Code<D>,
+        /// The parameter just after which the ray is in the cell. Its planes are
+        /// then compared with that, and not with the point.
+        after: Option<f64>,
     },
     /// The mid planes of a node are compared with a point.
     Compare {

@@ -234,8 +234,13 @@ impl<const D: usize> Teller<'_, D> {
                 let key = if is_root { "begin-root" } else { "begin-node" };
                 words.say(key, &[("node", words.node(node))])
             }
-            Event::Encode { point: at, code } => {
-                words.say("encode", &[("point", point(at)), ("codes", words.binary(code))])
+            Event::Encode { point: at, code, after } => {
+                let mut arguments = vec![("point", point(at)), ("codes", words.binary(code))];
+                let Some(after) = after else {
+                    return words.say("encode", &arguments);
+                };
+                arguments.push(("after", strong(&approx(after))));
+                words.say("encode-ray", &arguments)
             }
             Event::Compare { mid, point, child, node } => {
                 let comparisons = words.list((0..D).map(|e| {

@@ -299,6 +299,30 @@ fn codes_are_told_by_their_bits() {
 }
 
 #[test]
+fn the_codes_of_a_ray_are_those_of_the_cell_that_it_goes_on_into() {
+    // The ray comes in from above: the point itself lies outside the domain.
+    let ray = Ray::new([0.25, 1.25], [0.125, -1.0]).unwrap();
+    check_words(
+        &ray,
+        &along(Algorithm::Codes),
+        [
+            "Just after t = 0.25, near (0.28125, 1), the ray is in the smallest cell with the location codes (010, 111) in binary.",
+            "Unmittelbar nach t = 0.25, nahe (0.28125, 1), ist der Strahl in der kleinsten Zelle mit den Ortscodes (010, 111), binär geschrieben.",
+        ],
+    );
+    let query =
+        Query::Point { at: [0.3, 0.9], method: PointMethod::Codes, variants: Variants::NONE };
+    check_words(
+        &ray,
+        &query,
+        [
+            "The point (0.3, 0.9) has the location codes (010, 111) in binary.",
+            "Der Punkt (0.3, 0.9) hat binär die Ortscodes (010, 111).",
+        ],
+    );
+}
+
+#[test]
 fn a_miss_beside_the_root_and_a_touch_are_told() {
     let beside = Ray::new([0.0, 2.0], [1.0, 0.0]).unwrap();
     check_words(

@@ -176,7 +176,9 @@ fn vars<const D: usize>(event: &Event<D>) -> Value {
         Event::Step { exits, axes, next, .. } => json!({
             "t1": numbers(exits), "axes": set(axes), "next": next.map(|next| next.0),
         }),
-        Event::Encode { point, code } => json!({ "point": numbers(point), "code": codes(code) }),
+        Event::Encode { point, code, after } => json!({
+            "point": numbers(point), "code": codes(code), "after": after.map(number),
+        }),
         Event::Compare { mid, point, child, .. } => {
             json!({ "mid": numbers(mid), "point": numbers(point), "child": child.0 })
         }

@@ -58,7 +58,7 @@ pub fn locate_by_codes_as_printed<const D: usize>(
         observe.observe(Event::End(End::Outside));
         return Outcome::without_node(End::Outside);
     };
-    observe.observe(Event::Encode { point, code });
+    observe.observe(Event::Encode { point, code, after: None });
 
     // Follow one bit of every code a level, until a leaf stops it.
     observe.observe(Event::Begin { node: tree.root().id });

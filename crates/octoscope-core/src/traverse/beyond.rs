@@ -101,6 +101,12 @@ pub fn code_of_entry<const D: usize, P: Parameter>(
     std::array::from_fn(|e| code_at(domain, ray, e, t, grid))
 }
 
+/// The step of finding the codes `code` of the smallest cell in which the ray is
+/// just after parameter `t`.
+pub fn encoded<const D: usize, P: Parameter>(ray: &Ray<D>, t: P, code: Code<D>) -> Event<D> {
+    Event::Encode { point: ray.at(t.value()), code, after: Some(t.value()) }
+}
+
 /// Index on `axis` of the smallest cell, between `first` and `last`, in which
 /// the ray is just after parameter `t`. The rounded point is but a first guess;
 /// the parameters of the grid planes decide.

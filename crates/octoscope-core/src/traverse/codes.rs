@@ -10,7 +10,7 @@
 //! settled.
 
 use super::algorithm::Options;
-use super::beyond::{beyond, code_of_entry, exit_of};
+use super::beyond::{beyond, code_of_entry, encoded, exit_of};
 use super::clip::{Clip, clip};
 use super::report::{Report, finish, missed};
 use crate::event::{Event, Observer, Outcome};
@@ -35,7 +35,7 @@ pub fn traverse<const D: usize, P: Parameter>(
     };
     let report = Report::of(options);
     let mut code = code_of_entry(domain, ray, entry);
-    observe.observe(Event::Encode { point: ray.at(entry.value()), code });
+    observe.observe(encoded(ray, entry, code));
     let mut node = tree.root();
     let mut level = domain.root_level();
     observe.observe(Event::Begin { node: node.id });

@@ -14,7 +14,7 @@
 //! in circles [Haines 1989], which is noticed by its getting no further.
 
 use super::algorithm::Options;
-use super::beyond::{Exit, beyond, code_of_entry, exit_of};
+use super::beyond::{Exit, beyond, code_of_entry, encoded, exit_of};
 use super::clip::{Clip, clip};
 use super::report::{Report, finish, missed};
 use super::variant::Variant;
@@ -40,7 +40,7 @@ pub fn traverse<const D: usize, P: Parameter>(
     let report = Report::of(options);
     let push = options.variants.has(Variant::Push);
     let mut code = code_of_entry(domain, ray, entry);
-    observe.observe(Event::Encode { point: ray.at(entry.value()), code });
+    observe.observe(encoded(ray, entry, code));
     let (mut farthest, mut leaves_without_progress) = (entry, 0);
 
     loop {
@@ -97,7 +97,7 @@ fn pushed<const D: usize, P: Parameter>(
     let outside = Axes::where_true(std::array::from_fn(|e| domain.encode(e, to[e]).is_none()));
     observe.observe(Event::Border { outside });
     if let Some(code) = code {
-        observe.observe(Event::Encode { point: to, code });
+        observe.observe(Event::Encode { point: to, code, after: None });
     }
     code
 }

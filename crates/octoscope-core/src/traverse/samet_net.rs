@@ -8,7 +8,7 @@
 //! the way spans the goal already. O(visited leaves) links, D divisions a leaf.
 
 use super::algorithm::Options;
-use super::beyond::{code_of_entry, exit_of, target_of};
+use super::beyond::{code_of_entry, encoded, exit_of, target_of};
 use super::clip::{Clip, clip};
 use super::report::{Report, finish, missed};
 use crate::event::{Event, Observer, Outcome};
@@ -34,7 +34,7 @@ pub fn traverse<const D: usize, P: Parameter>(
 
     // Entry point: its leaf is located from the root.
     let code = code_of_entry(domain, ray, entry);
-    observe.observe(Event::Encode { point: ray.at(entry.value()), code });
+    observe.observe(encoded(ray, entry, code));
     observe.observe(Event::Begin { node: tree.root().id });
     let (mut leaf, mut level) = descend(tree, tree.root(), domain.root_level(), code, 0, observe);
 
@@ -58,7 +58,7 @@ pub fn traverse<const D: usize, P: Parameter>(
         let target = target.map(|c| c as u32);
         level = tree.level(neighbour.id);
         if !neighbour.is_leaf() {
-            observe.observe(Event::Encode { point: ray.at(exit.at.value()), code: target });
+            observe.observe(encoded(ray, exit.at, target));
         }
         (leaf, level) = descend(tree, neighbour, level, target, 0, observe);
         entry = exit.at;
