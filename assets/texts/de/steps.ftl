@@ -20,6 +20,7 @@ by-dda-octree = durch Nachschlagen der Zellen des feinsten Rasters
 by-exhaustive = durch Prüfen jedes einzelnen Blattes
 
 start-ray = Ein Strahl von { $origin } in Richtung { $direction } wird { $algorithm } durch den { $tree } verfolgt.
+start-variants = { " " }Regeln in anderer Form: { $variants }.
 start-point-codes = Das Blatt, dem ein Punkt gehört, wird mit Ortscodes gesucht.
 start-point-comparison = Das Blatt, dem ein Punkt gehört, wird durch Vergleich mit den Mittelebenen gesucht.
 start-region = Der kleinste Knoten, der einen Bereich enthält, wird mit Ortscodes gesucht.
@@ -31,6 +32,8 @@ octree = Octree
 clip-hit = Der Strahl durchquert die Wurzel: Er trifft die letzte nahe Ebene vor der ersten fernen, { $enter } < { $exit }.
 clip-inside = Der Strahl beginnt innerhalb der Wurzel: Die letzte nahe Ebene kommt nicht nach t = 0, die erste ferne wohl, { $enter } ≤ 0 < { $exit }.
 clip-mirror = { " " }Entlang { $axes } ist seine Richtung negativ; Zustand i steht daher für Kind f(i) = i xor { $mask }.
+clip-mask = { " " }Entlang { $axes } ist seine Richtung negativ; dort kommt daher die obere Hälfte zuerst: Die Maske ist { $mask }.
+clip-falls = { " " }Entlang { $axes } ist seine Richtung negativ; dort sind daher die unteren Ebenen die fernen.
 clip-behind = Der Strahl verfehlt die Wurzel, die hinter seinem Startpunkt liegt: Schon für die erste ferne Ebene gilt { $exit } ≤ 0.
 clip-miss = Der Strahl verfehlt die Wurzel: Er trifft eine ferne Ebene nicht später als die letzte nahe, { $exit } { $relation } { $enter }.
 clip-short = Der Strahl endet, bevor er die Wurzel trifft, deren letzte nahe Ebene bei { $enter } liegt.
@@ -95,16 +98,23 @@ cuts = { $n ->
 classify = Bei t = { $at } gilt { $comparisons }: Der Strahl ist in Kind { $child }.
 flip-one = Bei t = { $at } wird die Mittelebene von { $axes } gekreuzt: Ihr Bit kippt, und das nächste Kind ist { $child }.
 flip-many = Bei t = { $at } werden die Mittelebenen von { $axes } zugleich gekreuzt: Ihre Bits kippen zusammen, und das nächste Kind ist { $child }.
-split-near = { $at } liegt nicht zwischen { $enter } und { $exit }, und der Strahl bleibt auf der Seite seines Startpunkts: Nur die { $half } von { $axis } wird betreten.
-split-far = { $at } kommt nicht nach dem Eintritt bei { $enter }: Die Ebene ist passiert, nur die { $half } von { $axis } wird betreten.
-split-both = { $at } liegt zwischen { $enter } und { $exit }: Zuerst wird die { $half } von { $axis } betreten, die andere wartet auf dem Stapel.
-upper-half = obere Hälfte
-lower-half = untere Hälfte
+split-near = { $at } liegt nicht zwischen { $enter } und { $exit }, und der Strahl bleibt auf der Seite seines Startpunkts: Nur die { $half } wird betreten.
+split-far = { $at } kommt nicht nach dem Eintritt bei { $enter }: Die Ebene ist passiert, nur die { $half } wird betreten.
+split-both = { $at } liegt zwischen { $enter } und { $exit }: Zuerst wird die { $half } betreten, die andere wartet auf dem Stapel.
+split-gem-after = { $at } > { $exit }: Das Gem nimmt nur die Hälfte auf der Seite des Startpunkts, die { $half }.
+split-gem-behind = { $at } < 0: Das Gem nimmt nur die Hälfte auf der Seite des Startpunkts, die { $half }.
+split-gem-far = { $at } < { $enter }: Das Gem nimmt nur die Hälfte jenseits der Ebene, die { $half }.
+split-gem-both = { $at } ist weder größer als { $exit } noch kleiner als 0 oder { $enter }: Das Gem nimmt beide Hälften, zuerst die { $half }; die andere wartet auf dem Stapel.
+split-gem-no-number = { $at } ist keine Zahl, sodass kein Vergleich mit { $exit }, 0 oder { $enter } zutrifft: Das Gem nimmt beide Hälften, zuerst die { $half }; die andere wartet auf dem Stapel.
+upper-half = obere { $axis }-Hälfte
+lower-half = untere { $axis }-Hälfte
 pop-node = Vom Stapel kommt { $node }; der Strahl ist von t = { $enter } bis t = { $exit } darin.
 pop-half = Vom Stapel kommt ein Teil: { $node }; der Strahl ist von t = { $enter } bis t = { $exit } in diesem Teil.
 grid = Die erste Zelle des Rasters ist { $cell }; die nächsten Ebenen werden bei { $planes } getroffen.
 cross-one = { $planes }, also kreuzt der Strahl die { $axes }-Ebene: weiter zu Zelle { $cell }.
 cross-many = { $planes }, also kreuzt der Strahl die Ebenen von { $axes } zugleich: weiter zu Zelle { $cell }.
+tie-first = { " " }Von gleichen Parametern zählt die erste Achse.
+tie-last = { " " }Von gleichen Parametern zählt die letzte Achse.
 father-all = Sohn { $son } liegt an der Seite { $direction } seines Vaters, also liegt der Nachbar auch jenseits des Vaters: hinauf zu { $node }.
 father-part = Von der Richtung { $direction } liegt Sohn { $son } an der Seite { $common } seines Vaters: hinauf zu { $node } und in dieser Richtung weiter.
 father-holds = Sohn { $son } liegt nicht an der Seite { $direction } seines Vaters, also enthält der Vater den Nachbarn: hinauf zu { $node }.

@@ -11,6 +11,7 @@ use crate::locate::NeighbourMethod;
 use crate::query::{PointMethod, Query};
 use crate::text::Language;
 use crate::trace::{Frame, Moment, Trace};
+use crate::traverse::{Algorithm, Variant};
 use crate::tree::{Child, NodeId, Part, Tree};
 
 /// What happens in `step` of `trace`, counted from 1, as a sentence with its
@@ -54,8 +55,19 @@ pub(super) fn sentences<const D: usize>(
     sentences
 }
 
-/// What is about to happen.
+/// What is about to happen, and which of its rules are in another form.
 fn start<const D: usize>(words: &Words<D>, ray: &Ray<D>, trace: &Trace<D>) -> String {
+    let query = &trace.query;
+    let used = query.variants().iter().filter(|&variant| query.takes(variant));
+    let variants: Vec<String> = used.map(|variant| variant.id().to_owned()).collect();
+    let asked = question(words, ray, trace);
+    if variants.is_empty() {
+        return asked;
+    }
+    asked + &words.say("start-variants", &[("variants", words.list(variants))])
+}
+
+fn question<const D: usize>(words: &Words<D>, ray: &Ray<D>, trace: &Trace<D>) -> String {
     let tree = words.texts.get(if D == 2 { "quadtree" } else { "octree" });
     match trace.query {
         Query::Ray { algorithm, .. } => words.say(
@@ -78,6 +90,26 @@ fn start<const D: usize>(words: &Words<D>, ray: &Ray<D>, trace: &Trace<D>) -> St
         Query::Neighbour { method: NeighbourMethod::Tables, .. } => {
             words.texts.get("start-neighbour-tables")
         }
+    }
+}
+
+/// Key of what a negative direction means to an algorithm: to its states, to the
+/// order of its halves, or only to which planes are far.
+fn mirror_key(algorithm: Algorithm) -> &'static str {
+    match algorithm {
+        Algorithm::Parametric | Algorithm::ParametricTable | Algorithm::AllChildren => {
+            "clip-mirror"
+        }
+        Algorithm::Esvo | Algorithm::Hero | Algorithm::Gargantini => "clip-mask",
+        Algorithm::Codes
+        | Algorithm::Glassner
+        | Algorithm::Samet
+        | Algorithm::SametCorner
+        | Algorithm::SametNet
+        | Algorithm::Bsp
+        | Algorithm::Dda
+        | Algorithm::DdaOctree
+        | Algorithm::Exhaustive => "clip-falls",
     }
 }
 
@@ -189,7 +221,8 @@ impl<const D: usize> Teller<'_, D> {
                 let key = if axes.count() == 1 { "cross-one" } else { "cross-many" };
                 let cell = tuple(cell.map(|c| c.to_string().replace('-', "−")));
                 let planes = chain(next, "max", axes);
-                words.say(key, &[("axes", words.axes(axes)), ("cell", cell), ("planes", planes)])
+                let arguments = [("axes", words.axes(axes)), ("cell", cell), ("planes", planes)];
+                words.say(key, &arguments) + &self.tie(next, axes)
             }
             Event::Father { node, son, direction, common, .. } => {
                 let mut arguments = vec![
@@ -410,7 +443,13 @@ impl<const D: usize> Teller<'_, D> {
         let mut text = words.say(key, &arguments);
         if !mirror.is_empty() {
             let mask = strong(&mirror.0.to_string());
-            text += &words.say("clip-mirror", &[("axes", words.axes(mirror)), ("mask", mask)]);
+            let key = match self.trace.query {
+                Query::Ray { algorithm, .. } => mirror_key(algorithm),
+                Query::Point { .. } | Query::Region { .. } | Query::Neighbour { .. } => {
+                    "clip-falls"
+                }
+            };
+            text += &words.say(key, &[("axes", words.axes(mirror)), ("mask", mask)]);
         }
         text
     }
@@ -460,19 +499,26 @@ impl<const D: usize> Teller<'_, D> {
         // Once all axes are halved the part is a child, whose index tells the half.
         let child = words.tree.child_index(taken.node).filter(|_| taken.halved.is_empty());
         let is_upper = child.map_or(taken.upper.contains(axis), |child| child.is_upper(axis));
-        let key = match halves {
-            Halves::Near => "split-near",
-            Halves::Far => "split-far",
-            Halves::Both => "split-both",
+        let is_gem = self.trace.query.variants().has(Variant::Gem);
+        let key = match (halves, is_gem) {
+            (Halves::Near, false) => "split-near",
+            (Halves::Far, false) => "split-far",
+            (Halves::Both, false) => "split-both",
+            (Halves::Near, true) if at > exit => "split-gem-after",
+            (Halves::Near, true) => "split-gem-behind",
+            (Halves::Far, true) => "split-gem-far",
+            (Halves::Both, true) if at.is_nan() => "split-gem-no-number",
+            (Halves::Both, true) => "split-gem-both",
         };
+        let axis_name = on_axis(axis, AXIS_NAMES[axis]);
+        let half = if is_upper { "upper-half" } else { "lower-half" };
         words.say(
             key,
             &[
                 ("at", equation(&t(axis, "m"), &values[0])),
                 ("enter", strong(&values[1])),
                 ("exit", strong(&values[2])),
-                ("axis", on_axis(axis, AXIS_NAMES[axis])),
-                ("half", words.texts.get(if is_upper { "upper-half" } else { "lower-half" })),
+                ("half", words.say(half, &[("axis", axis_name)])),
             ],
         )
     }
@@ -533,9 +579,27 @@ impl<const D: usize> Teller<'_, D> {
         let one = axes.count() == 1;
         if let Some(next) = next {
             arguments.push(("next", strong(&next.0.to_string())));
-            return words.say(if one { "step-one" } else { "step-many" }, &arguments);
+            let key = if one { "step-one" } else { "step-many" };
+            return words.say(key, &arguments) + &self.tie(exits, axes);
         }
         arguments.push(("done", words.axes(Axes(axes.0 & state.0))));
-        words.say(if one { "step-end-one" } else { "step-end-many" }, &arguments)
+        let key = if one { "step-end-one" } else { "step-end-many" };
+        words.say(key, &arguments) + &self.tie(exits, axes)
+    }
+
+    /// Which of the planes that are met at once is crossed, where only one is.
+    fn tie(&self, parameters: [f64; D], axes: Axes<D>) -> String {
+        let by_tables =
+            matches!(self.trace.query, Query::Ray { algorithm: Algorithm::ParametricTable, .. });
+        let key = match (by_tables, self.trace.query.variants().has(Variant::OneByOne)) {
+            (true, _) => "tie-last",
+            (false, true) => "tie-first",
+            (false, false) => return String::new(),
+        };
+        let Some(crossed) = axes.iter().next() else {
+            return String::new();
+        };
+        let equal = Axes::<D>::where_true(parameters.map(|t| t == parameters[crossed]));
+        if equal.count() > 1 { self.words.texts.get(key) } else { String::new() }
     }
 }

@@ -1,6 +1,7 @@
 //! Laws and expectations of what is said.
 
 use super::*;
+use crate::event::Event;
 use crate::geometry::Ray;
 use crate::locate::{Direction, NeighbourMethod, Reach};
 use crate::paper::counterexample;
@@ -318,6 +319,109 @@ fn the_codes_of_a_ray_are_those_of_the_cell_that_it_goes_on_into() {
         [
             "The point (0.3, 0.9) has the location codes (010, 111) in binary.",
             "Der Punkt (0.3, 0.9) hat binär die Ortscodes (010, 111).",
+        ],
+    );
+}
+
+fn with(algorithm: Algorithm, variant: Variant) -> Query<2> {
+    let options = Options { variants: Variants::NONE.with(variant), ..Options::default() };
+    Query::Ray { algorithm, options, arithmetic: Arithmetic::Doubles }
+}
+
+#[test]
+fn the_gem_is_told_by_what_it_compared() {
+    let gem = with(Algorithm::Bsp, Variant::Gem);
+    let check = |origin, direction, expected| {
+        check_words(&Ray::new(origin, direction).unwrap(), &gem, expected);
+    };
+    // In the plane, along it: 0/0.
+    check(
+        [0.5, -0.25],
+        [0.0, 1.0],
+        [
+            "t_xm = NaN is no number, so that no comparison with 1.25, 0 or 0.25 holds: the gem takes both halves, first the lower x half; the other one waits on the stack.",
+            "t_xm = NaN ist keine Zahl, sodass kein Vergleich mit 1.25, 0 oder 0.25 zutrifft: Das Gem nimmt beide Hälften, zuerst die untere x-Hälfte; die andere wartet auf dem Stapel.",
+        ],
+    );
+    // From the plane, away from it: −0 is not less than 0.
+    check(
+        [0.5, 0.25],
+        [-1.0, 0.0],
+        [
+            "t_xm = −0 is neither greater than 0.5 nor less than 0 or 0: the gem takes both halves, first the lower x half; the other one waits on the stack.",
+            "t_xm = −0 ist weder größer als 0.5 noch kleiner als 0 oder 0: Das Gem nimmt beide Hälften, zuerst die untere x-Hälfte; die andere wartet auf dem Stapel.",
+        ],
+    );
+    check(
+        [0.75, 0.25],
+        [1.0, 0.0],
+        [
+            "t_xm = −0.25 < 0: the gem takes the half on the side of the origin alone, the upper x half.",
+            "t_xm = −0.25 < 0: Das Gem nimmt nur die Hälfte auf der Seite des Startpunkts, die obere x-Hälfte.",
+        ],
+    );
+}
+
+#[test]
+fn the_first_sentence_names_the_rules_in_another_form() {
+    let ray = Ray::new([0.1, 0.2], [1.0, 0.0]).unwrap();
+    check_words(
+        &ray,
+        &with(Algorithm::Bsp, Variant::Gem),
+        [
+            "A ray from (0.1, 0.2) along (1, 0) is followed through the quadtree by binary space partition. Rules in another form: gem.",
+            "Ein Strahl von (0.1, 0.2) in Richtung (1, 0) wird mit binärer Raumteilung durch den Quadtree verfolgt. Regeln in anderer Form: gem.",
+        ],
+    );
+}
+
+#[test]
+fn of_planes_met_at_once_the_one_that_counts_is_told() {
+    let ray = Ray::new([-0.25, -0.25], [1.0, 1.0]).unwrap();
+    check_words(
+        &ray,
+        &with(Algorithm::Dda, Variant::OneByOne),
+        [
+            "t_xmax = 0.375 = t_ymax = 0.375, so the ray crosses the x plane: on to cell (1, 0). Of equal parameters the first axis counts.",
+            "t_xmax = 0.375 = t_ymax = 0.375, also kreuzt der Strahl die x-Ebene: weiter zu Zelle (1, 0). Von gleichen Parametern zählt die erste Achse.",
+        ],
+    );
+    check_words(
+        &ray,
+        &along(Algorithm::ParametricTable),
+        [
+            "Child 0 is left through the y plane: t_y1 = 0.75 = t_x1 = 0.75, so the y bit is set and the next state is 1. Of equal parameters the last axis counts.",
+            "Kind 0 wird durch die y-Ebene verlassen: t_y1 = 0.75 = t_x1 = 0.75, also wird das y-Bit gesetzt, und der nächste Zustand ist 1. Von gleichen Parametern zählt die letzte Achse.",
+        ],
+    );
+}
+
+#[test]
+fn only_algorithms_with_states_speak_of_them() {
+    let ray = Ray::new([1.25, 0.125], [-1.0, 0.0625]).unwrap();
+    for algorithm in Algorithm::ALL {
+        let trace = record(&tree(3), &ray, &along(algorithm));
+        let visits = trace.events.iter().any(|event| matches!(event, Event::Visit { .. }));
+        for (language, word) in Language::ALL.into_iter().zip(["state", "Zustand"]) {
+            let told = sentence::sentences(&tree(3), &ray, &trace, language);
+            let speaks = told.iter().any(|text| text.plain().contains(word));
+            assert_eq!(speaks, visits, "{algorithm:?}");
+        }
+    }
+    check_words(
+        &ray,
+        &along(Algorithm::Codes),
+        [
+            "The ray crosses the root: it meets the last near plane before the first far plane, t_x0 = 0.25 < t_x1 = 1.25. Its direction is negative along x, so the far planes there are the lower ones.",
+            "Der Strahl durchquert die Wurzel: Er trifft die letzte nahe Ebene vor der ersten fernen, t_x0 = 0.25 < t_x1 = 1.25. Entlang x ist seine Richtung negativ; dort sind daher die unteren Ebenen die fernen.",
+        ],
+    );
+    check_words(
+        &ray,
+        &along(Algorithm::Hero),
+        [
+            "The ray crosses the root: it meets the last near plane before the first far plane, t_x0 = 0.25 < t_x1 = 1.25. Its direction is negative along x, so the upper half comes first there: the mask is 2.",
+            "Der Strahl durchquert die Wurzel: Er trifft die letzte nahe Ebene vor der ersten fernen, t_x0 = 0.25 < t_x1 = 1.25. Entlang x ist seine Richtung negativ; dort kommt daher die obere Hälfte zuerst: Die Maske ist 2.",
         ],
     );
 }
