@@ -75,7 +75,7 @@ fn tests_of<const D: usize>(
     let entered = |event: &Event<D>| matches!(event, Event::Visit { node, .. } if *node == parent);
     let start = past.iter().rposition(entered).unwrap_or(past.len());
     let tests = past[start..].iter().filter_map(|event| {
-        if let Event::Test { node, interval } = event { Some((*node, *interval)) } else { None }
+        if let Event::Test { node, interval, .. } = event { Some((*node, *interval)) } else { None }
     });
     tests.filter(|(node, _)| tree.parent(*node) == Some(parent)).collect()
 }

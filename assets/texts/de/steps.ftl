@@ -112,6 +112,8 @@ pop-node = Vom Stapel kommt { $node }; der Strahl ist von t = { $enter } bis t =
 pop-half = Vom Stapel kommt ein Teil: { $node }; der Strahl ist von t = { $enter } bis t = { $exit } in diesem Teil.
 grid = Die erste Zelle des Rasters ist { $cell }; die nächsten Ebenen werden bei { $planes } getroffen.
 cross-one = { $planes }, also kreuzt der Strahl die { $axes }-Ebene: weiter zu Zelle { $cell }.
+cross-out-one = { $planes }, also kreuzt der Strahl die { $axes }-Ebene und verlässt das Raster.
+cross-out-many = { $planes }, also kreuzt der Strahl die Ebenen von { $axes } zugleich und verlässt das Raster.
 cross-many = { $planes }, also kreuzt der Strahl die Ebenen von { $axes } zugleich: weiter zu Zelle { $cell }.
 tie-first = { " " }Von gleichen Parametern zählt die erste Achse.
 tie-last = { " " }Von gleichen Parametern zählt die letzte Achse.
@@ -136,6 +138,7 @@ exits-many = Das Blatt wird durch die Ebenen { $planes } zugleich verlassen: { $
 target = Dahinter, entlang { $axes }, sind die Codes { $to } statt { $from }.
 border-inside = Diese Codes liegen im Gebiet; dahinter ist also eine Zelle.
 border-outside = Entlang { $axes } liegt der Code außerhalb des Gebiets; dahinter ist also keine Zelle.
+border-point-outside = Entlang { $axes } liegt der Punkt außerhalb des Gebiets; dahinter ist also keine Zelle.
 difference = Die Codes unterscheiden sich zuerst in Bit { $bit }, also liegt der gemeinsame Vorfahr auf Ebene { $level }.
 difference-none = Die Codes sind gleich, also liegen beide Orte in einer kleinsten Zelle, auf Ebene 0.
 climb = Hinauf zum Elternknoten: { $node }; der gemeinsame Vorfahr liegt auf Ebene { $level }.

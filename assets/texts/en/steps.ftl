@@ -103,6 +103,8 @@ pop-node = From the stack: { $node }, with the ray in it from t = { $enter } to 
 pop-half = From the stack: a part of { $node }, with the ray in it from t = { $enter } to t = { $exit }.
 grid = The first cell of the grid is { $cell }; the next planes are met at { $planes }.
 cross-one = { $planes }, so the ray crosses the { $axes } plane: on to cell { $cell }.
+cross-out-one = { $planes }, so the ray crosses the { $axes } plane and leaves the grid.
+cross-out-many = { $planes }, so the ray crosses the planes of { $axes } at once and leaves the grid.
 cross-many = { $planes }, so the ray crosses the planes of { $axes } at once: on to cell { $cell }.
 tie-first = { " " }Of equal parameters the first axis counts.
 tie-last = { " " }Of equal parameters the last axis counts.
@@ -127,6 +129,7 @@ exits-many = The leaf is left through the planes { $planes } at once: { $exits }
 target = Beyond it along { $axes }, the codes are { $to } instead of { $from }.
 border-inside = These codes lie inside the domain, so there is a cell beyond.
 border-outside = Along { $axes } the code lies outside the domain, so there is no cell beyond.
+border-point-outside = Along { $axes } the point lies outside the domain, so there is no cell beyond.
 difference = The codes differ first in bit { $bit }, so the common ancestor has level { $level }.
 difference-none = The codes are equal, so both places lie in one smallest cell, of level 0.
 climb = Up to the parent, { $node }; the common ancestor has level { $level }.

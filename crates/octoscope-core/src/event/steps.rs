@@ -34,6 +34,8 @@ pub enum Event<const D: usize> {
         node: NodeId,
         /// Parameters of entry and exit, if the ray meets it.
         interval: Option<[f64; 2]>,
+        /// Whether it meets it in one point only.
+        touch: bool,
     },
     /// All tested leaves are put in the order of their entry.
     Sort {
@@ -174,6 +176,8 @@ pub enum Event<const D: usize> {
         axes: Axes<D>,
         /// Code of the next cell; −1 or 2^R outside the domain.
         cell: [i64; D],
+        /// Axes along which that is outside, if it leaves the grid.
+        outside: Axes<D>,
     },
 
     // Neighbours by the path through the tree.

@@ -77,12 +77,14 @@ impl<const D: usize> Rounding<'_, D> {
         let nobody = Axes::NONE;
         match *event {
             Event::Clip { enter, exit, hit, .. } => self.clip(enter, exit, hit),
-            Event::Test { node, interval } => {
+            Event::Test { node, interval, touch } => {
                 let domain = self.tree.domain();
                 let (level, code) = (self.tree.level(node), self.tree.code(node));
                 let (near, far) = slabs::<D, f64>(domain, self.ray, level, code);
                 let (enter, exit) = (f64::latest(near).later(0.0), f64::earliest(far));
-                let agrees = interval.is_some() == enter.before(exit);
+                let crossed = enter.before(exit);
+                let touched = !crossed && enter.not_after(exit);
+                let agrees = (interval.is_some(), touch) == (crossed || touched, touched);
                 disagreement(agrees, nobody, ulps(enter, exit))
             }
             Event::Skip { exit, behind } => {

@@ -143,14 +143,13 @@ impl<const D: usize> Teller<'_, D> {
             Event::Clip { near, far, enter, exit, hit, mirror } => {
                 self.clip(near, far, [enter, exit], hit, mirror)
             }
-            Event::Test { node, interval } => {
+            Event::Test { node, interval, touch } => {
                 let is_leaf = words.tree.node(node).is_leaf();
                 let leaf = if is_leaf { words.leaf(node) } else { words.node_first(node) };
                 let Some([enter, exit]) = interval else {
                     return words.say("test-miss", &[("node", leaf)]);
                 };
-                let touch = |e: &Event<D>| matches!(e, Event::Touch { node: n, .. } if *n == node);
-                if enter == exit || self.trace.events.iter().any(touch) {
+                if touch {
                     return words.say("test-touch", &[("node", leaf), ("at", approx(enter))]);
                 }
                 self.interval("test-hit", leaf, enter, exit)
@@ -217,8 +216,13 @@ impl<const D: usize> Teller<'_, D> {
                 let cell = tuple(cell.map(|c| c.to_string()));
                 words.say("grid", &[("cell", cell), ("planes", planes)])
             }
-            Event::Cross { next, axes, cell } => {
-                let key = if axes.count() == 1 { "cross-one" } else { "cross-many" };
+            Event::Cross { next, axes, cell, outside } => {
+                let key = match (axes.count() == 1, outside.is_empty()) {
+                    (true, true) => "cross-one",
+                    (false, true) => "cross-many",
+                    (true, false) => "cross-out-one",
+                    (false, false) => "cross-out-many",
+                };
                 let cell = tuple(cell.map(|c| c.to_string().replace('-', "−")));
                 let planes = chain(next, "max", axes);
                 let arguments = [("axes", words.axes(axes)), ("cell", cell), ("planes", planes)];
@@ -325,7 +329,10 @@ impl<const D: usize> Teller<'_, D> {
             ),
             Event::Border { outside } if outside.is_empty() => words.texts.get("border-inside"),
             Event::Border { outside } => {
-                words.say("border-outside", &[("axes", words.axes(outside))])
+                // A pushed point outside has no codes.
+                let pushed = self.before.pushed.is_some();
+                let key = if pushed { "border-point-outside" } else { "border-outside" };
+                words.say(key, &[("axes", words.axes(outside))])
             }
             Event::Difference { from, to, .. } if from == to => words.texts.get("difference-none"),
             Event::Difference { level, .. } => words.say(

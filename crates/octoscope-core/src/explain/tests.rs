@@ -397,6 +397,76 @@ fn of_planes_met_at_once_the_one_that_counts_is_told() {
 }
 
 #[test]
+fn a_child_that_is_touched_is_told_as_that() {
+    let ray = Ray::new([-0.25, -0.25], [1.0, 1.0]).unwrap();
+    check_words(
+        &ray,
+        &along(Algorithm::AllChildren),
+        [
+            "Leaf (0, 4) of level 2 is met in one point only, at t = 0.75.",
+            "Blatt (0, 4) auf Ebene 2 wird nur in einem Punkt getroffen, bei t = 0.75.",
+        ],
+    );
+}
+
+#[test]
+fn an_exit_point_is_pushed_then_encoded_then_compared_with_the_border() {
+    let ray = Ray::new([-0.25, 0.3], [1.0, 0.0]).unwrap();
+    let trace = record(&tree(3), &ray, &with(Algorithm::Glassner, Variant::Push));
+    let labels: Vec<_> = trace.events.iter().map(label).collect();
+    let at: Vec<usize> = (0..labels.len()).filter(|&n| labels[n] == "push").collect();
+    let (last, others) = at.split_last().unwrap();
+    assert!(others.iter().all(|&n| labels[n + 1..].starts_with(&["encode", "border", "begin"])));
+    assert_eq!(labels[last + 1..], ["border", "end"]);
+}
+
+#[test]
+fn the_listing_of_the_octree_grid_follows_its_events() {
+    let ray = Ray::new([-0.25, 0.3], [1.0, 0.1]).unwrap();
+    let query = along(Algorithm::DdaOctree);
+    let trace = record(&tree(3), &ray, &query);
+    let lines = listing(&query, Language::English).lines;
+    // Lines of the loop and behind it, in order, each label once.
+    let mut order: Vec<&str> = lines.iter().map(|line| line.label).collect();
+    order.retain(|label| !label.is_empty());
+    order.dedup();
+    assert_eq!(
+        order,
+        [
+            "clip",
+            "missed",
+            "grid",
+            "begin",
+            "follow",
+            "leaf",
+            "touch",
+            "stop",
+            "segment-end",
+            "cross",
+            "leaf",
+            "end"
+        ]
+    );
+    let mut labels: Vec<_> = trace.events.iter().map(label).collect();
+    labels.dedup();
+    assert_eq!(labels[..5], ["clip", "grid", "begin", "follow", "cross"]);
+    assert_eq!(labels[labels.len() - 3..], ["cross", "leaf", "end"]);
+}
+
+#[test]
+fn the_last_step_out_of_the_grid_leads_to_no_cell() {
+    let ray = Ray::new([-0.25, 0.3125], [1.0, 0.0]).unwrap();
+    check_words(
+        &ray,
+        &along(Algorithm::Dda),
+        [
+            "t_xmax = 1.25 < t_ymax = ∞, so the ray crosses the x plane and leaves the grid.",
+            "t_xmax = 1.25 < t_ymax = ∞, also kreuzt der Strahl die x-Ebene und verlässt das Raster.",
+        ],
+    );
+}
+
+#[test]
 fn only_algorithms_with_states_speak_of_them() {
     let ray = Ray::new([1.25, 0.125], [-1.0, 0.0625]).unwrap();
     for algorithm in Algorithm::ALL {

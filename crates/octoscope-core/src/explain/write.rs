@@ -165,7 +165,9 @@ fn vars<const D: usize>(event: &Event<D>) -> Value {
         Event::Clip { near, far, hit, mirror, .. } => {
             json!({ "t0": numbers(near), "t1": numbers(far), "hit": hit, "mirror": set(mirror) })
         }
-        Event::Test { interval, .. } => json!({ "hit": interval.is_some() }),
+        Event::Test { interval, touch, .. } => {
+            json!({ "hit": interval.is_some(), "touch": touch })
+        }
         Event::Sort { n_leaves } => json!({ "n_leaves": n_leaves }),
         Event::Visit { near, far, .. } => json!({ "t0": numbers(near), "t1": numbers(far) }),
         Event::Skip { exit, behind } => json!({ "exit": number(exit), "behind": behind }),
@@ -221,7 +223,7 @@ fn vars<const D: usize>(event: &Event<D>) -> Value {
         }),
         Event::Pop { part: popped, .. } => json!({ "part": part(popped) }),
         Event::Grid { cell, next } => json!({ "cell": codes(cell), "next": numbers(next) }),
-        Event::Cross { next, axes, cell } => {
+        Event::Cross { next, axes, cell, .. } => {
             json!({ "next": numbers(next), "axes": set(axes), "cell": cell.to_vec() })
         }
         Event::Father { son, direction, common, lookup, .. } => json!({

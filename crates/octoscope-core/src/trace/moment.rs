@@ -87,7 +87,7 @@ impl<const D: usize> Moment<D> {
             Event::Clip { near, far, hit, mirror, .. } => {
                 self.clip = Some(RootClip { near, far, hit, mirror });
             }
-            Event::Test { node, interval } => {
+            Event::Test { node, interval, .. } => {
                 self.current = Some(node);
                 if interval.is_none() {
                     self.missed.push(node);
@@ -134,7 +134,7 @@ impl<const D: usize> Moment<D> {
             Event::Grid { cell, next } => {
                 self.grid = Some(GridCell { cell: Some(cell), next, crossed: Axes::NONE });
             }
-            Event::Cross { next, axes, cell } => {
+            Event::Cross { next, axes, cell, .. } => {
                 let code = cell.map(|c| u32::try_from(c).unwrap_or(u32::MAX));
                 let inside = code.iter().all(|&c| c < tree.domain().grid_size());
                 let cell = inside.then_some(code);

@@ -76,14 +76,16 @@ impl<const D: usize, P: Parameter, O: Observer<D>> Walk<'_, D, P, O> {
             let domain = self.tree.domain();
             let (near, far) = slabs::<D, P>(domain, self.ray, level - 1, child_code);
             let (enter, exit) = (latest(near).later(P::ORIGIN), earliest(far));
-            let met = enter.before(exit);
+            let crossed = enter.before(exit);
+            let touch = !crossed && enter.not_after(exit);
             self.observe.observe(Event::Test {
                 node: child_node.id,
-                interval: met.then_some([enter.value(), exit.value()]),
+                interval: (crossed || touch).then_some([enter.value(), exit.value()]),
+                touch,
             });
 
-            // Visit what is on the ray.
-            if met {
+            // Visit what is on the ray; what it only touches is not.
+            if crossed {
                 self.visit(child_node, Some(state), level - 1, child_code, near, far)?;
                 self.observe.observe(Event::Up { node: Some(node.id) });
             }

@@ -93,9 +93,9 @@ fn walk<const D: usize, P: Parameter, O: Observer<D>>(
             let step = i64::from(axes.contains(e)) * if rising[e] { 1 } else { -1 };
             i64::from(cell[e]) + step
         });
-        observe.observe(Event::Cross { next: next.map(P::value), axes, cell: beyond });
-        let is_inside = beyond.iter().all(|c| (0..i64::from(domain.grid_size())).contains(c));
-        if !is_inside {
+        let outside = domain.outside(beyond, axes);
+        observe.observe(Event::Cross { next: next.map(P::value), axes, cell: beyond, outside });
+        if !outside.is_empty() {
             return finish(report.leaf(leaf, entry, exit, observe), observe);
         }
         cell = beyond.map(|c| c as u32);

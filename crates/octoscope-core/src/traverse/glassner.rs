@@ -94,10 +94,10 @@ fn pushed<const D: usize, P: Parameter>(
     to[axis] += 0.5 * domain.cell_side(0) * ray.direction()[axis].signum();
     observe.observe(Event::Push { from, to, axis: axis as u8 });
     let code = domain.encode_point(to);
-    let outside = Axes::where_true(std::array::from_fn(|e| domain.encode(e, to[e]).is_none()));
-    observe.observe(Event::Border { outside });
     if let Some(code) = code {
         observe.observe(Event::Encode { point: to, code, after: None });
     }
+    let outside = Axes::where_true(std::array::from_fn(|e| domain.encode(e, to[e]).is_none()));
+    observe.observe(Event::Border { outside });
     code
 }
