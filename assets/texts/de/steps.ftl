@@ -215,6 +215,7 @@ counter-leaf-tests = Blatttests
 counter-entry-comparisons = Vergleiche, Eintritt
 counter-exit-comparisons = Vergleiche, Austritt
 counter-range-comparisons = Vergleiche, Bereich
+counter-code-comparisons = Vergleiche, Codes
 counter-sort-comparisons = Vergleiche, Sortieren
 counter-divisions = Divisionen
 counter-additions = Summen, Produkte

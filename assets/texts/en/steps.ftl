@@ -206,6 +206,7 @@ counter-leaf-tests = Leaf tests
 counter-entry-comparisons = Comparisons, entry
 counter-exit-comparisons = Comparisons, exit
 counter-range-comparisons = Comparisons, range
+counter-code-comparisons = Comparisons, codes
 counter-sort-comparisons = Comparisons, sorting
 counter-divisions = Divisions
 counter-additions = Sums, products

@@ -66,6 +66,9 @@ pub enum Event<const D: usize> {
     Halve {
         /// Parameters of the mid planes.
         mid: [f64; D],
+        /// Axes along which it took a division: not those without motion, nor
+        /// those along which it is the mean of the near and the far plane.
+        divided: Axes<D>,
     },
     /// The first child on the ray is found.
     First {
@@ -104,6 +107,8 @@ pub enum Event<const D: usize> {
         node: NodeId,
         /// Parameters between which the ray is in it.
         interval: [f64; 2],
+        /// Whether by a recursive call, and not in the same loop.
+        call: bool,
     },
     /// The mid planes of the current node are put in the order in which the ray
     /// meets them.
@@ -112,6 +117,10 @@ pub enum Event<const D: usize> {
         order: [u8; D],
         /// Axes whose planes are met between the ends of the node's interval.
         inside: Axes<D>,
+        /// Number of comparisons of planes with each other.
+        sorting: u8,
+        /// Number of comparisons of planes with the ends of the interval.
+        ranging: u8,
     },
     /// The sides of the mid planes on which the ray is tell the child.
     Classify {
@@ -167,6 +176,8 @@ pub enum Event<const D: usize> {
         /// Parameters of the planes that the ray meets next, one an axis; +∞
         /// on axes that it does not move along.
         next: [f64; D],
+        /// What finding the cell took.
+        search: Search,
     },
     /// The ray goes on to the next cell of the grid.
     Cross {
@@ -246,6 +257,8 @@ pub enum Event<const D: usize> {
         /// The parameter just after which the ray is in the cell. Its planes are
         /// then compared with that, and not with the point.
         after: Option<f64>,
+        /// What finding the cell took.
+        search: Search,
     },
     /// The mid planes of a node are compared with a point.
     Compare {
@@ -288,9 +301,13 @@ pub enum Event<const D: usize> {
         to: [i64; D],
         /// Axes along which the cell is left.
         axes: Axes<D>,
+        /// What finding the codes along the other axes took.
+        search: Search,
     },
     /// The target is compared with the border of the domain.
     Border {
+        /// Axes along which it is; along the others it is inside anyway.
+        tested: Axes<D>,
         /// Axes along which the target is outside.
         outside: Axes<D>,
     },
@@ -366,6 +383,32 @@ pub enum Event<const D: usize> {
     },
     /// The algorithm ends.
     End(End),
+}
+
+/// Work of finding the cell in which a ray is just after some parameter.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Search {
+    /// Axes along which a point of the ray was computed as a first guess.
+    pub guesses: u8,
+    /// Planes of the grid whose parameter was computed and compared.
+    pub parameters: u8,
+    /// Planes of the grid that were compared with the origin of the ray, along
+    /// axes that it does not move along.
+    pub coordinates: u8,
+}
+
+impl Search {
+    /// No work: the cell is known.
+    pub const NONE: Self = Self { guesses: 0, parameters: 0, coordinates: 0 };
+
+    /// The work of both.
+    pub fn and(self, other: Self) -> Self {
+        Self {
+            guesses: self.guesses + other.guesses,
+            parameters: self.parameters + other.parameters,
+            coordinates: self.coordinates + other.coordinates,
+        }
+    }
 }
 
 /// Halves of a part that a ray is in.

@@ -175,7 +175,7 @@ impl<const D: usize> Teller<'_, D> {
                 let exit = equation(&t(axis, "1"), &approx(exit));
                 words.say(if behind { "skip-behind" } else { "skip-ahead" }, &[("exit", exit)])
             }
-            Event::Halve { mid } => {
+            Event::Halve { mid, .. } => {
                 let values = distinct(&mid);
                 let mids = words.list((0..D).map(|e| equation(&t(e, "m"), &values[e])));
                 let still = Axes::where_true(self.ray.direction().map(|d| d == 0.0));
@@ -191,10 +191,10 @@ impl<const D: usize> Teller<'_, D> {
             Event::Step { state, exits, axes, next } => self.step(state, exits, axes, next),
             Event::Up { node: Some(node) } => words.say("up", &[("node", words.node(node))]),
             Event::Up { node: None } => words.texts.get("up-none"),
-            Event::Enter { node, interval: [enter, exit] } => {
+            Event::Enter { node, interval: [enter, exit], .. } => {
                 self.interval("enter", words.node(node), enter, exit)
             }
-            Event::Cuts { order, inside } => self.cuts(order, inside),
+            Event::Cuts { order, inside, .. } => self.cuts(order, inside),
             Event::Classify { at, child, .. } => self.classify(at, child),
             Event::Flip { at, axes, child } => {
                 let key = if axes.count() == 1 { "flip-one" } else { "flip-many" };
@@ -210,7 +210,7 @@ impl<const D: usize> Teller<'_, D> {
                 let key = if whole { "pop-node" } else { "pop-half" };
                 self.interval(key, words.node(part.node), enter, exit)
             }
-            Event::Grid { cell, next } => {
+            Event::Grid { cell, next, .. } => {
                 let values = distinct(&next);
                 let planes = words.list((0..D).map(|e| equation(&t(e, "max"), &values[e])));
                 let cell = tuple(cell.map(|c| c.to_string()));
@@ -271,7 +271,7 @@ impl<const D: usize> Teller<'_, D> {
                 let key = if is_root { "begin-root" } else { "begin-node" };
                 words.say(key, &[("node", words.node(node))])
             }
-            Event::Encode { point: at, code, after } => {
+            Event::Encode { point: at, code, after, .. } => {
                 let mut arguments = vec![("point", point(at)), ("codes", words.binary(code))];
                 let Some(after) = after else {
                     return words.say("encode", &arguments);
@@ -327,8 +327,8 @@ impl<const D: usize> Teller<'_, D> {
                     ("from", tuple(from.map(|c| c.to_string()))),
                 ],
             ),
-            Event::Border { outside } if outside.is_empty() => words.texts.get("border-inside"),
-            Event::Border { outside } => {
+            Event::Border { outside, .. } if outside.is_empty() => words.texts.get("border-inside"),
+            Event::Border { outside, .. } => {
                 // A pushed point outside has no codes.
                 let pushed = self.before.pushed.is_some();
                 let key = if pushed { "border-point-outside" } else { "border-outside" };

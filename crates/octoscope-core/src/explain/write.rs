@@ -171,14 +171,14 @@ fn vars<const D: usize>(event: &Event<D>) -> Value {
         Event::Sort { n_leaves } => json!({ "n_leaves": n_leaves }),
         Event::Visit { near, far, .. } => json!({ "t0": numbers(near), "t1": numbers(far) }),
         Event::Skip { exit, behind } => json!({ "exit": number(exit), "behind": behind }),
-        Event::Halve { mid } => json!({ "tm": numbers(mid) }),
+        Event::Halve { mid, .. } => json!({ "tm": numbers(mid) }),
         Event::First { entry, entry_axis, compared, .. } => json!({
             "entry": number(entry), "entry_axis": entry_axis, "compared": set(compared),
         }),
         Event::Step { exits, axes, next, .. } => json!({
             "t1": numbers(exits), "axes": set(axes), "next": next.map(|next| next.0),
         }),
-        Event::Encode { point, code, after } => json!({
+        Event::Encode { point, code, after, .. } => json!({
             "point": numbers(point), "code": codes(code), "after": after.map(number),
         }),
         Event::Compare { mid, point, child, .. } => {
@@ -195,7 +195,7 @@ fn vars<const D: usize>(event: &Event<D>) -> Value {
         Event::Target { from, to, axes, .. } => {
             json!({ "from": codes(from), "to": to.to_vec(), "axes": set(axes) })
         }
-        Event::Border { outside } => json!({ "outside": set(outside) }),
+        Event::Border { outside, .. } => json!({ "outside": set(outside) }),
         Event::Difference { from, to, xor, level } => json!({
             "from": codes(from), "to": codes(to), "diff": codes(xor), "level": level,
         }),
@@ -204,7 +204,9 @@ fn vars<const D: usize>(event: &Event<D>) -> Value {
         }),
         Event::Leaf { full, .. } => json!({ "full": full }),
         Event::End(end) => json!({ "reason": reason(end) }),
-        Event::Cuts { order, inside } => json!({ "order": order.to_vec(), "inside": set(inside) }),
+        Event::Cuts { order, inside, .. } => {
+            json!({ "order": order.to_vec(), "inside": set(inside) })
+        }
         Event::Classify { at, child, .. } => json!({ "at": number(at), "child": child.0 }),
         Event::Flip { at, axes, child } => {
             json!({ "at": number(at), "axes": set(axes), "child": child.0 })
@@ -222,7 +224,7 @@ fn vars<const D: usize>(event: &Event<D>) -> Value {
             "kept": kept.map(part),
         }),
         Event::Pop { part: popped, .. } => json!({ "part": part(popped) }),
-        Event::Grid { cell, next } => json!({ "cell": codes(cell), "next": numbers(next) }),
+        Event::Grid { cell, next, .. } => json!({ "cell": codes(cell), "next": numbers(next) }),
         Event::Cross { next, axes, cell, .. } => {
             json!({ "next": numbers(next), "axes": set(axes), "cell": cell.to_vec() })
         }

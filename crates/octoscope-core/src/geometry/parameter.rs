@@ -24,8 +24,8 @@ pub trait Parameter: Copy {
     fn given(t: f64) -> Self;
 
     /// Parameter of the mid plane as the mean of those of the near and the far
-    /// plane; where comparisons are exact, that of `mid`, the plane itself.
-    fn mean(near: Self, far: Self, mid: Self) -> Self;
+    /// plane; where comparisons are exact, `mid`, that of the plane itself.
+    fn mean(near: Self, far: Self, mid: impl FnOnce() -> Self) -> Self;
 
     /// Whether `plane` is passed midway between `from` and `to`, two parameters
     /// between which no plane is met. Where comparisons are exact, that is
@@ -87,7 +87,7 @@ impl Parameter for f64 {
     }
 
     #[inline]
-    fn mean(near: Self, far: Self, _mid: Self) -> Self {
+    fn mean(near: Self, far: Self, _mid: impl FnOnce() -> Self) -> Self {
         0.5 * (near + far)
     }
 
@@ -212,8 +212,8 @@ impl Parameter for Exact {
     }
 
     #[inline]
-    fn mean(_near: Self, _far: Self, mid: Self) -> Self {
-        mid
+    fn mean(_near: Self, _far: Self, mid: impl FnOnce() -> Self) -> Self {
+        mid()
     }
 
     #[inline]

@@ -1,7 +1,7 @@
 //! Point location: the leaf that owns a point.
 
 use super::misprint;
-use crate::event::{End, Event, Observer, Outcome};
+use crate::event::{End, Event, Observer, Outcome, Search};
 use crate::geometry::Aabb;
 use crate::tree::{Child, Code, Node, Tree, branch};
 use crate::variant::Variants;
@@ -58,7 +58,7 @@ pub fn locate_by_codes_as_printed<const D: usize>(
         observe.observe(Event::End(End::Outside));
         return Outcome::without_node(End::Outside);
     };
-    observe.observe(Event::Encode { point, code, after: None });
+    observe.observe(Event::Encode { point, code, after: None, search: Search::NONE });
 
     // Follow one bit of every code a level, until a leaf stops it.
     observe.observe(Event::Begin { node: tree.root().id });

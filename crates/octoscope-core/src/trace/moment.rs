@@ -99,7 +99,7 @@ impl<const D: usize> Moment<D> {
                 self.push(node, state, Extent::Planes { near, far });
             }
             Event::Skip { .. } => {}
-            Event::Halve { mid } => self.change_frame(|frame| frame.mid = Some(mid)),
+            Event::Halve { mid, .. } => self.change_frame(|frame| frame.mid = Some(mid)),
             Event::First { state, .. } => {
                 self.change_frame(|frame| frame.child_state = Some(state))
             }
@@ -110,10 +110,10 @@ impl<const D: usize> Moment<D> {
                 self.stack.pop();
                 self.current = node;
             }
-            Event::Enter { node, interval } => {
+            Event::Enter { node, interval, .. } => {
                 self.push(node, None, Extent::Interval(interval));
             }
-            Event::Cuts { order, inside } => {
+            Event::Cuts { order, inside, .. } => {
                 self.change_frame(|frame| frame.cuts = Some(Cuts { order, inside }));
             }
             Event::Classify { child, .. } | Event::Flip { child, .. } => {
@@ -131,7 +131,7 @@ impl<const D: usize> Moment<D> {
                 self.part_interval = Some(interval);
                 self.pending.pop();
             }
-            Event::Grid { cell, next } => {
+            Event::Grid { cell, next, .. } => {
                 self.grid = Some(GridCell { cell: Some(cell), next, crossed: Axes::NONE });
             }
             Event::Cross { next, axes, cell, .. } => {
@@ -168,11 +168,11 @@ impl<const D: usize> Moment<D> {
             Event::Exits { planes, exits, axes } => {
                 self.exits = Some(Exits { planes, exits, axes });
             }
-            Event::Target { level, from, to, axes } => {
+            Event::Target { level, from, to, axes, .. } => {
                 self.target = Some(Target { level, from, to, axes, outside: None });
                 self.difference = None;
             }
-            Event::Border { outside } => {
+            Event::Border { outside, .. } => {
                 if let Some(target) = &mut self.target {
                     target.outside = Some(outside);
                 }

@@ -89,6 +89,14 @@ pub fn earliest<const D: usize, P: Parameter>(parameters: [P; D]) -> P {
     P::earliest(parameters)
 }
 
+/// The step of finding the parameters `mid` of mid planes, each from its
+/// coordinate.
+#[inline]
+pub fn halved<const D: usize, P: Parameter>(ray: &Ray<D>, mid: [P; D]) -> Event<D> {
+    let divided = Axes::where_true(ray.direction().map(|d| d != 0.0));
+    Event::Halve { mid: mid.map(P::value), divided }
+}
+
 /// Parameters of three planes, one per axis, at grid indices `planes`: what
 /// halves a node. Without motion along an axis the side of the origin decides:
 /// −∞ if it lies in the upper half, +∞ if in the lower [Revelles 2000, eq. 15].

@@ -71,12 +71,12 @@ fn walk<const D: usize, P: Parameter, O: Observer<D>>(
     let rising = ray.direction().map(|d| d >= 0.0);
 
     // Init: the first cell, and the planes ahead.
-    let mut cell = code_of_entry(domain, ray, enter);
+    let (mut cell, search) = code_of_entry(domain, ray, enter);
     let mut next = at_planes::<D, P>(domain, ray, planes_ahead(cell, rising));
     // Without motion along an axis no plane is ahead.
     let still = ray.direction().map(|d| d == 0.0);
     next = std::array::from_fn(|e| if still[e] { P::BEYOND_ALL } else { next[e] });
-    observe.observe(Event::Grid { cell, next: next.map(P::value) });
+    observe.observe(Event::Grid { cell, next: next.map(P::value), search });
     let mut leaf = look_up(cell, observe);
     let (mut entry, mut now) = (enter, enter);
 

@@ -12,9 +12,9 @@
 //! are met at once are crossed at once.
 
 use super::algorithm::Options;
-use super::clip::{Clip, at_planes, clip, earliest};
+use super::clip::{Clip, at_planes, clip, earliest, halved};
 use super::report::{Report, finish, missed};
-use crate::event::{Event, Observer, Outcome};
+use crate::event::{Event, Observer, Outcome, Search};
 use crate::geometry::{Axes, Parameter, Ray};
 use crate::tree::{Child, Code, MAX_ROOT_LEVEL, Node, Tree, branch, common_level};
 use std::ops::ControlFlow;
@@ -55,7 +55,7 @@ pub fn traverse<const D: usize, P: Parameter>(
         while !node.is_leaf() {
             let half = 1 << (level - 1);
             let mid = at_planes::<D, P>(domain, ray, code.map(|c| c + half));
-            observe.observe(Event::Halve { mid: mid.map(P::value) });
+            observe.observe(halved(ray, mid));
             stack[usize::from(level)] = Level { node, code, mid, far };
             let passed = Child::<D>::from_upper_halves(mid.map(|t| t.not_after(entry)));
             let child = passed.mirrored(mirror);
@@ -83,10 +83,11 @@ pub fn traverse<const D: usize, P: Parameter>(
                 (true, true) => low - 1,
             }
         });
-        observe.observe(Event::Target { level, from: code, to: target, axes });
-        let outside = target.map(|c| c < 0 || c >= i64::from(domain.grid_size()));
-        observe.observe(Event::Border { outside: Axes::where_true(outside) });
-        if outside.contains(&true) {
+        let search = Search::NONE;
+        observe.observe(Event::Target { level, from: code, to: target, axes, search });
+        let outside = domain.outside(target, axes);
+        observe.observe(Event::Border { tested: axes, outside });
+        if !outside.is_empty() {
             return finish(ControlFlow::Continue(()), observe);
         }
 
@@ -123,5 +124,6 @@ fn below<const D: usize, P: Parameter>(
 }
 
 fn entered<const D: usize, P: Parameter>(node: Node, entry: P, far: [P; D]) -> Event<D> {
-    Event::Enter { node: node.id, interval: [entry.value(), earliest(far).value()] }
+    let interval = [entry.value(), earliest(far).value()];
+    Event::Enter { node: node.id, interval, call: false }
 }

@@ -103,7 +103,8 @@ impl<const D: usize, O: Observer<D>> Walk<'_, D, O> {
             let (origin, direction) = (self.origin[e], self.direction[e]);
             self.rules.mid(plane, origin, direction, [place.near[e], place.far[e]])
         });
-        self.observe.observe(Event::Halve { mid });
+        let divided = self.rules.divided(self.direction);
+        self.observe.observe(Event::Halve { mid, divided });
 
         if D == 2 && self.rules.has(Variant::B3) {
             self.selected(&place, mid)

@@ -14,7 +14,7 @@
 //! as its authors corrected it; mid planes from their coordinate.
 
 use super::algorithm::Options;
-use super::clip::{Clip, at_planes, clip, earliest, latest};
+use super::clip::{Clip, at_planes, clip, earliest, halved, latest};
 use super::misprint::{self, Base};
 use super::parametric::averaged;
 use super::report::{Report, finish, missed};
@@ -130,11 +130,14 @@ impl<const D: usize, P: Parameter, O: Observer<D>> Walk<'_, D, P, O> {
 
         // Halve: the parameters of the mid planes.
         let half = 1 << (level - 1);
-        let mut mid = at_planes::<D, P>(self.tree.domain(), self.ray, code.map(|c| c + half));
-        if self.options.variants.has(Variant::Averaged) {
-            mid = averaged(self.ray, near, mid, far);
-        }
-        self.observe.observe(Event::Halve { mid: mid.map(P::value) });
+        let planes = code.map(|c| c + half);
+        let (mid, event) = if self.options.variants.has(Variant::Averaged) {
+            averaged(self.tree.domain(), self.ray, near, planes, far)
+        } else {
+            let mid = at_planes::<D, P>(self.tree.domain(), self.ray, planes);
+            (mid, halved(self.ray, mid))
+        };
+        self.observe.observe(event);
 
         // Enter: Table 2, from the near plane that is reached last.
         let entry = latest(near);

@@ -9,12 +9,10 @@
 //! the common ancestor), D divisions a leaf.
 
 use super::algorithm::Options;
-use super::beyond::{code_of_entry, encoded, exit_of, target_of};
-use super::clip::{Clip, clip};
+use super::beyond::{Reached, enter, exit_of, locate_below};
 use super::report::{Report, finish, missed};
 use crate::event::{Event, Lookup, Observer, Outcome};
 use crate::geometry::{Axes, Parameter, Ray};
-use crate::locate::descend;
 use crate::tree::{Node, Tree};
 use std::ops::ControlFlow;
 
@@ -25,23 +23,17 @@ pub fn traverse<const D: usize, P: Parameter>(
     options: Options,
     observe: &mut impl Observer<D>,
 ) -> Outcome {
+    // Entry point: its leaf is located from the root.
     let domain = tree.domain();
-    let (clip, event) = clip::<D, P>(domain, ray, options);
-    observe.observe(event);
-    let Some(Clip { enter: mut entry, .. }) = clip else {
+    let Some(mut reached) = enter::<D, P>(tree, ray, options, observe) else {
         return missed(observe);
     };
     let report = Report::of(options);
     let signs = Axes::where_true(ray.direction().map(|d| d > 0.0));
 
-    // Entry point: its leaf is located from the root.
-    let code = code_of_entry(domain, ray, entry);
-    observe.observe(encoded(ray, entry, code));
-    observe.observe(Event::Begin { node: tree.root().id });
-    let (mut leaf, mut level) = descend(tree, tree.root(), domain.root_level(), code, 0, observe);
-
     loop {
         // Corner: the first of its planes to be met.
+        let Reached { leaf, level, entry } = reached;
         let low = tree.code(leaf.id);
         let exit = exit_of::<D, P>(domain, ray, level, low);
         let reported = report.leaf(leaf, entry, exit.at, observe);
@@ -56,11 +48,7 @@ pub fn traverse<const D: usize, P: Parameter>(
         };
 
         // Down again, to where the ray goes on.
-        let target = target_of(domain, ray, level, low, &exit).map(|c| c as u32);
-        level = tree.level(ancestor.id);
-        observe.observe(encoded(ray, exit.at, target));
-        (leaf, level) = descend(tree, ancestor, level, target, 0, observe);
-        entry = exit.at;
+        reached = locate_below(tree, ray, ancestor, (level, low), &exit, observe);
     }
 }
 
