@@ -6,18 +6,18 @@ comma = { $first }, { $last }
 by-parametric = mit dem parametrischen Verfahren
 by-parametric-table = mit dem parametrischen Verfahren und seinen Tabellen
 by-esvo = mit der parametrischen Regel ohne Rekursion
-by-all-children = durch Prüfen jedes Kindes
+by-all-children = mit der Prüfung jedes Kindes
 by-hero = mit Maske und sortierten Mittelebenen nach HERO
-by-gargantini = mit zugeordneten Stücken zwischen sortierten Schnitten
+by-gargantini = mit der Zuordnung der Stücke zwischen sortierten Schnitten
 by-codes = mit Ortscodes
-by-glassner = durch Orten jedes Austrittspunkts von der Wurzel aus
+by-glassner = mit der Ortung jedes Austrittspunkts von der Wurzel aus
 by-samet = mit Nachbartabellen
-by-samet-corner = mit der Ecke seiner Austrittsebenen
+by-samet-corner = mit der Ecke der Austrittsebenen
 by-samet-net = über Verweise zwischen Nachbarn
 by-bsp = mit binärer Raumteilung
 by-dda = auf dem feinsten Raster
-by-dda-octree = durch Nachschlagen der Zellen des feinsten Rasters
-by-exhaustive = durch Prüfen jedes einzelnen Blattes
+by-dda-octree = auf dem feinsten Raster, dessen Zellen im Baum nachgeschlagen werden,
+by-exhaustive = mit der Prüfung jedes einzelnen Blattes
 
 start-ray = Ein Strahl von { $origin } in Richtung { $direction } wird { $algorithm } durch den { $tree } verfolgt.
 start-variants = { " " }Regeln in anderer Form: { $variants }.
@@ -56,6 +56,7 @@ visit-mirrored = Zustand { $state } ist Kind { $child } des Baumes, denn f({ $st
 skip-behind = Der Knoten wird bei { $exit } < 0 verlassen; er liegt also hinter dem Startpunkt und wird übersprungen.
 skip-ahead = Der Knoten wird bei { $exit } ≥ 0 verlassen; er liegt also nicht hinter dem Startpunkt.
 halve = Der Strahl trifft die Mittelebenen des Knotens bei { $mid }.
+halve-mean = { " " }Das sind die Mittel der Parameter der nahen und fernen Ebenen.
 halve-still = { " " }Entlang { $axes } bewegt er sich nicht: Dort heißt ∞ stets untere Hälfte, −∞ stets obere.
 first-one = { $comparisons }, also ist das { $axes }-Bit 1: Der Strahl { $inside ->
     [yes] beginnt
@@ -86,10 +87,10 @@ step-end-one = { $child } wird durch die { $axes }-Ebene verlassen: { $exits }. 
 step-end-many = { $child } wird durch die Ebenen von { $axes } zugleich verlassen: { $exits }. In { $done } ist das schon die obere Hälfte, also verlässt der Strahl auch den Elternknoten.
 child = Kind { $state }
 state = Zustand { $state }
-up = Der Knoten ist erledigt; zurück nach oben: { $node }.
+up = Der Knoten ist erledigt: zurück hinauf zu { $node }.
 up-none = Die Wurzel ist erledigt.
 
-enter = { $node }: Von t = { $enter } bis t = { $exit } ist der Strahl darin.
+enter = Der Strahl ist von t = { $enter } bis t = { $exit } in { $node }.
 cuts = { $n ->
     [0] Der Strahl trifft keine Mittelebene im Inneren des Knotens; er bleibt also in einem Kind.
     [one] Von den sortierten Mittelebenen liegt eine im Intervall des Knotens: { $cuts }.
@@ -109,7 +110,7 @@ split-gem-no-number = { $at } ist keine Zahl, sodass kein Vergleich mit { $exit 
 upper-half = obere { $axis }-Hälfte
 lower-half = untere { $axis }-Hälfte
 pop-node = Vom Stapel kommt { $node }; der Strahl ist von t = { $enter } bis t = { $exit } darin.
-pop-half = Vom Stapel kommt ein Teil: { $node }; der Strahl ist von t = { $enter } bis t = { $exit } in diesem Teil.
+pop-half = Vom Stapel kommt ein Teil von { $node }; der Strahl ist von t = { $enter } bis t = { $exit } in diesem Teil.
 grid = Die erste Zelle des Rasters ist { $cell }; die nächsten Ebenen werden bei { $planes } getroffen.
 cross-one = { $planes }, also kreuzt der Strahl die { $axes }-Ebene: weiter zu Zelle { $cell }.
 cross-out-one = { $planes }, also kreuzt der Strahl die { $axes }-Ebene und verlässt das Raster.
@@ -117,17 +118,17 @@ cross-out-many = { $planes }, also kreuzt der Strahl die Ebenen von { $axes } zu
 cross-many = { $planes }, also kreuzt der Strahl die Ebenen von { $axes } zugleich: weiter zu Zelle { $cell }.
 tie-first = { " " }Von gleichen Parametern zählt die erste Achse.
 tie-last = { " " }Von gleichen Parametern zählt die letzte Achse.
-father-all = Sohn { $son } liegt an der Seite { $direction } seines Vaters, also liegt der Nachbar auch jenseits des Vaters: hinauf zu { $node }.
-father-part = Von der Richtung { $direction } liegt Sohn { $son } an der Seite { $common } seines Vaters: hinauf zu { $node } und in dieser Richtung weiter.
-father-holds = Sohn { $son } liegt nicht an der Seite { $direction } seines Vaters, also enthält der Vater den Nachbarn: hinauf zu { $node }.
-mirror = Gespiegelt wird Sohn { $son } zu Sohn { $mirrored }: hinab zu { $node }.
+parent-all = Kind { $child } liegt an der Seite { $direction } seines Elternknotens, also liegt der Nachbar auch jenseits des Elternknotens: hinauf zu { $node }.
+parent-part = Von der Richtung { $direction } liegt Kind { $child } an der Seite { $common } seines Elternknotens: hinauf zu { $node } und in dieser Richtung weiter.
+parent-holds = Kind { $child } liegt nicht an der Seite { $direction } seines Elternknotens, also enthält der Elternknoten den Nachbarn: hinauf zu { $node }.
+mirror = Gespiegelt wird Kind { $child } zu Kind { $mirrored }: hinab zu { $node }.
 facing = Kind { $child } liegt an dieser Seite: hinab zu { $node }.
-rope = Der Verweis durch die { $axis }-Seite führt hierher: { $node }.
+rope = Der Verweis durch die { $axis }-Seite führt zu { $node }.
 rope-border = Durch die { $axis }-Seite führt kein Verweis: Sie ist der Rand.
-push = Der Austrittspunkt { $from } wird entlang { $axis } verschoben, nach { $to }.
+push = Der Austrittspunkt { $from } wird entlang { $axis } nach { $to } verschoben.
 
 begin-root = Die Suche beginnt an der Wurzel, { $node }.
-begin-node = Die Suche beginnt hier: { $node }.
+begin-node = Die Suche beginnt bei { $node }.
 encode = Der Punkt { $point } hat binär die Ortscodes { $codes }.
 encode-ray = Unmittelbar nach t = { $after }, nahe { $point }, ist der Strahl in der kleinsten Zelle mit den Ortscodes { $codes }, binär geschrieben.
 compare = { $comparisons }, also liegt der Punkt in Kind { $child }: { $node }.
@@ -141,11 +142,11 @@ border-outside = Entlang { $axes } liegt der Code außerhalb des Gebiets; dahint
 border-point-outside = Entlang { $axes } liegt der Punkt außerhalb des Gebiets; dahinter ist also keine Zelle.
 difference = Die Codes unterscheiden sich zuerst in Bit { $bit }, also liegt der gemeinsame Vorfahr auf Ebene { $level }.
 difference-none = Die Codes sind gleich, also liegen beide Orte in einer kleinsten Zelle, auf Ebene 0.
-climb = Hinauf zum Elternknoten: { $node }; der gemeinsame Vorfahr liegt auf Ebene { $level }.
-climb-done = Hinauf zum Elternknoten: { $node }; dies ist der gemeinsame Vorfahr.
+climb = Hinauf zum Elternknoten, { $node }; der gemeinsame Vorfahr liegt auf Ebene { $level }.
+climb-done = Hinauf zum Elternknoten, { $node }; dies ist der gemeinsame Vorfahr.
 leave-one = Das Blatt wird durch seine ferne { $axes }-Ebene verlassen: { $exits }.
 leave-many = Das Blatt wird durch seine fernen Ebenen von { $axes } zugleich verlassen: { $exits }.
-resume = Zurück zu einem Knoten, der auf dem Weg hinab behalten wurde: { $node }.
+resume = Zurück zu { $node }, der auf dem Weg hinab behalten wurde.
 corners = Die Ecken { $min } und { $max } des Bereichs haben binär die Codes { $from } und { $to }.
 
 leaf-full = { $node } liegt von t = { $enter } bis t = { $exit } auf dem Strahl und ist belegt.

@@ -172,7 +172,7 @@ fn bottom_up_walks_cost_what_is_counted_by_hand() {
     // Down from the root for each leaf.
     check(Algorithm::Glassner, &[(NodeTouches, 2), (PointLocations, 2)]);
     // Down, up with one look-up, mirrored down with one, up with one: the root has
-    // no father.
+    // no parent.
     check(Algorithm::Samet, &[(NodeTouches, 4), (TableLookups, 3), (CodeComparisons, 2)]);
     check(Algorithm::SametCorner, &[(NodeTouches, 4), (TableLookups, 0)]);
     // Down, and through one link; the other one leads out.

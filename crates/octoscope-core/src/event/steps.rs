@@ -192,28 +192,28 @@ pub enum Event<const D: usize> {
     },
 
     // Neighbours by the path through the tree.
-    /// From a son to its father on the search for a neighbour; the father
+    /// From a child to its parent on the search for a neighbour; the parent
     /// becomes the current node.
-    Father {
-        /// The father.
+    Parent {
+        /// The parent.
         node: NodeId,
-        /// Which of its sons was left.
-        son: Child<D>,
-        /// Where the neighbour of the son is looked for.
+        /// Which of its children was left.
+        child: Child<D>,
+        /// Where the neighbour of the child is looked for.
         direction: [i8; D],
-        /// What is left of the direction: the axes along which the son lies on
-        /// that side of its father. All 0 if the father holds the neighbour.
+        /// What is left of the direction: the axes along which the child lies on
+        /// that side of its parent. All 0 if the parent holds the neighbour.
         common: [i8; D],
         /// Where that is looked up.
         lookup: Lookup,
     },
-    /// From a father down to the son that mirrors the one on the way up.
+    /// From a parent down to the child that mirrors the one on the way up.
     Mirror {
-        /// The son on the way up.
-        son: Child<D>,
+        /// The child on the way up.
+        child: Child<D>,
         /// The mirrored one.
         mirrored: Child<D>,
-        /// The mirrored son, which becomes the current node.
+        /// The mirrored child, which becomes the current node.
         node: NodeId,
     },
     /// From a node down to a child that lies on the asked-for side of it.
@@ -422,12 +422,12 @@ pub enum Halves {
     Both,
 }
 
-/// Where it is looked up on which sides of its father a son lies.
+/// Where it is looked up on which sides of its parent a child lies.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Lookup {
     /// In the tables of adjacency and of the common part [Samet 1989].
     Tables,
-    /// In the bits of the son, compared with those of the ray's corner.
+    /// In the bits of the child, compared with those of the ray's corner.
     Bits,
 }
 

@@ -137,7 +137,7 @@ impl<const D: usize> Rounding<'_, D> {
             | Event::Up { .. }
             | Event::Enter { .. }
             | Event::Pop { .. }
-            | Event::Father { .. }
+            | Event::Parent { .. }
             | Event::Mirror { .. }
             | Event::Facing { .. }
             | Event::Rope { .. }

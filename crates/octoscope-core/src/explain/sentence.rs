@@ -180,6 +180,10 @@ impl<const D: usize> Teller<'_, D> {
                 let mids = words.list((0..D).map(|e| equation(&t(e, "m"), &values[e])));
                 let still = Axes::where_true(self.ray.direction().map(|d| d == 0.0));
                 let mut text = words.say("halve", &[("mid", mids)]);
+                let is_mean = self.trace.query.variants().has(Variant::Averaged);
+                if is_mean && !mid.iter().all(|t| t.is_infinite()) {
+                    text += &words.texts.get("halve-mean");
+                }
                 if !still.is_empty() {
                     text += &words.say("halve-still", &[("axes", words.axes(still))]);
                 }
@@ -228,23 +232,23 @@ impl<const D: usize> Teller<'_, D> {
                 let arguments = [("axes", words.axes(axes)), ("cell", cell), ("planes", planes)];
                 words.say(key, &arguments) + &self.tie(next, axes)
             }
-            Event::Father { node, son, direction, common, .. } => {
+            Event::Parent { node, child, direction, common, .. } => {
                 let mut arguments = vec![
-                    ("son", strong(&son.0.to_string())),
+                    ("child", strong(&child.0.to_string())),
                     ("direction", signs(direction)),
                     ("node", words.node(node)),
                 ];
                 if common == [0; D] {
-                    return words.say("father-holds", &arguments);
+                    return words.say("parent-holds", &arguments);
                 }
-                let key = if common == direction { "father-all" } else { "father-part" };
+                let key = if common == direction { "parent-all" } else { "parent-part" };
                 arguments.push(("common", signs(common)));
                 words.say(key, &arguments)
             }
-            Event::Mirror { son, mirrored, node } => words.say(
+            Event::Mirror { child, mirrored, node } => words.say(
                 "mirror",
                 &[
-                    ("son", son.0.to_string()),
+                    ("child", child.0.to_string()),
                     ("mirrored", strong(&mirrored.0.to_string())),
                     ("node", words.node(node)),
                 ],

@@ -467,6 +467,28 @@ fn the_last_step_out_of_the_grid_leads_to_no_cell() {
 }
 
 #[test]
+fn what_is_reconstructed_is_listed_as_that() {
+    for algorithm in Algorithm::ALL {
+        let lines = listing(&along(algorithm), Language::English).lines;
+        let says_so = lines.iter().any(|line| line.code.contains("a reconstruction"));
+        let is_one = matches!(algorithm, Algorithm::SametCorner | Algorithm::SametNet);
+        assert_eq!(says_so, is_one, "{algorithm:?}");
+    }
+}
+
+#[test]
+fn mid_planes_that_are_means_are_told_as_that() {
+    check_words(
+        &Ray::new([-0.25, 0.125], [1.0, 0.25]).unwrap(),
+        &with(Algorithm::ParametricTable, Variant::Averaged),
+        [
+            "The ray meets the mid planes of the node at t_xm = 0.75 and t_ym = 1.5. These are the means of the parameters of the near and far planes.",
+            "Der Strahl trifft die Mittelebenen des Knotens bei t_xm = 0.75 und t_ym = 1.5. Das sind die Mittel der Parameter der nahen und fernen Ebenen.",
+        ],
+    );
+}
+
+#[test]
 fn only_algorithms_with_states_speak_of_them() {
     let ray = Ray::new([1.25, 0.125], [-1.0, 0.0625]).unwrap();
     for algorithm in Algorithm::ALL {

@@ -135,7 +135,7 @@ fn interval_and_state<const D: usize>(event: &Event<D>) -> (Option<[f64; 2]>, Op
         | Event::Flip { .. }
         | Event::Grid { .. }
         | Event::Cross { .. }
-        | Event::Father { .. }
+        | Event::Parent { .. }
         | Event::Mirror { .. }
         | Event::Facing { .. }
         | Event::Rope { .. }
@@ -228,8 +228,8 @@ fn vars<const D: usize>(event: &Event<D>) -> Value {
         Event::Cross { next, axes, cell, .. } => {
             json!({ "next": numbers(next), "axes": set(axes), "cell": cell.to_vec() })
         }
-        Event::Father { son, direction, common, lookup, .. } => json!({
-            "son": son.0,
+        Event::Parent { child, direction, common, lookup, .. } => json!({
+            "child": child.0,
             "direction": direction.to_vec(),
             "common": common.to_vec(),
             "lookup": match lookup {
@@ -237,7 +237,9 @@ fn vars<const D: usize>(event: &Event<D>) -> Value {
                 Lookup::Bits => "bits",
             },
         }),
-        Event::Mirror { son, mirrored, .. } => json!({ "son": son.0, "mirrored": mirrored.0 }),
+        Event::Mirror { child, mirrored, .. } => {
+            json!({ "child": child.0, "mirrored": mirrored.0 })
+        }
         Event::Facing { child, .. } => json!({ "child": child.0 }),
         Event::Rope { axis, node } => json!({ "axis": axis, "border": node.is_none() }),
         Event::Push { from, to, axis } => {

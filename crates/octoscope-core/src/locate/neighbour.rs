@@ -154,9 +154,9 @@ fn leaves_facing<const D: usize>(
     };
     let mut first = None;
     for child in Child::all().filter(faces) {
-        let son = tree.child(node, child);
-        observe.observe(Event::Facing { child, node: son.id });
-        let leaf = leaves_facing(tree, son, direction, observe);
+        let below = tree.child(node, child);
+        observe.observe(Event::Facing { child, node: below.id });
+        let leaf = leaves_facing(tree, below, direction, observe);
         first.get_or_insert(leaf);
     }
     first.expect("on every side of a node some children lie")

@@ -207,7 +207,7 @@ impl Counters {
                     count(Divisions, crossed);
                 }
             }
-            Event::Father { lookup, .. } => {
+            Event::Parent { lookup, .. } => {
                 count(NodeTouches, 1);
                 count(Ascends, 1);
                 match lookup {

@@ -140,7 +140,7 @@ impl<const D: usize> Moment<D> {
                 let cell = inside.then_some(code);
                 self.grid = Some(GridCell { cell, next, crossed: axes });
             }
-            Event::Father { node, .. } => {
+            Event::Parent { node, .. } => {
                 self.current = Some(node);
                 self.detour.up.push(node);
             }

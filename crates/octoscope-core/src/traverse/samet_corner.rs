@@ -3,8 +3,8 @@
 //!
 //! For a ray of fixed direction the far planes of every cell meet in the same one
 //! of its corners, given by the signs of the direction. Keeping that corner, a
-//! leaf is left where the first of the corner's parameters says; and a father is
-//! left as well as long as the son's bits agree with the signs along the crossed
+//! leaf is left where the first of the corner's parameters says; and a parent is
+//! left as well as long as the child's bits agree with the signs along the crossed
 //! axes. So neither faces nor tables are looked at. O(visited leaves × distance to
 //! the common ancestor), D divisions a leaf.
 
@@ -42,7 +42,7 @@ pub fn traverse<const D: usize, P: Parameter>(
         }
         observe.observe(exit.event(domain));
 
-        // Climb: while the ray leaves the father through the same planes.
+        // Climb: while the ray leaves the parent through the same planes.
         let Some(ancestor) = climb_by_signs(tree, leaf, exit.axes, signs, observe) else {
             return finish(ControlFlow::Continue(()), observe);
         };
@@ -69,17 +69,17 @@ fn climb_by_signs<const D: usize>(
         })
     };
     while !axes.is_empty() {
-        let father = tree.parent(node.id)?;
-        let son = tree.child_index(node.id)?;
-        let common = Axes(axes.0 & !(son.0 ^ signs.0));
-        observe.observe(Event::Father {
-            node: father,
-            son,
+        let parent = tree.parent(node.id)?;
+        let child = tree.child_index(node.id)?;
+        let common = Axes(axes.0 & !(child.0 ^ signs.0));
+        observe.observe(Event::Parent {
+            node: parent,
+            child,
             direction: towards(axes),
             common: towards(common),
             lookup: Lookup::Bits,
         });
-        (node, axes) = (tree.node(father), common);
+        (node, axes) = (tree.node(parent), common);
     }
     Some(node)
 }
