@@ -30,7 +30,7 @@ pub fn locate_by_comparison<const D: usize>(
         let child = Child::from_upper_halves(std::array::from_fn(|e| point[e] >= mid[e]));
         node = tree.child(node, child);
         observe.observe(Event::Compare { mid, point, child, node: node.id });
-        code = std::array::from_fn(|e| code[e] + u32::from(child.is_upper(e)) * half);
+        code = child.code_in(code, half);
         half /= 2;
     }
     found(node, observe)

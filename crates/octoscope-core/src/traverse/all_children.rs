@@ -10,7 +10,7 @@
 //! which the ray meets them.
 
 use super::algorithm::Options;
-use super::clip::{Clip, clip, earliest, latest, slabs};
+use super::clip::{Clip, clip_root, earliest, latest, slabs};
 use super::report::{Report, finish, missed};
 use crate::event::{Event, Observer, Outcome};
 use crate::geometry::{Axes, Parameter, Ray};
@@ -25,9 +25,9 @@ pub fn traverse<const D: usize, P: Parameter>(
     observe: &mut impl Observer<D>,
 ) -> Outcome {
     // Clip: is the root on the ray?
-    let (clip, event) = clip::<D, P>(tree.domain(), ray, options);
-    observe.observe(event);
-    let Some(Clip { near, far, mirror, .. }) = clip else {
+    let Some(Clip { near, far, mirror, .. }) =
+        clip_root::<D, P>(tree.domain(), ray, options, observe)
+    else {
         return missed(observe);
     };
     let mut walk = Walk { tree, ray, mirror, report: Report::of(options), observe };
@@ -72,7 +72,7 @@ impl<const D: usize, P: Parameter, O: Observer<D>> Walk<'_, D, P, O> {
             // Test: both planes of every axis, as if nothing were known of them.
             let child = state.mirrored(self.mirror);
             let child_node = self.tree.child(node, child);
-            let child_code = std::array::from_fn(|e| code[e] + u32::from(child.is_upper(e)) * half);
+            let child_code = child.code_in(code, half);
             let domain = self.tree.domain();
             let (near, far) = slabs::<D, P>(domain, self.ray, level - 1, child_code);
             let (enter, exit) = (latest(near).later(P::ORIGIN), earliest(far));

@@ -6,7 +6,7 @@
 //! within the cell that is left: rounding cannot throw the ray into a wrong cell.
 
 use super::algorithm::Options;
-use super::clip::{at_planes, clip, earliest};
+use super::clip::{at_planes, clip_root, earliest};
 use crate::event::{Event, Observer, Search};
 use crate::geometry::{Axes, Parameter, Ray};
 use crate::locate::descend;
@@ -91,8 +91,20 @@ pub fn beyond<const D: usize, P: Parameter>(
     observe: &mut impl Observer<D>,
 ) -> Option<Code<D>> {
     // New codes: beyond the planes that are crossed, within the cell elsewhere.
-    let (target, search) = target_of(domain, ray, level, code, exit);
-    let axes = exit.axes;
+    let found = target_of(domain, ray, level, code, exit);
+    within(domain, level, code, exit.axes, found, observe)
+}
+
+/// The step to `target`, beyond the planes of `axes` of the cell with this level
+/// and code, and the test whether that is in the domain; `None` if it is not.
+pub fn within<const D: usize>(
+    domain: &Domain<D>,
+    level: u8,
+    code: Code<D>,
+    axes: Axes<D>,
+    (target, search): ([i64; D], Search),
+    observe: &mut impl Observer<D>,
+) -> Option<Code<D>> {
     observe.observe(Event::Target { level, from: code, to: target, axes, search });
 
     // Border: a code outside ends the walk. Only crossed axes can lead there.
@@ -121,9 +133,7 @@ pub fn enter<const D: usize, P: Parameter>(
     observe: &mut impl Observer<D>,
 ) -> Option<Reached<P>> {
     let domain = tree.domain();
-    let (clip, event) = clip::<D, P>(domain, ray, options);
-    observe.observe(event);
-    let entry = clip?.enter;
+    let entry = clip_root::<D, P>(domain, ray, options, observe)?.enter;
     let (code, search) = code_of_entry(domain, ray, entry);
     observe.observe(encoded(ray, entry, code, search));
     let root = tree.root();

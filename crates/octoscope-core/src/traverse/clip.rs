@@ -1,7 +1,7 @@
 //! Where a ray meets the root, and the planes of any cell.
 
 use super::algorithm::Options;
-use crate::event::Event;
+use crate::event::{Event, Observer};
 use crate::geometry::{Axes, Parameter, Ray};
 use crate::tree::{Code, Domain};
 
@@ -45,6 +45,19 @@ pub fn clip<const D: usize, P: Parameter>(
     };
     let enter = first_in.later(P::ORIGIN);
     (hit.then_some(Clip { near, far, enter, exit, mirror }), event)
+}
+
+/// The same as a step.
+#[inline]
+pub fn clip_root<const D: usize, P: Parameter>(
+    domain: &Domain<D>,
+    ray: &Ray<D>,
+    options: Options,
+    observe: &mut impl Observer<D>,
+) -> Option<Clip<D, P>> {
+    let (clip, event) = clip(domain, ray, options);
+    observe.observe(event);
+    clip
 }
 
 /// Parameters of the near and the far planes of the cell with this level and

@@ -14,7 +14,7 @@
 
 use super::algorithm::Options;
 use super::beyond::code_of_entry;
-use super::clip::{Clip, at_planes, clip, earliest};
+use super::clip::{Clip, at_planes, clip_root, earliest};
 use super::report::{Report, finish, missed};
 use super::variant::Variant;
 use crate::event::{Event, Observer, Outcome};
@@ -61,9 +61,7 @@ fn walk<const D: usize, P: Parameter, O: Observer<D>>(
     look_up: impl Fn(Code<D>, &mut O) -> Node,
 ) -> Outcome {
     let domain = tree.domain();
-    let (clip, event) = clip::<D, P>(domain, ray, options);
-    observe.observe(event);
-    let Some(Clip { enter, .. }) = clip else {
+    let Some(Clip { enter, .. }) = clip_root::<D, P>(domain, ray, options, observe) else {
         return missed(observe);
     };
     let report = Report::of(options);

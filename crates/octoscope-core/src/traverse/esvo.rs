@@ -12,7 +12,8 @@
 //! are met at once are crossed at once.
 
 use super::algorithm::Options;
-use super::clip::{Clip, at_planes, clip, earliest, halved};
+use super::beyond::within;
+use super::clip::{Clip, at_planes, clip_root, earliest, halved};
 use super::report::{Report, finish, missed};
 use crate::event::{Event, Observer, Outcome, Search};
 use crate::geometry::{Axes, Parameter, Ray};
@@ -37,9 +38,9 @@ pub fn traverse<const D: usize, P: Parameter>(
 ) -> Outcome {
     // Clip: where the ray is in the root.
     let domain = tree.domain();
-    let (clip, event) = clip::<D, P>(domain, ray, options);
-    observe.observe(event);
-    let Some(Clip { enter: mut entry, mut far, mirror, .. }) = clip else {
+    let Some(Clip { enter: mut entry, mut far, mirror, .. }) =
+        clip_root::<D, P>(domain, ray, options, observe)
+    else {
         return missed(observe);
     };
     let report = Report::of(options);
@@ -83,16 +84,12 @@ pub fn traverse<const D: usize, P: Parameter>(
                 (true, true) => low - 1,
             }
         });
-        let search = Search::NONE;
-        observe.observe(Event::Target { level, from: code, to: target, axes, search });
-        let outside = domain.outside(target, axes);
-        observe.observe(Event::Border { tested: axes, outside });
-        if !outside.is_empty() {
+        let target = (target, Search::NONE);
+        let Some(next) = within(domain, level, code, axes, target, observe) else {
             return finish(ControlFlow::Continue(()), observe);
-        }
+        };
 
         // Resume: at the ancestor whose level is that of the highest new bit.
-        let next = target.map(|c| c as u32);
         let xor = std::array::from_fn(|e| code[e] ^ next[e]);
         let popped = common_level(code, next) - level;
         level += popped;
@@ -117,9 +114,8 @@ fn below<const D: usize, P: Parameter>(
 ) -> (Node, Code<D>, [P; D]) {
     let state = child.mirrored(mirror);
     let half = 1 << (level - 1);
-    let code = std::array::from_fn(|e| parent.code[e] + u32::from(child.is_upper(e)) * half);
-    let far =
-        std::array::from_fn(|e| if state.is_upper(e) { parent.far[e] } else { parent.mid[e] });
+    let code = child.code_in(parent.code, half);
+    let far = state.pick(parent.mid, parent.far);
     (tree.child(parent.node, child), code, far)
 }
 

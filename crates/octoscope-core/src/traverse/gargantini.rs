@@ -14,7 +14,7 @@
 //! piece, those passed in its middle are those not after its beginning.
 
 use super::algorithm::Options;
-use super::clip::{Clip, at_planes, clip, halved};
+use super::clip::{Clip, at_planes, clip_root, halved};
 use super::hero::sorted;
 use super::report::{Report, finish, missed};
 use crate::event::{Event, Observer, Outcome};
@@ -29,9 +29,9 @@ pub fn traverse<const D: usize, P: Parameter>(
     options: Options,
     observe: &mut impl Observer<D>,
 ) -> Outcome {
-    let (clip, event) = clip::<D, P>(tree.domain(), ray, options);
-    observe.observe(event);
-    let Some(Clip { enter, exit, mirror, .. }) = clip else {
+    let Some(Clip { enter, exit, mirror, .. }) =
+        clip_root::<D, P>(tree.domain(), ray, options, observe)
+    else {
         return missed(observe);
     };
     let mut walk = Walk { tree, ray, mirror, report: Report::of(options), observe };
@@ -94,7 +94,7 @@ impl<const D: usize, P: Parameter, O: Observer<D>> Walk<'_, D, P, O> {
 
             // Recurse with the piece.
             let child_node = self.tree.child(node, child);
-            let child_code = std::array::from_fn(|e| code[e] + u32::from(child.is_upper(e)) * half);
+            let child_code = child.code_in(code, half);
             self.visit(child_node, level - 1, child_code, from, to)?;
             self.observe.observe(Event::Up { node: Some(node.id) });
             from = to;

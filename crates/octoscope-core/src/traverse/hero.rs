@@ -13,7 +13,7 @@
 //! axis the side of the origin decides.
 
 use super::algorithm::Options;
-use super::clip::{Clip, at_planes, clip, halved};
+use super::clip::{Clip, at_planes, clip_root, halved};
 use super::report::{Report, finish, missed};
 use crate::event::{Event, Observer, Outcome};
 use crate::geometry::{Axes, Parameter, Ray};
@@ -28,9 +28,9 @@ pub fn traverse<const D: usize, P: Parameter>(
     observe: &mut impl Observer<D>,
 ) -> Outcome {
     // Mask: the signs of the direction, and the interval of the root.
-    let (clip, event) = clip::<D, P>(tree.domain(), ray, options);
-    observe.observe(event);
-    let Some(Clip { enter, exit, mirror: mask, .. }) = clip else {
+    let Some(Clip { enter, exit, mirror: mask, .. }) =
+        clip_root::<D, P>(tree.domain(), ray, options, observe)
+    else {
         return missed(observe);
     };
     let mut walk = Walk { tree, ray, mask, report: Report::of(options), observe };
@@ -87,7 +87,7 @@ impl<const D: usize, P: Parameter, O: Observer<D>> Walk<'_, D, P, O> {
             // Visit the child up to the next plane.
             let next = ahead.peek().map(|&axis| mid[axis]);
             let child_node = self.tree.child(node, child);
-            let child_code = std::array::from_fn(|e| code[e] + u32::from(child.is_upper(e)) * half);
+            let child_code = child.code_in(code, half);
             self.visit(child_node, level - 1, child_code, from, next.unwrap_or(exit))?;
             self.observe.observe(Event::Up { node: Some(node.id) });
 
