@@ -51,7 +51,12 @@ pub fn ui<const D: usize>(
             child_bits(ui, look, child, Axes::NONE);
             match test {
                 Some((_, Some([enter, exit]))) => {
-                    ui.label(lit(look, format!("{} – {}", approx(*enter), approx(*exit)), tone));
+                    let told = if enter == exit {
+                        approx(*enter)
+                    } else {
+                        format!("{} – {}", approx(*enter), approx(*exit))
+                    };
+                    ui.label(lit(look, told, tone));
                 }
                 Some((_, None)) => {
                     let missed = RichText::new(look.text("children-missed")).size(13.0);
