@@ -47,7 +47,8 @@ fn small() -> (Tree<2>, Ray<2>) {
         0 => Split::Empty,
         _ => Split::Inner(vec![(); 4]),
     });
-    (tree.unwrap(), Ray::new([-0.5, 0.25], [1.0, 0.125]).unwrap())
+    let ray = Ray::new([-0.5, 0.25], [1.0, 0.125]);
+    (tree.expect("four leaves fit"), ray.expect("the direction is not zero"))
 }
 
 fn check(algorithm: Algorithm, expected: &[(Counter, u64)]) {
@@ -198,17 +199,18 @@ fn means_take_no_division() {
 /// A scene of our own counts, with 60 generic rays.
 fn scene(content: &Content<3>, depth: u8) -> (Tree<3>, Vec<Ray<3>>) {
     let recipe = Recipe { depth, ..Recipe::default() };
-    let tree = build(content, Domain::unit(depth), &recipe, &Progress::default()).unwrap();
+    let tree = build(content, Domain::unit(depth), &recipe, &Progress::default());
     let mut random = Random::new(7);
     let mut ray = || {
         let goal: [f64; 3] = std::array::from_fn(|_| random.unit());
         let around: [f64; 3] = std::array::from_fn(|_| random.between(-1.0, 1.0));
         let length = around.iter().map(|x| x * x).sum::<f64>().sqrt();
         let origin = around.map(|x| 0.5 + 2.0 * x / length);
-        Ray::new(origin, std::array::from_fn(|e| goal[e] - origin[e])).unwrap()
+        let direction = std::array::from_fn(|e| goal[e] - origin[e]);
+        Ray::new(origin, direction).expect("the origin lies outside, the goal inside")
     };
     let rays = (0..60).map(|_| ray()).collect();
-    (tree, rays)
+    (tree.expect("the content lies in the unit cube"), rays)
 }
 
 /// Spheres of radius 0.012 anywhere in the unit cube.
@@ -282,10 +284,13 @@ fn comparisons(counters: &Counters) -> f64 {
     counters.comparisons() as f64
 }
 
+/// What is made of counters.
+type Count = fn(&Counters) -> f64;
+
 /// Counts that go up in each scene.
-fn check_order(costs: &[(Algorithm, fn(&Counters) -> f64)]) {
+fn check_order(costs: &[(Algorithm, Count)]) {
     for (tree, rays) in scenes() {
-        let mean = |(algorithm, count): &(Algorithm, fn(&Counters) -> f64)| {
+        let mean = |(algorithm, count): &(Algorithm, Count)| {
             rays.iter().map(|ray| count(&free(&tree, ray, *algorithm))).sum::<f64>()
         };
         let means: Vec<f64> = costs.iter().map(mean).collect();
@@ -324,7 +329,6 @@ fn algorithms_are_in_the_known_order_of_their_costs() {
 #[test]
 fn costs_a_leaf_are_the_known_ones() {
     use Algorithm::{Bsp, Codes as ByCodes, Parametric, ParametricTable, SametNet};
-    type Count = fn(&Counters) -> f64;
     let known: [(Algorithm, Count, [f64; 2]); 7] = [
         (Parametric, touches, [56.0, 58.0]),
         (SametNet, touches_and_leaves, [65.0, 68.0]),
