@@ -51,7 +51,12 @@ pub fn ui<const D: usize>(
             child_bits(ui, look, child, Axes::NONE);
             match test {
                 Some((_, Some([enter, exit]))) => {
-                    ui.label(lit(look, format!("{} – {}", approx(*enter), approx(*exit)), tone));
+                    let told = if enter == exit {
+                        approx(*enter)
+                    } else {
+                        format!("{} – {}", approx(*enter), approx(*exit))
+                    };
+                    ui.label(lit(look, told, tone));
                 }
                 Some((_, None)) => {
                     let missed = RichText::new(look.text("children-missed")).size(13.0);
@@ -75,7 +80,7 @@ fn tests_of<const D: usize>(
     let entered = |event: &Event<D>| matches!(event, Event::Visit { node, .. } if *node == parent);
     let start = past.iter().rposition(entered).unwrap_or(past.len());
     let tests = past[start..].iter().filter_map(|event| {
-        if let Event::Test { node, interval } = event { Some((*node, *interval)) } else { None }
+        if let Event::Test { node, interval, .. } = event { Some((*node, *interval)) } else { None }
     });
     tests.filter(|(node, _)| tree.parent(*node) == Some(parent)).collect()
 }

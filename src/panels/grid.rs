@@ -107,7 +107,12 @@ mod tests {
 
     #[test]
     fn planes_ahead_are_measured_from_where_the_cell_was_entered() {
-        let cross = |t: f64| Event::<2>::Cross { next: [t, 9.0], axes: Axes::one(0), cell: [0; 2] };
+        let cross = |t: f64| Event::<2>::Cross {
+            next: [t, 9.0],
+            axes: Axes::one(0),
+            cell: [0; 2],
+            outside: Axes::NONE,
+        };
         assert_eq!(reached(&[cross(1.0)]), 0.0);
         assert_eq!(reached(&[cross(1.0), cross(2.0), cross(3.0)]), 2.0);
     }

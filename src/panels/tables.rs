@@ -42,8 +42,8 @@ impl Table {
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Used<const D: usize> {
     direction: [i8; D],
-    son: Child<D>,
-    /// Whether a father or a mirrored son was reached.
+    child: Child<D>,
+    /// Whether a parent or a mirrored child was reached.
     down: bool,
     lookup: Lookup,
 }
@@ -63,14 +63,14 @@ impl<const D: usize> Way<D> {
         let start = past.iter().rposition(starts).unwrap_or(0);
         let mut way = Self { up: Vec::new(), down: Vec::new() };
         for event in &past[start..] {
-            if let &Event::Father { node, son, direction, lookup, .. } = event {
-                way.up.push((node, Used { direction, son, down: false, lookup }));
+            if let &Event::Parent { node, child, direction, lookup, .. } = event {
+                way.up.push((node, Used { direction, child, down: false, lookup }));
             }
-            if let &Event::Mirror { son, node, .. } = event {
-                // The last father's son is mirrored first.
-                let father = way.up.len().checked_sub(way.down.len() + 1);
-                if let Some((_, used)) = father.and_then(|index| way.up.get(index)) {
-                    way.down.push((node, Used { son, down: true, ..*used }));
+            if let &Event::Mirror { child, node, .. } = event {
+                // The last parent's child is mirrored first.
+                let parent = way.up.len().checked_sub(way.down.len() + 1);
+                if let Some((_, used)) = parent.and_then(|index| way.up.get(index)) {
+                    way.down.push((node, Used { child, down: true, ..*used }));
                 }
             }
         }
@@ -82,7 +82,7 @@ impl<const D: usize> Way<D> {
     }
 }
 
-/// The entries of all sons in the present direction, the used one lit; the way
+/// The entries of all children in the present direction, the used one lit; the way
 /// up and the mirrored way down; all directions on demand. `past` are the events
 /// so far.
 pub fn ui<const D: usize>(ui: &mut Ui, look: &Look, tree: &Tree<D>, past: &[Event<D>]) {
@@ -91,13 +91,13 @@ pub fn ui<const D: usize>(ui: &mut Ui, look: &Look, tree: &Tree<D>, past: &[Even
     match used {
         Some(used) => {
             let direction = named(used.direction);
-            let arguments = [("direction", direction.into()), ("son", used.son.0.into())];
+            let arguments = [("direction", direction.into()), ("child", used.child.0.into())];
             let key = match used.lookup {
                 Lookup::Tables => "tables-used",
                 Lookup::Bits => "tables-used-bits",
             };
             caption(ui, look, look.texts.format(key, &arguments));
-            sons(ui, look, used);
+            children(ui, look, used);
         }
         None => caption(ui, look, look.text("tables-none")),
     }
@@ -118,13 +118,13 @@ pub fn ui<const D: usize>(ui: &mut Ui, look: &Look, tree: &Tree<D>, past: &[Even
 }
 
 /// The three tables for one direction.
-fn sons<const D: usize>(ui: &mut Ui, look: &Look, used: Used<D>) {
-    let grid = Grid::new("sons").num_columns(1 + Child::<D>::COUNT);
+fn children<const D: usize>(ui: &mut Ui, look: &Look, used: Used<D>) {
+    let grid = Grid::new("children").num_columns(1 + Child::<D>::COUNT);
     grid.spacing([10.0, 0.0]).min_col_width(22.0).min_row_height(18.0).show(ui, |ui| {
-        caption(ui, look, look.text("tables-son"));
-        for son in Child::<D>::all() {
-            let tone = if son == used.son { Lit::Line } else { Lit::No };
-            ui.label(lit(look, son.0.to_string(), tone));
+        caption(ui, look, look.text("tables-child"));
+        for child in Child::<D>::all() {
+            let tone = if child == used.child { Lit::Line } else { Lit::No };
+            ui.label(lit(look, child.0.to_string(), tone));
         }
         ui.end_row();
         for table in Table::ALL {
@@ -133,13 +133,13 @@ fn sons<const D: usize>(ui: &mut Ui, look: &Look, used: Used<D>) {
                 Lookup::Bits => table == Table::Common,
             };
             caption(ui, look, table.name());
-            for son in Child::<D>::all() {
-                let tone = match (in_use, son == used.son) {
+            for child in Child::<D>::all() {
+                let tone = match (in_use, child == used.child) {
                     (true, true) => Lit::Used,
                     (true, false) | (false, true) => Lit::Line,
                     (false, false) => Lit::No,
                 };
-                entry(ui, look, table, used.direction, son, tone);
+                entry(ui, look, table, used.direction, child, tone);
             }
             ui.end_row();
         }
@@ -152,20 +152,20 @@ fn entry<const D: usize>(
     look: &Look,
     table: Table,
     direction: [i8; D],
-    son: Child<D>,
+    child: Child<D>,
     tone: Lit,
 ) -> Response {
     let text = match table {
-        Table::Adjacent if adjacent(direction, son) => look.text("tables-yes"),
+        Table::Adjacent if adjacent(direction, child) => look.text("tables-yes"),
         Table::Adjacent => "–".to_owned(),
-        Table::Common if common_part(direction, son) == [0; D] => "–".to_owned(),
-        Table::Common => signs(common_part(direction, son)),
-        Table::Reflect => reflected(direction, son).0.to_string(),
+        Table::Common if common_part(direction, child) == [0; D] => "–".to_owned(),
+        Table::Common => signs(common_part(direction, child)),
+        Table::Reflect => reflected(direction, child).0.to_string(),
     };
     let bits: Vec<_> =
-        (0..D).map(|e| format!("{} = {}", AXIS_NAMES[e], u8::from(son.is_upper(e)))).collect();
+        (0..D).map(|e| format!("{} = {}", AXIS_NAMES[e], u8::from(child.is_upper(e)))).collect();
     let arguments = [
-        ("son", son.0.into()),
+        ("child", child.0.into()),
         ("bits", bits.join(", ").into()),
         ("direction", named(direction).into()),
     ];
@@ -173,13 +173,16 @@ fn entry<const D: usize>(
     ui.label(lit(look, text, tone).size(12.0)).on_hover_text(why)
 }
 
-/// The nodes of one way, each with the son that led there.
+/// The nodes of one way, each with the child that led there.
 fn list<const D: usize>(ui: &mut Ui, look: &Look, tree: &Tree<D>, steps: &[Step<D>]) {
     for (n, (node, used)) in steps.iter().enumerate() {
-        let son = if used.down { reflected(used.direction, used.son) } else { used.son };
+        let child = if used.down { reflected(used.direction, used.child) } else { used.child };
         let codes = tree.code(*node).map(|c| c.to_string()).join(", ");
-        let arguments =
-            [("son", son.0.into()), ("level", tree.level(*node).into()), ("codes", codes.into())];
+        let arguments = [
+            ("child", child.0.into()),
+            ("level", tree.level(*node).into()),
+            ("codes", codes.into()),
+        ];
         let key = if used.down { "tables-step-down" } else { "tables-step-up" };
         let text = RichText::new(look.texts.format(key, &arguments)).size(13.0);
         let color = if n + 1 == steps.len() { look.palette.ink } else { look.palette.quiet };
@@ -200,10 +203,10 @@ fn all<const D: usize>(ui: &mut Ui, look: &Look, used: Option<Used<D>>) {
     let grid = Grid::new("directions").num_columns(1 + Child::<D>::COUNT);
     grid.spacing([10.0, 0.0]).min_col_width(22.0).min_row_height(17.0).show(ui, |ui| {
         caption(ui, look, AXIS_NAMES[..D].join(""));
-        for son in Child::<D>::all() {
+        for child in Child::<D>::all() {
             let tone =
-                if used.is_some_and(|used| used.son == son) { Lit::Line } else { Lit::Quiet };
-            ui.label(lit(look, son.0.to_string(), tone));
+                if used.is_some_and(|used| used.child == child) { Lit::Line } else { Lit::Quiet };
+            ui.label(lit(look, child.0.to_string(), tone));
         }
         ui.end_row();
         for n_axes in 1..=D {
@@ -212,14 +215,14 @@ fn all<const D: usize>(ui: &mut Ui, look: &Look, used: Option<Used<D>>) {
             for direction in kind {
                 let row = used.is_some_and(|used| used.direction == direction);
                 ui.label(lit(look, signs(direction), if row { Lit::Line } else { Lit::Quiet }));
-                for son in Child::<D>::all() {
-                    let column = used.is_some_and(|used| used.son == son);
+                for child in Child::<D>::all() {
+                    let column = used.is_some_and(|used| used.child == child);
                     let tone = match (row, column) {
                         (true, true) => Lit::Used,
                         (true, false) | (false, true) => Lit::Line,
                         (false, false) => Lit::No,
                     };
-                    entry(ui, look, table, direction, son, tone);
+                    entry(ui, look, table, direction, child, tone);
                 }
                 ui.end_row();
             }
@@ -262,21 +265,22 @@ mod tests {
     }
 
     #[test]
-    fn sons_are_mirrored_in_the_opposite_order_of_their_fathers() {
-        let father = |son: u8, direction: [i8; 2]| Event::<2>::Father {
+    fn children_are_mirrored_in_the_opposite_order_of_their_parents() {
+        let parent = |child: u8, direction: [i8; 2]| Event::<2>::Parent {
             node: NodeId::ROOT,
-            son: Child(son),
+            child: Child(child),
             direction,
             common: [0; 2],
             lookup: Lookup::Tables,
         };
-        let mirror = |son: u8| Event::<2>::Mirror {
-            son: Child(son),
+        let mirror = |child: u8| Event::<2>::Mirror {
+            child: Child(child),
             mirrored: Child(0),
             node: NodeId::ROOT,
         };
-        let way = Way::of(&[father(3, [1, 1]), father(2, [1, 0]), mirror(2), mirror(3)]);
-        let told: Vec<_> = way.down.iter().map(|(_, used)| (used.son.0, used.direction)).collect();
+        let way = Way::of(&[parent(3, [1, 1]), parent(2, [1, 0]), mirror(2), mirror(3)]);
+        let told: Vec<_> =
+            way.down.iter().map(|(_, used)| (used.child.0, used.direction)).collect();
         assert_eq!(told, [(2, [1, 0]), (3, [1, 1])]);
         assert_eq!(way.last().map(|used| used.down), Some(true));
     }

@@ -151,7 +151,7 @@ fn tick<const D: usize>(look: &Look, event: &Event<D>) -> (f32, Color32) {
         Event::Difference { .. }
         | Event::Climb { .. }
         | Event::Resume { .. }
-        | Event::Father { .. } => (0.45, palette.axes[0]),
+        | Event::Parent { .. } => (0.45, palette.axes[0]),
         Event::Halve { .. } | Event::Cuts { .. } | Event::Skip { .. } | Event::Up { .. } => {
             (0.2, palette.quiet)
         }

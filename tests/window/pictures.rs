@@ -363,7 +363,7 @@ fn samet_mirrors_the_way_up() {
 
 #[test]
 fn samet_corner_climbs() {
-    compare_algorithm(Algorithm::SametCorner, "points-3d", &At::Nth(2, "Father"));
+    compare_algorithm(Algorithm::SametCorner, "points-3d", &At::Nth(2, "Parent"));
 }
 
 #[test]
@@ -410,7 +410,7 @@ fn the_tables_of_all_directions() {
         desk.state_mut().view.theme = Theme::Dark;
         desk.state_mut().view.preset = Preset::Automaton;
         desk.state_mut().view.language = Language::German;
-        desk.go_to(&At::Nth(4, "Father"));
+        desk.go_to(&At::Nth(4, "Parent"));
         desk.get_by_label("Alle Richtungen").click();
         desk.run();
     });

@@ -40,18 +40,18 @@ way-down-pushed = verschoben nach
 way-down-target = Codes dahinter
 
 tables-none = Zeigt die benutzten Einträge, sobald ein Nachbar gesucht wird.
-tables-used = Richtung { $direction }, Sohn { $son }: Warum steht ein Eintrag da? Darauf zeigen.
-tables-used-bits = Richtung { $direction }, Sohn { $son }: aus den Bits gelesen, ohne Tabelle.
-tables-son = Sohn
+tables-used = Richtung { $direction }, Kind { $child }: Warum steht ein Eintrag da? Darauf zeigen.
+tables-used-bits = Richtung { $direction }, Kind { $child }: aus den Bits gelesen, ohne Tabelle.
+tables-child = Kind
 tables-yes = ja
 tables-up = Weg hinauf
 tables-down = gespiegelt hinab
-tables-step-up = von Sohn { $son } auf Ebene { $level }
-tables-step-down = zu Sohn { $son }, Ebene { $level }
+tables-step-up = von Kind { $child } auf Ebene { $level }
+tables-step-down = zu Kind { $child }, Ebene { $level }
 tables-all = Alle Richtungen
-tables-adjacent-why = Sohn { $son } hat { $bits }. Er liegt auf der Seite { $direction } seines Vaters, wenn sein Bit bei + eine 1 und bei − eine 0 ist.
-tables-common-why = Sohn { $son } hat { $bits }. Von { $direction } bleiben die Achsen, auf denen er auf dieser Seite seines Vaters liegt: sein Bit ist 1 bei +, 0 bei −. Dort liegt der Nachbar jenseits des Vaters.
-tables-reflect-why = Sohn { $son } hat { $bits }. Die Bits aller Achsen in { $direction } werden umgekehrt.
+tables-adjacent-why = Kind { $child } hat { $bits }. Es liegt auf der Seite { $direction } seines Elternknotens, wenn sein Bit bei + eine 1 und bei − eine 0 ist.
+tables-common-why = Kind { $child } hat { $bits }. Von { $direction } bleiben die Achsen, auf denen es auf dieser Seite seines Elternknotens liegt: sein Bit ist 1 bei +, 0 bei −. Dort liegt der Nachbar jenseits des Elternknotens.
+tables-reflect-why = Kind { $child } hat { $bits }. Die Bits aller Achsen in { $direction } werden umgekehrt.
 
 links-none = Zeigt die Verweise eines Blattes, sobald das erste gefunden ist.
 links-of = des Blattes auf Ebene { $level }, Codes { $codes }

@@ -6,20 +6,21 @@ comma = { $first }, { $last }
 by-parametric = mit dem parametrischen Verfahren
 by-parametric-table = mit dem parametrischen Verfahren und seinen Tabellen
 by-esvo = mit der parametrischen Regel ohne Rekursion
-by-all-children = durch Prüfen jedes Kindes
+by-all-children = mit der Prüfung jedes Kindes
 by-hero = mit Maske und sortierten Mittelebenen nach HERO
-by-gargantini = mit zugeordneten Stücken zwischen sortierten Schnitten
+by-gargantini = mit der Zuordnung der Stücke zwischen sortierten Schnitten
 by-codes = mit Ortscodes
-by-glassner = durch Orten jedes Austrittspunkts von der Wurzel aus
+by-glassner = mit der Ortung jedes Austrittspunkts von der Wurzel aus
 by-samet = mit Nachbartabellen
-by-samet-corner = mit der Ecke seiner Austrittsebenen
+by-samet-corner = mit der Ecke der Austrittsebenen
 by-samet-net = über Verweise zwischen Nachbarn
 by-bsp = mit binärer Raumteilung
 by-dda = auf dem feinsten Raster
-by-dda-octree = durch Nachschlagen der Zellen des feinsten Rasters
-by-exhaustive = durch Prüfen jedes einzelnen Blattes
+by-dda-octree = auf dem feinsten Raster, dessen Zellen im Baum nachgeschlagen werden,
+by-exhaustive = mit der Prüfung jedes einzelnen Blattes
 
 start-ray = Ein Strahl von { $origin } in Richtung { $direction } wird { $algorithm } durch den { $tree } verfolgt.
+start-variants = { " " }Regeln in anderer Form: { $variants }.
 start-point-codes = Das Blatt, dem ein Punkt gehört, wird mit Ortscodes gesucht.
 start-point-comparison = Das Blatt, dem ein Punkt gehört, wird durch Vergleich mit den Mittelebenen gesucht.
 start-region = Der kleinste Knoten, der einen Bereich enthält, wird mit Ortscodes gesucht.
@@ -31,6 +32,8 @@ octree = Octree
 clip-hit = Der Strahl durchquert die Wurzel: Er trifft die letzte nahe Ebene vor der ersten fernen, { $enter } < { $exit }.
 clip-inside = Der Strahl beginnt innerhalb der Wurzel: Die letzte nahe Ebene kommt nicht nach t = 0, die erste ferne wohl, { $enter } ≤ 0 < { $exit }.
 clip-mirror = { " " }Entlang { $axes } ist seine Richtung negativ; Zustand i steht daher für Kind f(i) = i xor { $mask }.
+clip-mask = { " " }Entlang { $axes } ist seine Richtung negativ; dort kommt daher die obere Hälfte zuerst: Die Maske ist { $mask }.
+clip-falls = { " " }Entlang { $axes } ist seine Richtung negativ; dort sind daher die unteren Ebenen die fernen.
 clip-behind = Der Strahl verfehlt die Wurzel, die hinter seinem Startpunkt liegt: Schon für die erste ferne Ebene gilt { $exit } ≤ 0.
 clip-miss = Der Strahl verfehlt die Wurzel: Er trifft eine ferne Ebene nicht später als die letzte nahe, { $exit } { $relation } { $enter }.
 clip-short = Der Strahl endet, bevor er die Wurzel trifft, deren letzte nahe Ebene bei { $enter } liegt.
@@ -53,6 +56,7 @@ visit-mirrored = Zustand { $state } ist Kind { $child } des Baumes, denn f({ $st
 skip-behind = Der Knoten wird bei { $exit } < 0 verlassen; er liegt also hinter dem Startpunkt und wird übersprungen.
 skip-ahead = Der Knoten wird bei { $exit } ≥ 0 verlassen; er liegt also nicht hinter dem Startpunkt.
 halve = Der Strahl trifft die Mittelebenen des Knotens bei { $mid }.
+halve-mean = { " " }Das sind die Mittel der Parameter der nahen und fernen Ebenen.
 halve-still = { " " }Entlang { $axes } bewegt er sich nicht: Dort heißt ∞ stets untere Hälfte, −∞ stets obere.
 first-one = { $comparisons }, also ist das { $axes }-Bit 1: Der Strahl { $inside ->
     [yes] beginnt
@@ -83,10 +87,10 @@ step-end-one = { $child } wird durch die { $axes }-Ebene verlassen: { $exits }. 
 step-end-many = { $child } wird durch die Ebenen von { $axes } zugleich verlassen: { $exits }. In { $done } ist das schon die obere Hälfte, also verlässt der Strahl auch den Elternknoten.
 child = Kind { $state }
 state = Zustand { $state }
-up = Der Knoten ist erledigt; zurück nach oben: { $node }.
+up = Der Knoten ist erledigt: zurück hinauf zu { $node }.
 up-none = Die Wurzel ist erledigt.
 
-enter = { $node }: Von t = { $enter } bis t = { $exit } ist der Strahl darin.
+enter = Der Strahl ist von t = { $enter } bis t = { $exit } in { $node }.
 cuts = { $n ->
     [0] Der Strahl trifft keine Mittelebene im Inneren des Knotens; er bleibt also in einem Kind.
     [one] Von den sortierten Mittelebenen liegt eine im Intervall des Knotens: { $cuts }.
@@ -95,28 +99,38 @@ cuts = { $n ->
 classify = Bei t = { $at } gilt { $comparisons }: Der Strahl ist in Kind { $child }.
 flip-one = Bei t = { $at } wird die Mittelebene von { $axes } gekreuzt: Ihr Bit kippt, und das nächste Kind ist { $child }.
 flip-many = Bei t = { $at } werden die Mittelebenen von { $axes } zugleich gekreuzt: Ihre Bits kippen zusammen, und das nächste Kind ist { $child }.
-split-near = { $at } liegt nicht zwischen { $enter } und { $exit }, und der Strahl bleibt auf der Seite seines Startpunkts: Nur die { $half } von { $axis } wird betreten.
-split-far = { $at } kommt nicht nach dem Eintritt bei { $enter }: Die Ebene ist passiert, nur die { $half } von { $axis } wird betreten.
-split-both = { $at } liegt zwischen { $enter } und { $exit }: Zuerst wird die { $half } von { $axis } betreten, die andere wartet auf dem Stapel.
-upper-half = obere Hälfte
-lower-half = untere Hälfte
+split-near = { $at } liegt nicht zwischen { $enter } und { $exit }, und der Strahl bleibt auf der Seite seines Startpunkts: Nur die { $half } wird betreten.
+split-far = { $at } kommt nicht nach dem Eintritt bei { $enter }: Die Ebene ist passiert, nur die { $half } wird betreten.
+split-both = { $at } liegt zwischen { $enter } und { $exit }: Zuerst wird die { $half } betreten, die andere wartet auf dem Stapel.
+split-gem-after = { $at } > { $exit }: Das Gem nimmt nur die Hälfte auf der Seite des Startpunkts, die { $half }.
+split-gem-behind = { $at } < 0: Das Gem nimmt nur die Hälfte auf der Seite des Startpunkts, die { $half }.
+split-gem-far = { $at } < { $enter }: Das Gem nimmt nur die Hälfte jenseits der Ebene, die { $half }.
+split-gem-both = { $at } ist weder größer als { $exit } noch kleiner als 0 oder { $enter }: Das Gem nimmt beide Hälften, zuerst die { $half }; die andere wartet auf dem Stapel.
+split-gem-no-number = { $at } ist keine Zahl, sodass kein Vergleich mit { $exit }, 0 oder { $enter } zutrifft: Das Gem nimmt beide Hälften, zuerst die { $half }; die andere wartet auf dem Stapel.
+upper-half = obere { $axis }-Hälfte
+lower-half = untere { $axis }-Hälfte
 pop-node = Vom Stapel kommt { $node }; der Strahl ist von t = { $enter } bis t = { $exit } darin.
-pop-half = Vom Stapel kommt ein Teil: { $node }; der Strahl ist von t = { $enter } bis t = { $exit } in diesem Teil.
+pop-half = Vom Stapel kommt ein Teil von { $node }; der Strahl ist von t = { $enter } bis t = { $exit } in diesem Teil.
 grid = Die erste Zelle des Rasters ist { $cell }; die nächsten Ebenen werden bei { $planes } getroffen.
 cross-one = { $planes }, also kreuzt der Strahl die { $axes }-Ebene: weiter zu Zelle { $cell }.
+cross-out-one = { $planes }, also kreuzt der Strahl die { $axes }-Ebene und verlässt das Raster.
+cross-out-many = { $planes }, also kreuzt der Strahl die Ebenen von { $axes } zugleich und verlässt das Raster.
 cross-many = { $planes }, also kreuzt der Strahl die Ebenen von { $axes } zugleich: weiter zu Zelle { $cell }.
-father-all = Sohn { $son } liegt an der Seite { $direction } seines Vaters, also liegt der Nachbar auch jenseits des Vaters: hinauf zu { $node }.
-father-part = Von der Richtung { $direction } liegt Sohn { $son } an der Seite { $common } seines Vaters: hinauf zu { $node } und in dieser Richtung weiter.
-father-holds = Sohn { $son } liegt nicht an der Seite { $direction } seines Vaters, also enthält der Vater den Nachbarn: hinauf zu { $node }.
-mirror = Gespiegelt wird Sohn { $son } zu Sohn { $mirrored }: hinab zu { $node }.
+tie-first = { " " }Von gleichen Parametern zählt die erste Achse.
+tie-last = { " " }Von gleichen Parametern zählt die letzte Achse.
+parent-all = Kind { $child } liegt an der Seite { $direction } seines Elternknotens, also liegt der Nachbar auch jenseits des Elternknotens: hinauf zu { $node }.
+parent-part = Von der Richtung { $direction } liegt Kind { $child } an der Seite { $common } seines Elternknotens: hinauf zu { $node } und in dieser Richtung weiter.
+parent-holds = Kind { $child } liegt nicht an der Seite { $direction } seines Elternknotens, also enthält der Elternknoten den Nachbarn: hinauf zu { $node }.
+mirror = Gespiegelt wird Kind { $child } zu Kind { $mirrored }: hinab zu { $node }.
 facing = Kind { $child } liegt an dieser Seite: hinab zu { $node }.
-rope = Der Verweis durch die { $axis }-Seite führt hierher: { $node }.
+rope = Der Verweis durch die { $axis }-Seite führt zu { $node }.
 rope-border = Durch die { $axis }-Seite führt kein Verweis: Sie ist der Rand.
-push = Der Austrittspunkt { $from } wird entlang { $axis } verschoben, nach { $to }.
+push = Der Austrittspunkt { $from } wird entlang { $axis } nach { $to } verschoben.
 
 begin-root = Die Suche beginnt an der Wurzel, { $node }.
-begin-node = Die Suche beginnt hier: { $node }.
+begin-node = Die Suche beginnt bei { $node }.
 encode = Der Punkt { $point } hat binär die Ortscodes { $codes }.
+encode-ray = Unmittelbar nach t = { $after }, nahe { $point }, ist der Strahl in der kleinsten Zelle mit den Ortscodes { $codes }, binär geschrieben.
 compare = { $comparisons }, also liegt der Punkt in Kind { $child }: { $node }.
 follow = Bit { $bit } der Codes ist { $bits } und wählt Kind { $child }: { $node }.
 bit-of = { $value } in { $axis }
@@ -125,13 +139,14 @@ exits-many = Das Blatt wird durch die Ebenen { $planes } zugleich verlassen: { $
 target = Dahinter, entlang { $axes }, sind die Codes { $to } statt { $from }.
 border-inside = Diese Codes liegen im Gebiet; dahinter ist also eine Zelle.
 border-outside = Entlang { $axes } liegt der Code außerhalb des Gebiets; dahinter ist also keine Zelle.
+border-point-outside = Entlang { $axes } liegt der Punkt außerhalb des Gebiets; dahinter ist also keine Zelle.
 difference = Die Codes unterscheiden sich zuerst in Bit { $bit }, also liegt der gemeinsame Vorfahr auf Ebene { $level }.
 difference-none = Die Codes sind gleich, also liegen beide Orte in einer kleinsten Zelle, auf Ebene 0.
-climb = Hinauf zum Elternknoten: { $node }; der gemeinsame Vorfahr liegt auf Ebene { $level }.
-climb-done = Hinauf zum Elternknoten: { $node }; dies ist der gemeinsame Vorfahr.
+climb = Hinauf zum Elternknoten, { $node }; der gemeinsame Vorfahr liegt auf Ebene { $level }.
+climb-done = Hinauf zum Elternknoten, { $node }; dies ist der gemeinsame Vorfahr.
 leave-one = Das Blatt wird durch seine ferne { $axes }-Ebene verlassen: { $exits }.
 leave-many = Das Blatt wird durch seine fernen Ebenen von { $axes } zugleich verlassen: { $exits }.
-resume = Zurück zu einem Knoten, der auf dem Weg hinab behalten wurde: { $node }.
+resume = Zurück zu { $node }, der auf dem Weg hinab behalten wurde.
 corners = Die Ecken { $min } und { $max } des Bereichs haben binär die Codes { $from } und { $to }.
 
 leaf-full = { $node } liegt von t = { $enter } bis t = { $exit } auf dem Strahl und ist belegt.
@@ -201,6 +216,7 @@ counter-leaf-tests = Blatttests
 counter-entry-comparisons = Vergleiche, Eintritt
 counter-exit-comparisons = Vergleiche, Austritt
 counter-range-comparisons = Vergleiche, Bereich
+counter-code-comparisons = Vergleiche, Codes
 counter-sort-comparisons = Vergleiche, Sortieren
 counter-divisions = Divisionen
 counter-additions = Summen, Produkte

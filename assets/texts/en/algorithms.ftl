@@ -40,18 +40,18 @@ way-down-pushed = pushed to
 way-down-target = codes beyond
 
 tables-none = Shows the used entries once a neighbour is looked for.
-tables-used = Direction { $direction }, son { $son }: why is an entry so? Point at it.
-tables-used-bits = Direction { $direction }, son { $son }: read from the bits, without a table.
-tables-son = son
+tables-used = Direction { $direction }, child { $child }: why is an entry so? Point at it.
+tables-used-bits = Direction { $direction }, child { $child }: read from the bits, without a table.
+tables-child = child
 tables-yes = yes
 tables-up = way up
 tables-down = mirrored way down
-tables-step-up = from son { $son } to level { $level }
-tables-step-down = to son { $son }, level { $level }
+tables-step-up = from child { $child } to level { $level }
+tables-step-down = to child { $child }, level { $level }
 tables-all = All directions
-tables-adjacent-why = Son { $son } has { $bits }. It lies on the side { $direction } of its father if its bit is 1 where the sign is +, and 0 where it is −.
-tables-common-why = Son { $son } has { $bits }. Of { $direction } what stays are the axes along which it lies on that side of its father: its bit is 1 for +, 0 for −. There the neighbour is beyond the father.
-tables-reflect-why = Son { $son } has { $bits }. The bits of all axes in { $direction } are flipped.
+tables-adjacent-why = Child { $child } has { $bits }. It lies on the side { $direction } of its parent if its bit is 1 where the sign is +, and 0 where it is −.
+tables-common-why = Child { $child } has { $bits }. Of { $direction } what stays are the axes along which it lies on that side of its parent: its bit is 1 for +, 0 for −. There the neighbour is beyond the parent.
+tables-reflect-why = Child { $child } has { $bits }. The bits of all axes in { $direction } are flipped.
 
 links-none = Shows the links of a leaf once the first one is found.
 links-of = of the leaf of level { $level }, codes { $codes }

@@ -20,6 +20,7 @@ by-dda-octree = looking up the cells of the finest grid
 by-exhaustive = testing every leaf by itself
 
 start-ray = A ray from { $origin } along { $direction } is followed through the { $tree } by { $algorithm }.
+start-variants = { " " }Rules in another form: { $variants }.
 start-point-codes = The leaf that owns a point is searched by location codes.
 start-point-comparison = The leaf that owns a point is searched by comparing it with mid planes.
 start-region = The smallest node that holds a region is searched by location codes.
@@ -31,6 +32,8 @@ octree = octree
 clip-hit = The ray crosses the root: it meets the last near plane before the first far plane, { $enter } < { $exit }.
 clip-inside = The ray starts inside the root: the last near plane does not come after t = 0, the first far plane does, { $enter } ≤ 0 < { $exit }.
 clip-mirror = { " " }Its direction is negative along { $axes }, so state i stands for child f(i) = i xor { $mask }.
+clip-mask = { " " }Its direction is negative along { $axes }, so the upper half comes first there: the mask is { $mask }.
+clip-falls = { " " }Its direction is negative along { $axes }, so the far planes there are the lower ones.
 clip-behind = The ray misses the root, which lies behind its origin: even the first far plane has { $exit } ≤ 0.
 clip-miss = The ray misses the root: it meets a far plane no later than the last near plane, { $exit } { $relation } { $enter }.
 clip-short = The ray ends before it meets the root, whose last near plane has { $enter }.
@@ -53,6 +56,7 @@ visit-mirrored = State { $state } is child { $child } of the tree, as f({ $state
 skip-behind = The node is left at { $exit } < 0, so it lies behind the origin and is skipped.
 skip-ahead = The node is left at { $exit } ≥ 0, so it does not lie behind the origin.
 halve = The ray meets the mid planes of the node at { $mid }.
+halve-mean = { " " }These are the means of the parameters of the near and far planes.
 halve-still = { " " }It does not move along { $axes }: ∞ there means the lower half for good, −∞ the upper one.
 first-one = { $comparisons }, so the { $axes } bit is 1: the ray { $inside ->
     [yes] starts
@@ -86,20 +90,29 @@ cuts = { $n ->
 classify = At t = { $at }, { $comparisons }: the ray is in child { $child }.
 flip-one = At t = { $at } the mid plane of { $axes } is crossed: its bit is flipped, and the next child is { $child }.
 flip-many = At t = { $at } the mid planes of { $axes } are crossed at once: their bits are flipped together, and the next child is { $child }.
-split-near = { $at } does not lie between { $enter } and { $exit }, and the ray stays on the side of its origin: only the { $half } of { $axis } is entered.
-split-far = { $at } comes no later than the entry at { $enter }: the plane is passed, and only the { $half } of { $axis } is entered.
-split-both = { $at } lies between { $enter } and { $exit }: the { $half } of { $axis } is entered first, the other one waits on the stack.
-upper-half = upper half
-lower-half = lower half
+split-near = { $at } does not lie between { $enter } and { $exit }, and the ray stays on the side of its origin: only the { $half } is entered.
+split-far = { $at } comes no later than the entry at { $enter }: the plane is passed, and only the { $half } is entered.
+split-both = { $at } lies between { $enter } and { $exit }: the { $half } is entered first, the other one waits on the stack.
+split-gem-after = { $at } > { $exit }: the gem takes the half on the side of the origin alone, the { $half }.
+split-gem-behind = { $at } < 0: the gem takes the half on the side of the origin alone, the { $half }.
+split-gem-far = { $at } < { $enter }: the gem takes the half beyond the plane alone, the { $half }.
+split-gem-both = { $at } is neither greater than { $exit } nor less than 0 or { $enter }: the gem takes both halves, first the { $half }; the other one waits on the stack.
+split-gem-no-number = { $at } is no number, so that no comparison with { $exit }, 0 or { $enter } holds: the gem takes both halves, first the { $half }; the other one waits on the stack.
+upper-half = upper { $axis } half
+lower-half = lower { $axis } half
 pop-node = From the stack: { $node }, with the ray in it from t = { $enter } to t = { $exit }.
 pop-half = From the stack: a part of { $node }, with the ray in it from t = { $enter } to t = { $exit }.
 grid = The first cell of the grid is { $cell }; the next planes are met at { $planes }.
 cross-one = { $planes }, so the ray crosses the { $axes } plane: on to cell { $cell }.
+cross-out-one = { $planes }, so the ray crosses the { $axes } plane and leaves the grid.
+cross-out-many = { $planes }, so the ray crosses the planes of { $axes } at once and leaves the grid.
 cross-many = { $planes }, so the ray crosses the planes of { $axes } at once: on to cell { $cell }.
-father-all = Son { $son } lies on the side { $direction } of its father, so the neighbour lies beyond the father as well: up to { $node }.
-father-part = Of the direction { $direction }, son { $son } lies on the side { $common } of its father: up to { $node }, and on in that direction.
-father-holds = Son { $son } does not lie on the side { $direction } of its father, so the father holds the neighbour: up to { $node }.
-mirror = Mirrored, son { $son } becomes son { $mirrored }: down to { $node }.
+tie-first = { " " }Of equal parameters the first axis counts.
+tie-last = { " " }Of equal parameters the last axis counts.
+parent-all = Child { $child } lies on the side { $direction } of its parent, so the neighbour lies beyond the parent as well: up to { $node }.
+parent-part = Of the direction { $direction }, child { $child } lies on the side { $common } of its parent: up to { $node }, and on in that direction.
+parent-holds = Child { $child } does not lie on the side { $direction } of its parent, so the parent holds the neighbour: up to { $node }.
+mirror = Mirrored, child { $child } becomes child { $mirrored }: down to { $node }.
 facing = Child { $child } lies on that side: down to { $node }.
 rope = The link through the { $axis } side leads to { $node }.
 rope-border = No link leads through the { $axis } side: it is the border.
@@ -108,6 +121,7 @@ push = The exit point { $from } is pushed along { $axis }, to { $to }.
 begin-root = The search begins at the root, { $node }.
 begin-node = The search begins at { $node }.
 encode = The point { $point } has the location codes { $codes } in binary.
+encode-ray = Just after t = { $after }, near { $point }, the ray is in the smallest cell with the location codes { $codes } in binary.
 compare = { $comparisons }, so the point lies in child { $child }: { $node }.
 follow = Bit { $bit } of the codes is { $bits }, which selects child { $child }: { $node }.
 bit-of = { $value } in { $axis }
@@ -116,6 +130,7 @@ exits-many = The leaf is left through the planes { $planes } at once: { $exits }
 target = Beyond it along { $axes }, the codes are { $to } instead of { $from }.
 border-inside = These codes lie inside the domain, so there is a cell beyond.
 border-outside = Along { $axes } the code lies outside the domain, so there is no cell beyond.
+border-point-outside = Along { $axes } the point lies outside the domain, so there is no cell beyond.
 difference = The codes differ first in bit { $bit }, so the common ancestor has level { $level }.
 difference-none = The codes are equal, so both places lie in one smallest cell, of level 0.
 climb = Up to the parent, { $node }; the common ancestor has level { $level }.
@@ -192,6 +207,7 @@ counter-leaf-tests = Leaf tests
 counter-entry-comparisons = Comparisons, entry
 counter-exit-comparisons = Comparisons, exit
 counter-range-comparisons = Comparisons, range
+counter-code-comparisons = Comparisons, codes
 counter-sort-comparisons = Comparisons, sorting
 counter-divisions = Divisions
 counter-additions = Sums, products

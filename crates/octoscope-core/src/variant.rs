@@ -140,29 +140,7 @@ impl Variant {
     /// Whether the variant is about doubles, so that it runs in them even where
     /// exact comparisons are asked for.
     pub fn is_about_doubles(self) -> bool {
-        match self {
-            Self::OneByOne => false,
-            Self::Averaged | Self::Push | Self::Gem => true,
-            Self::B1
-            | Self::B2
-            | Self::B3
-            | Self::B4
-            | Self::B5
-            | Self::B6
-            | Self::B7
-            | Self::B9
-            | Self::B10
-            | Self::B11
-            | Self::B18
-            | Self::B19
-            | Self::B21
-            | Self::B24a
-            | Self::B24b
-            | Self::B24c
-            | Self::B25Leftmost
-            | Self::B25Rightmost
-            | Self::B28 => true,
-        }
+        self.is_misprint() || matches!(self, Self::Averaged | Self::Push | Self::Gem)
     }
 
     /// Whether the variant is a misprint: an erratum's rule as printed. Its name

@@ -1,7 +1,7 @@
 //! The worked examples of the papers, and rays on which the rules as they were
 //! once printed go wrong, as cases.
 
-use octoscope_core::event::{End, Event};
+use octoscope_core::event::{End, Event, Search};
 use octoscope_core::geometry::Ray;
 use octoscope_core::locate::{
     Direction, Reach, climb, locate_by_codes, locate_by_comparison, locate_region, neighbour,
@@ -97,7 +97,8 @@ fn the_point_0_55_goes_right_left_left() {
     let mut events = Vec::new();
     let outcome = locate_by_codes(&tree, [0.55], &mut events);
     assert_eq!(place(&tree, outcome.node), (2, [0b01_0000]));
-    assert!(events.contains(&Event::Encode { point: [0.55], code: [0b01_0001] }));
+    let (point, code, search) = ([0.55], [0b01_0001], Search::NONE);
+    assert!(events.contains(&Event::Encode { point, code, after: None, search }));
     let turns: Vec<_> = events
         .iter()
         .filter_map(|event| match event {

@@ -171,7 +171,7 @@ impl<const D: usize> Scene<'_, D> {
             | Event::Pop { .. }
             | Event::Grid { .. }
             | Event::Cross { .. }
-            | Event::Father { .. }
+            | Event::Parent { .. }
             | Event::Rope { .. }
             | Event::Push { .. }
             | Event::Step { next: None, .. }

@@ -54,7 +54,7 @@ pub enum Role {
     Pending,
     /// Cell of the finest grid through which an algorithm walks.
     GridCell,
-    /// From a node up to its father, on the way to a neighbour.
+    /// From a node up to its parent, on the way to a neighbour.
     WayUp,
     /// Down again, mirrored.
     WayDown,

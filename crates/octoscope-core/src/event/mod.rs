@@ -6,4 +6,4 @@ mod steps;
 
 pub use observer::Observer;
 pub use outcome::{End, Outcome};
-pub use steps::{Event, Halves, Lookup};
+pub use steps::{Event, Halves, Lookup, Search};

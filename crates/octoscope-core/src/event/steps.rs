@@ -34,6 +34,8 @@ pub enum Event<const D: usize> {
         node: NodeId,
         /// Parameters of entry and exit, if the ray meets it.
         interval: Option<[f64; 2]>,
+        /// Whether it meets it in one point only.
+        touch: bool,
     },
     /// All tested leaves are put in the order of their entry.
     Sort {
@@ -64,6 +66,9 @@ pub enum Event<const D: usize> {
     Halve {
         /// Parameters of the mid planes.
         mid: [f64; D],
+        /// Axes along which it took a division: not those without motion, nor
+        /// those along which it is the mean of the near and the far plane.
+        divided: Axes<D>,
     },
     /// The first child on the ray is found.
     First {
@@ -102,6 +107,8 @@ pub enum Event<const D: usize> {
         node: NodeId,
         /// Parameters between which the ray is in it.
         interval: [f64; 2],
+        /// Whether by a recursive call, and not in the same loop.
+        call: bool,
     },
     /// The mid planes of the current node are put in the order in which the ray
     /// meets them.
@@ -110,6 +117,10 @@ pub enum Event<const D: usize> {
         order: [u8; D],
         /// Axes whose planes are met between the ends of the node's interval.
         inside: Axes<D>,
+        /// Number of comparisons of planes with each other.
+        sorting: u8,
+        /// Number of comparisons of planes with the ends of the interval.
+        ranging: u8,
     },
     /// The sides of the mid planes on which the ray is tell the child.
     Classify {
@@ -165,6 +176,8 @@ pub enum Event<const D: usize> {
         /// Parameters of the planes that the ray meets next, one an axis; +∞
         /// on axes that it does not move along.
         next: [f64; D],
+        /// What finding the cell took.
+        search: Search,
     },
     /// The ray goes on to the next cell of the grid.
     Cross {
@@ -174,31 +187,33 @@ pub enum Event<const D: usize> {
         axes: Axes<D>,
         /// Code of the next cell; −1 or 2^R outside the domain.
         cell: [i64; D],
+        /// Axes along which that is outside, if it leaves the grid.
+        outside: Axes<D>,
     },
 
     // Neighbours by the path through the tree.
-    /// From a son to its father on the search for a neighbour; the father
+    /// From a child to its parent on the search for a neighbour; the parent
     /// becomes the current node.
-    Father {
-        /// The father.
+    Parent {
+        /// The parent.
         node: NodeId,
-        /// Which of its sons was left.
-        son: Child<D>,
-        /// Where the neighbour of the son is looked for.
+        /// Which of its children was left.
+        child: Child<D>,
+        /// Where the neighbour of the child is looked for.
         direction: [i8; D],
-        /// What is left of the direction: the axes along which the son lies on
-        /// that side of its father. All 0 if the father holds the neighbour.
+        /// What is left of the direction: the axes along which the child lies on
+        /// that side of its parent. All 0 if the parent holds the neighbour.
         common: [i8; D],
         /// Where that is looked up.
         lookup: Lookup,
     },
-    /// From a father down to the son that mirrors the one on the way up.
+    /// From a parent down to the child that mirrors the one on the way up.
     Mirror {
-        /// The son on the way up.
-        son: Child<D>,
+        /// The child on the way up.
+        child: Child<D>,
         /// The mirrored one.
         mirrored: Child<D>,
-        /// The mirrored son, which becomes the current node.
+        /// The mirrored child, which becomes the current node.
         node: NodeId,
     },
     /// From a node down to a child that lies on the asked-for side of it.
@@ -232,12 +247,18 @@ pub enum Event<const D: usize> {
         /// The node.
         node: NodeId,
     },
-    /// A point is turned into location codes.
+    /// A place is turned into location codes: those of a given point, or those
+    /// of the smallest cell in which the ray is just after some parameter.
     Encode {
-        /// The point, in world units.
+        /// The point, in world units; on the ray, rounded.
         point: [f64; D],
-        /// Its codes.
+        /// The codes.
         code: Code<D>,
+        /// The parameter just after which the ray is in the cell. Its planes are
+        /// then compared with that, and not with the point.
+        after: Option<f64>,
+        /// What finding the cell took.
+        search: Search,
     },
     /// The mid planes of a node are compared with a point.
     Compare {
@@ -280,9 +301,13 @@ pub enum Event<const D: usize> {
         to: [i64; D],
         /// Axes along which the cell is left.
         axes: Axes<D>,
+        /// What finding the codes along the other axes took.
+        search: Search,
     },
     /// The target is compared with the border of the domain.
     Border {
+        /// Axes along which it is; along the others it is inside anyway.
+        tested: Axes<D>,
         /// Axes along which the target is outside.
         outside: Axes<D>,
     },
@@ -360,6 +385,32 @@ pub enum Event<const D: usize> {
     End(End),
 }
 
+/// Work of finding the cell in which a ray is just after some parameter.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Search {
+    /// Axes along which a point of the ray was computed as a first guess.
+    pub guesses: u8,
+    /// Planes of the grid whose parameter was computed and compared.
+    pub parameters: u8,
+    /// Planes of the grid that were compared with the origin of the ray, along
+    /// axes that it does not move along.
+    pub coordinates: u8,
+}
+
+impl Search {
+    /// No work: the cell is known.
+    pub const NONE: Self = Self { guesses: 0, parameters: 0, coordinates: 0 };
+
+    /// The work of both.
+    pub fn and(self, other: Self) -> Self {
+        Self {
+            guesses: self.guesses + other.guesses,
+            parameters: self.parameters + other.parameters,
+            coordinates: self.coordinates + other.coordinates,
+        }
+    }
+}
+
 /// Halves of a part that a ray is in.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Halves {
@@ -371,12 +422,12 @@ pub enum Halves {
     Both,
 }
 
-/// Where it is looked up on which sides of its father a son lies.
+/// Where it is looked up on which sides of its parent a child lies.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Lookup {
     /// In the tables of adjacency and of the common part [Samet 1989].
     Tables,
-    /// In the bits of the son, compared with those of the ray's corner.
+    /// In the bits of the child, compared with those of the ray's corner.
     Bits,
 }
 

@@ -65,7 +65,7 @@ fn candidates<const D: usize>(event: &Event<D>) -> &'static [Variant] {
                 (false, false) => &[B7],
             }
         }
-        Event::Halve { mid } if mid.iter().any(|t| t.is_nan()) => &[B4, B5, B6],
+        Event::Halve { mid, .. } if mid.iter().any(|t| t.is_nan()) => &[B4, B5, B6],
         Event::Halve { .. } => &[B4],
         Event::Encode { .. } => &[B21],
         Event::Follow { .. } => &[B18, B19, B24c],

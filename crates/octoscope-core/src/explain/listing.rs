@@ -111,7 +111,7 @@ pub fn label<const D: usize>(event: &Event<D>) -> &'static str {
         Event::Pop { .. } => "pop",
         Event::Grid { .. } => "grid",
         Event::Cross { .. } => "cross",
-        Event::Father { .. } => "father",
+        Event::Parent { .. } => "parent",
         Event::Mirror { .. } => "mirror",
         Event::Facing { .. } => "facing",
         Event::Rope { .. } => "rope",

@@ -1,12 +1,14 @@
 //! What happens, in words: a sentence a step, the listing, the variables.
 
 mod as_printed;
+mod decision;
 mod listing;
 mod names;
 mod number;
 mod rich;
 mod rounding;
 mod sentence;
+mod teller;
 mod title;
 mod variables;
 mod words;

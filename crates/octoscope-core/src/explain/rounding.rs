@@ -77,12 +77,14 @@ impl<const D: usize> Rounding<'_, D> {
         let nobody = Axes::NONE;
         match *event {
             Event::Clip { enter, exit, hit, .. } => self.clip(enter, exit, hit),
-            Event::Test { node, interval } => {
+            Event::Test { node, interval, touch } => {
                 let domain = self.tree.domain();
                 let (level, code) = (self.tree.level(node), self.tree.code(node));
                 let (near, far) = slabs::<D, f64>(domain, self.ray, level, code);
                 let (enter, exit) = (f64::latest(near).later(0.0), f64::earliest(far));
-                let agrees = interval.is_some() == enter.before(exit);
+                let crossed = enter.before(exit);
+                let touched = !crossed && enter.not_after(exit);
+                let agrees = (interval.is_some(), touch) == (crossed || touched, touched);
                 disagreement(agrees, nobody, ulps(enter, exit))
             }
             Event::Skip { exit, behind } => {
@@ -98,7 +100,7 @@ impl<const D: usize> Rounding<'_, D> {
                 };
                 between(axes, in_doubles, |e| ulps(exits[e], f64::earliest(exits)))
             }
-            Event::Cuts { order, inside } => self.cuts(order.map(usize::from), inside),
+            Event::Cuts { order, inside, .. } => self.cuts(order.map(usize::from), inside),
             Event::Classify { at, piece, child } => self.classify(at, piece, child),
             Event::Flip { at, axes, .. } => self.flip(at, axes),
             Event::Split { axis, plane, at, interval: [enter, exit], halves: exact, .. } => {
@@ -120,7 +122,7 @@ impl<const D: usize> Rounding<'_, D> {
             }
             Event::Encode { code, .. } if self.before.leaves.is_empty() => self.first_cell(code),
             Event::Grid { cell, .. } => self.first_cell(cell),
-            Event::Target { level, from, to, axes } => self.target(level, from, to, axes),
+            Event::Target { level, from, to, axes, .. } => self.target(level, from, to, axes),
             Event::Leaf { enter, exit, .. } => {
                 disagreement(enter < exit, nobody, ulps(enter, exit))
             }
@@ -135,7 +137,7 @@ impl<const D: usize> Rounding<'_, D> {
             | Event::Up { .. }
             | Event::Enter { .. }
             | Event::Pop { .. }
-            | Event::Father { .. }
+            | Event::Parent { .. }
             | Event::Mirror { .. }
             | Event::Facing { .. }
             | Event::Rope { .. }
@@ -206,7 +208,7 @@ impl<const D: usize> Rounding<'_, D> {
         if let Some(found) = between(inside, in_doubles, to_ends) {
             return Some(found);
         }
-        let rounded = sorted(mid);
+        let (rounded, _) = sorted(mid);
         let elsewhere = (0..D).filter(|&n| order[n] != rounded[n]).map(|n| order[n]);
         let moved = elsewhere.fold(Axes::NONE, |axes, e| Axes(axes.0 | Axes::<D>::one(e).0));
         let nearest = |e: usize| (0..D).filter(|&o| o != e).map(|o| ulps(mid[e], mid[o])).min();
@@ -252,7 +254,7 @@ impl<const D: usize> Rounding<'_, D> {
 
     fn first_cell(&self, exact: Code<D>) -> Option<Disagreement<D>> {
         let enter = f64::latest(self.before.clip?.near).later(0.0);
-        let in_doubles = code_of_entry::<D, f64>(self.tree.domain(), self.ray, enter);
+        let (in_doubles, _) = code_of_entry::<D, f64>(self.tree.domain(), self.ray, enter);
         self.between_codes(exact.map(i64::from), in_doubles.map(i64::from), enter)
     }
 
@@ -266,7 +268,7 @@ impl<const D: usize> Rounding<'_, D> {
         let exits = self.before.exits?.exits;
         let at = exits[axes.iter().next()?];
         let exit = Exit { planes: from, exits, at, axes };
-        let in_doubles = target_of::<D, f64>(self.tree.domain(), self.ray, level, from, &exit);
+        let (in_doubles, _) = target_of::<D, f64>(self.tree.domain(), self.ray, level, from, &exit);
         self.between_codes(to, in_doubles, at)
     }
 

@@ -135,7 +135,7 @@ fn interval_and_state<const D: usize>(event: &Event<D>) -> (Option<[f64; 2]>, Op
         | Event::Flip { .. }
         | Event::Grid { .. }
         | Event::Cross { .. }
-        | Event::Father { .. }
+        | Event::Parent { .. }
         | Event::Mirror { .. }
         | Event::Facing { .. }
         | Event::Rope { .. }
@@ -165,18 +165,22 @@ fn vars<const D: usize>(event: &Event<D>) -> Value {
         Event::Clip { near, far, hit, mirror, .. } => {
             json!({ "t0": numbers(near), "t1": numbers(far), "hit": hit, "mirror": set(mirror) })
         }
-        Event::Test { interval, .. } => json!({ "hit": interval.is_some() }),
+        Event::Test { interval, touch, .. } => {
+            json!({ "hit": interval.is_some(), "touch": touch })
+        }
         Event::Sort { n_leaves } => json!({ "n_leaves": n_leaves }),
         Event::Visit { near, far, .. } => json!({ "t0": numbers(near), "t1": numbers(far) }),
         Event::Skip { exit, behind } => json!({ "exit": number(exit), "behind": behind }),
-        Event::Halve { mid } => json!({ "tm": numbers(mid) }),
+        Event::Halve { mid, .. } => json!({ "tm": numbers(mid) }),
         Event::First { entry, entry_axis, compared, .. } => json!({
             "entry": number(entry), "entry_axis": entry_axis, "compared": set(compared),
         }),
         Event::Step { exits, axes, next, .. } => json!({
             "t1": numbers(exits), "axes": set(axes), "next": next.map(|next| next.0),
         }),
-        Event::Encode { point, code } => json!({ "point": numbers(point), "code": codes(code) }),
+        Event::Encode { point, code, after, .. } => json!({
+            "point": numbers(point), "code": codes(code), "after": after.map(number),
+        }),
         Event::Compare { mid, point, child, .. } => {
             json!({ "mid": numbers(mid), "point": numbers(point), "child": child.0 })
         }
@@ -191,7 +195,7 @@ fn vars<const D: usize>(event: &Event<D>) -> Value {
         Event::Target { from, to, axes, .. } => {
             json!({ "from": codes(from), "to": to.to_vec(), "axes": set(axes) })
         }
-        Event::Border { outside } => json!({ "outside": set(outside) }),
+        Event::Border { outside, .. } => json!({ "outside": set(outside) }),
         Event::Difference { from, to, xor, level } => json!({
             "from": codes(from), "to": codes(to), "diff": codes(xor), "level": level,
         }),
@@ -200,7 +204,9 @@ fn vars<const D: usize>(event: &Event<D>) -> Value {
         }),
         Event::Leaf { full, .. } => json!({ "full": full }),
         Event::End(end) => json!({ "reason": reason(end) }),
-        Event::Cuts { order, inside } => json!({ "order": order.to_vec(), "inside": set(inside) }),
+        Event::Cuts { order, inside, .. } => {
+            json!({ "order": order.to_vec(), "inside": set(inside) })
+        }
         Event::Classify { at, child, .. } => json!({ "at": number(at), "child": child.0 }),
         Event::Flip { at, axes, child } => {
             json!({ "at": number(at), "axes": set(axes), "child": child.0 })
@@ -218,12 +224,12 @@ fn vars<const D: usize>(event: &Event<D>) -> Value {
             "kept": kept.map(part),
         }),
         Event::Pop { part: popped, .. } => json!({ "part": part(popped) }),
-        Event::Grid { cell, next } => json!({ "cell": codes(cell), "next": numbers(next) }),
-        Event::Cross { next, axes, cell } => {
+        Event::Grid { cell, next, .. } => json!({ "cell": codes(cell), "next": numbers(next) }),
+        Event::Cross { next, axes, cell, .. } => {
             json!({ "next": numbers(next), "axes": set(axes), "cell": cell.to_vec() })
         }
-        Event::Father { son, direction, common, lookup, .. } => json!({
-            "son": son.0,
+        Event::Parent { child, direction, common, lookup, .. } => json!({
+            "child": child.0,
             "direction": direction.to_vec(),
             "common": common.to_vec(),
             "lookup": match lookup {
@@ -231,7 +237,9 @@ fn vars<const D: usize>(event: &Event<D>) -> Value {
                 Lookup::Bits => "bits",
             },
         }),
-        Event::Mirror { son, mirrored, .. } => json!({ "son": son.0, "mirrored": mirrored.0 }),
+        Event::Mirror { child, mirrored, .. } => {
+            json!({ "child": child.0, "mirrored": mirrored.0 })
+        }
         Event::Facing { child, .. } => json!({ "child": child.0 }),
         Event::Rope { axis, node } => json!({ "axis": axis, "border": node.is_none() }),
         Event::Push { from, to, axis } => {

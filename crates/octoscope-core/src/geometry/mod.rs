@@ -2,6 +2,7 @@
 
 mod aabb;
 mod axes;
+mod exact;
 mod parameter;
 mod ray;
 mod scaled;
@@ -9,7 +10,8 @@ mod short;
 
 pub use aabb::Aabb;
 pub use axes::{AXIS_NAMES, Axes};
-pub use parameter::{Exact, Parameter};
+pub use exact::Exact;
+pub use parameter::Parameter;
 pub use ray::{Ray, RayError};
 pub(crate) use scaled::Scaled;
 use short::Short;

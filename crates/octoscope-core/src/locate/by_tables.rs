@@ -1,8 +1,8 @@
 //! Neighbours over faces, edges and corners the conventional way: up to the
 //! nearest common ancestor, and down mirrored [Samet 1989; Samet 1990].
 //!
-//! What a son's index says of its place in the father is looked up in three
-//! tables, one entry for every direction and son. All three follow from the bits
+//! What a child's index says of its place in the parent is looked up in three
+//! tables, one entry for every direction and child. All three follow from the bits
 //! of the index; the functions below are these rules, and what they return is
 //! what the tables contain.
 
@@ -12,23 +12,23 @@ use super::{Direction, Reach};
 use crate::event::{End, Event, Lookup, Observer, Outcome};
 use crate::tree::{Child, Node, NodeId, Tree};
 
-/// Table ADJ: whether the son lies on that side of its father. It does if its
+/// Table ADJ: whether the child lies on that side of its parent. It does if its
 /// bit is 1 exactly on the axes with a positive direction, of those with any.
-pub fn adjacent<const D: usize>(direction: [i8; D], son: Child<D>) -> bool {
-    common_part(direction, son) == direction
+pub fn adjacent<const D: usize>(direction: [i8; D], child: Child<D>) -> bool {
+    common_part(direction, child) == direction
 }
 
-/// Table REFLECT: the son on the other side, its bits flipped on every axis with
+/// Table REFLECT: the child on the other side, its bits flipped on every axis with
 /// a direction.
-pub fn reflected<const D: usize>(direction: [i8; D], son: Child<D>) -> Child<D> {
-    (0..D).filter(|&e| direction[e] != 0).fold(son, Child::across)
+pub fn reflected<const D: usize>(direction: [i8; D], child: Child<D>) -> Child<D> {
+    (0..D).filter(|&e| direction[e] != 0).fold(child, Child::across)
 }
 
-/// Table COMMON: the part of the direction along which the son lies on that side
-/// of its father, and in which the neighbour is therefore beyond the father.
-pub fn common_part<const D: usize>(direction: [i8; D], son: Child<D>) -> [i8; D] {
+/// Table COMMON: the part of the direction along which the child lies on that side
+/// of its parent, and in which the neighbour is therefore beyond the parent.
+pub fn common_part<const D: usize>(direction: [i8; D], child: Child<D>) -> [i8; D] {
     std::array::from_fn(|e| {
-        let on_side = son.is_upper(e) == (direction[e] > 0);
+        let on_side = child.is_upper(e) == (direction[e] > 0);
         if on_side { direction[e] } else { 0 }
     })
 }
@@ -71,25 +71,25 @@ pub(crate) fn ascend_and_mirror<const D: usize>(
     direction: [i8; D],
     observe: &mut impl Observer<D>,
 ) -> Option<Node> {
-    // Climb: to the father, and on from there unless it holds the neighbour.
-    let father = tree.parent(id)?;
-    let son = tree.child_index(id)?;
-    let common = common_part(direction, son);
+    // Climb: to the parent, and on from there unless it holds the neighbour.
+    let parent = tree.parent(id)?;
+    let child = tree.child_index(id)?;
+    let common = common_part(direction, child);
     let lookup = Lookup::Tables;
-    observe.observe(Event::Father { node: father, son, direction, common, lookup });
+    observe.observe(Event::Parent { node: parent, child, direction, common, lookup });
     let beyond = if common == [0; D] {
-        tree.node(father)
+        tree.node(parent)
     } else {
-        ascend_and_mirror(tree, father, common, observe)?
+        ascend_and_mirror(tree, parent, common, observe)?
     };
 
     // Mirror down, unless a larger leaf is met.
     if beyond.is_leaf() {
         return Some(beyond);
     }
-    let mirrored = reflected(direction, son);
+    let mirrored = reflected(direction, child);
     let node = tree.child(beyond, mirrored);
-    observe.observe(Event::Mirror { son, mirrored, node: node.id });
+    observe.observe(Event::Mirror { child, mirrored, node: node.id });
     Some(node)
 }
 
@@ -109,9 +109,9 @@ mod tests {
     fn reflection_flips_the_axes_of_the_direction() {
         assert_eq!(reflected([1, 0, -1], Child::<3>(0b000)), Child(0b101));
         for direction in Direction::<3>::all() {
-            for son in Child::all() {
+            for child in Child::all() {
                 let direction = direction.components();
-                assert_eq!(reflected(direction, reflected(direction, son)), son);
+                assert_eq!(reflected(direction, reflected(direction, child)), child);
             }
         }
     }

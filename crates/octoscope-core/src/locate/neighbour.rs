@@ -2,7 +2,7 @@
 
 use super::point::{descend, found};
 use super::{climb, misprint};
-use crate::event::{End, Event, Observer, Outcome};
+use crate::event::{End, Event, Observer, Outcome, Search};
 use crate::geometry::Axes;
 use crate::tree::{Child, Node, NodeId, Tree};
 use crate::variant::{Variant, Variants};
@@ -95,12 +95,12 @@ pub fn neighbour_as_printed<const D: usize>(
     // the sizes beyond are unknown but that cell lies in all of them.
     let to = misprint::target(level, from, direction, variants);
     let axes = Axes::where_true(direction.0.map(|s| s != 0));
-    observe.observe(Event::Target { level, from, to, axes });
+    observe.observe(Event::Target { level, from, to, axes, search: Search::NONE });
 
     // Border: beyond it there is no neighbour.
-    let outside = to.map(|c| c < 0 || c >= i64::from(tree.domain().grid_size()));
-    observe.observe(Event::Border { outside: Axes::where_true(outside) });
-    if outside.contains(&true) {
+    let outside = tree.domain().outside(to, axes);
+    observe.observe(Event::Border { tested: axes, outside });
+    if !outside.is_empty() {
         observe.observe(Event::End(End::Outside));
         return Outcome::without_node(End::Outside);
     }
@@ -154,9 +154,9 @@ fn leaves_facing<const D: usize>(
     };
     let mut first = None;
     for child in Child::all().filter(faces) {
-        let son = tree.child(node, child);
-        observe.observe(Event::Facing { child, node: son.id });
-        let leaf = leaves_facing(tree, son, direction, observe);
+        let below = tree.child(node, child);
+        observe.observe(Event::Facing { child, node: below.id });
+        let leaf = leaves_facing(tree, below, direction, observe);
         first.get_or_insert(leaf);
     }
     first.expect("on every side of a node some children lie")

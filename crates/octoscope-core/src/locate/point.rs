@@ -1,7 +1,7 @@
 //! Point location: the leaf that owns a point.
 
 use super::misprint;
-use crate::event::{End, Event, Observer, Outcome};
+use crate::event::{End, Event, Observer, Outcome, Search};
 use crate::geometry::Aabb;
 use crate::tree::{Child, Code, Node, Tree, branch};
 use crate::variant::Variants;
@@ -30,7 +30,7 @@ pub fn locate_by_comparison<const D: usize>(
         let child = Child::from_upper_halves(std::array::from_fn(|e| point[e] >= mid[e]));
         node = tree.child(node, child);
         observe.observe(Event::Compare { mid, point, child, node: node.id });
-        code = std::array::from_fn(|e| code[e] + u32::from(child.is_upper(e)) * half);
+        code = child.code_in(code, half);
         half /= 2;
     }
     found(node, observe)
@@ -58,7 +58,7 @@ pub fn locate_by_codes_as_printed<const D: usize>(
         observe.observe(Event::End(End::Outside));
         return Outcome::without_node(End::Outside);
     };
-    observe.observe(Event::Encode { point, code });
+    observe.observe(Event::Encode { point, code, after: None, search: Search::NONE });
 
     // Follow one bit of every code a level, until a leaf stops it.
     observe.observe(Event::Begin { node: tree.root().id });

@@ -1,12 +1,18 @@
 //! What a run has cost, counted from its events.
+//!
+//! Counted is what the method needs, as the literature counts it: the smallest of
+//! D parameters takes D − 1 comparisons. Left out are leaf and loop tests, finding
+//! which others equal the smallest, and what is done only to report the interval
+//! of a leaf.
 
-use crate::event::{Event, Lookup};
+use crate::event::{Event, Lookup, Search};
 use crate::tree::NodeId;
 
 /// One kind of work.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Counter {
-    /// A link to a child or a parent is read.
+    /// A node is reached: from its parent, from a child or across a side. Of the
+    /// binary tree that emulates an octree, every part that is entered counts.
     NodeTouches,
     /// A node is asked whether it is a leaf.
     LeafTests,
@@ -16,6 +22,9 @@ pub enum Counter {
     ExitComparisons,
     /// Comparisons with the border, the origin, or of both ends of an interval.
     RangeComparisons,
+    /// Comparisons with planes of the grid that find the codes of a place on the
+    /// ray.
+    CodeComparisons,
     /// Comparisons that sort.
     SortComparisons,
     /// Divisions.
@@ -28,7 +37,7 @@ pub enum Counter {
     Transitions,
     /// Look-ups in tables of neighbours.
     TableLookups,
-    /// Cells of the finest grid that were stepped into.
+    /// Cells of the finest grid that the ray is in.
     GridCells,
     /// Searches that start at the root.
     PointLocations,
@@ -48,12 +57,13 @@ pub enum Counter {
 
 impl Counter {
     /// All counters, in the order in which they are shown.
-    pub const ALL: [Self; 19] = [
+    pub const ALL: [Self; 20] = [
         Self::NodeTouches,
         Self::LeafTests,
         Self::EntryComparisons,
         Self::ExitComparisons,
         Self::RangeComparisons,
+        Self::CodeComparisons,
         Self::SortComparisons,
         Self::Divisions,
         Self::Additions,
@@ -78,6 +88,7 @@ impl Counter {
             Self::EntryComparisons => "entry-comparisons",
             Self::ExitComparisons => "exit-comparisons",
             Self::RangeComparisons => "range-comparisons",
+            Self::CodeComparisons => "code-comparisons",
             Self::SortComparisons => "sort-comparisons",
             Self::Divisions => "divisions",
             Self::Additions => "additions",
@@ -111,8 +122,10 @@ impl Counters {
 
     /// Comparisons of coordinates and parameters, of every kind.
     pub fn comparisons(&self) -> u64 {
-        use Counter::{EntryComparisons, ExitComparisons, RangeComparisons, SortComparisons};
-        [EntryComparisons, ExitComparisons, RangeComparisons, SortComparisons]
+        use Counter::{
+            CodeComparisons, EntryComparisons, ExitComparisons, RangeComparisons, SortComparisons,
+        };
+        [EntryComparisons, ExitComparisons, RangeComparisons, CodeComparisons, SortComparisons]
             .map(|counter| self.get(counter))
             .iter()
             .sum()
@@ -136,7 +149,7 @@ impl Counters {
                 count(RangeComparisons, 2);
             }
             Event::Test { .. } => {
-                count(NodeTouches, 1);
+                // By its planes alone: the node itself is reached only by a visit.
                 count(Additions, 2 * axes);
                 count(Divisions, 2 * axes);
                 count(EntryComparisons, axes);
@@ -151,53 +164,54 @@ impl Counters {
                 count(NodeTouches, 1);
                 count(LeafTests, 1);
                 count(Descends, 1);
-                count(Calls, 1);
+                let in_a_loop = matches!(event, Event::Enter { call: false, .. });
+                count(Calls, u64::from(!in_a_loop));
                 self.push();
             }
-            Event::Cuts { .. } => {
-                // Sorting by insertion takes as many at most; each cut is then
-                // compared with both ends of the interval.
-                count(SortComparisons, axes * (axes - 1) / 2);
-                count(RangeComparisons, 2 * axes);
+            Event::Cuts { sorting, ranging, .. } => {
+                count(SortComparisons, u64::from(sorting));
+                count(RangeComparisons, u64::from(ranging));
             }
             Event::Classify { .. } => count(EntryComparisons, axes),
-            Event::Flip { axes: crossed, .. } => {
-                count(ExitComparisons, 1);
-                count(BitOperations, crossed.count() as u64);
-            }
-            Event::Split { taken, kept, .. } => {
+            Event::Flip { axes: crossed, .. } => count(BitOperations, crossed.count() as u64),
+            Event::Split { kept, .. } => {
                 count(Additions, 1);
                 count(Divisions, 1);
                 count(RangeComparisons, 3);
                 count(LeafTests, 1);
                 count(Descends, 1);
-                if taken.halved.is_empty() {
-                    count(NodeTouches, 1);
-                }
+                count(NodeTouches, 1);
                 if kept.is_some() {
                     self.push();
                 }
             }
             Event::Pop { .. } => {
+                count(NodeTouches, 1);
                 count(LeafTests, 1);
                 self.on_stack = self.on_stack.saturating_sub(1);
             }
-            Event::Grid { .. } => {
+            Event::Grid { search, .. } => {
                 count(GridCells, 1);
-                count(Additions, 3 * axes);
+                count(Additions, axes);
                 count(Divisions, axes);
+                self.search(search);
             }
-            Event::Cross { axes: crossed, .. } => {
-                count(GridCells, 1);
+            Event::Cross { axes: crossed, outside, .. } => {
+                let crossed = crossed.count() as u64;
                 count(ExitComparisons, axes - 1);
-                count(Additions, 2 * crossed.count() as u64);
-                count(RangeComparisons, crossed.count() as u64);
+                count(RangeComparisons, crossed);
+                if outside.is_empty() {
+                    // On to the cell, whose next planes are computed.
+                    count(GridCells, 1);
+                    count(Additions, crossed);
+                    count(Divisions, crossed);
+                }
             }
-            Event::Father { lookup, .. } => {
+            Event::Parent { lookup, .. } => {
                 count(NodeTouches, 1);
                 count(Ascends, 1);
                 match lookup {
-                    Lookup::Tables => count(TableLookups, 2),
+                    Lookup::Tables => count(TableLookups, 1),
                     Lookup::Bits => count(BitOperations, 2),
                 }
             }
@@ -224,9 +238,11 @@ impl Counters {
                 count(ExitComparisons, axes - 1);
                 count(RangeComparisons, 1);
             }
-            Event::Halve { .. } => {
-                count(Additions, axes);
-                count(Divisions, axes);
+            Event::Halve { divided, .. } => {
+                // A mean takes a sum and a product, any other a difference.
+                let divided = divided.count() as u64;
+                count(Additions, if divided == 0 { 2 * axes } else { divided });
+                count(Divisions, divided);
             }
             Event::First { compared, entry_axis, .. } => {
                 count(EntryComparisons, axes - 1 + compared.count() as u64);
@@ -243,7 +259,8 @@ impl Counters {
                 count(Ascends, 1);
                 self.on_stack = self.on_stack.saturating_sub(1);
             }
-            Event::Encode { .. } => count(Additions, 2 * axes),
+            Event::Encode { after: None, .. } => count(Additions, 2 * axes),
+            Event::Encode { after: Some(_), search, .. } => self.search(search),
             Event::Compare { .. } => {
                 count(NodeTouches, 1);
                 count(LeafTests, 1);
@@ -261,10 +278,9 @@ impl Counters {
                 count(Divisions, axes);
                 count(ExitComparisons, axes - 1);
             }
-            Event::Target { axes: crossed, .. } => {
-                count(Additions, 2 * (axes - crossed.count() as u64));
-            }
-            Event::Border { .. } => count(RangeComparisons, axes),
+            // What is added to codes is no sum of doubles.
+            Event::Target { search, .. } => self.search(search),
+            Event::Border { tested, .. } => count(RangeComparisons, tested.count() as u64),
             Event::Difference { .. } => count(BitOperations, axes),
             Event::Leave { .. } => count(ExitComparisons, axes - 1),
             Event::Resume { popped, .. } => {
@@ -280,6 +296,17 @@ impl Counters {
             Event::Touch { .. } => count(Touches, 1),
             Event::Found { .. } | Event::End(_) => {}
         }
+    }
+
+    /// Adds the work of finding a place on the ray: a point and its distance in
+    /// cells as a guess, then parameters of planes.
+    fn search(&mut self, search: Search) {
+        let [guesses, parameters, coordinates] =
+            [search.guesses, search.parameters, search.coordinates].map(u64::from);
+        let mut count = |counter: Counter, n: u64| self.counts[counter as usize] += n;
+        count(Counter::Additions, 3 * guesses + parameters);
+        count(Counter::Divisions, guesses + parameters);
+        count(Counter::CodeComparisons, parameters + coordinates);
     }
 
     /// One more on the stack.

@@ -87,7 +87,7 @@ impl<const D: usize> Moment<D> {
             Event::Clip { near, far, hit, mirror, .. } => {
                 self.clip = Some(RootClip { near, far, hit, mirror });
             }
-            Event::Test { node, interval } => {
+            Event::Test { node, interval, .. } => {
                 self.current = Some(node);
                 if interval.is_none() {
                     self.missed.push(node);
@@ -99,7 +99,7 @@ impl<const D: usize> Moment<D> {
                 self.push(node, state, Extent::Planes { near, far });
             }
             Event::Skip { .. } => {}
-            Event::Halve { mid } => self.change_frame(|frame| frame.mid = Some(mid)),
+            Event::Halve { mid, .. } => self.change_frame(|frame| frame.mid = Some(mid)),
             Event::First { state, .. } => {
                 self.change_frame(|frame| frame.child_state = Some(state))
             }
@@ -110,10 +110,10 @@ impl<const D: usize> Moment<D> {
                 self.stack.pop();
                 self.current = node;
             }
-            Event::Enter { node, interval } => {
+            Event::Enter { node, interval, .. } => {
                 self.push(node, None, Extent::Interval(interval));
             }
-            Event::Cuts { order, inside } => {
+            Event::Cuts { order, inside, .. } => {
                 self.change_frame(|frame| frame.cuts = Some(Cuts { order, inside }));
             }
             Event::Classify { child, .. } | Event::Flip { child, .. } => {
@@ -131,16 +131,16 @@ impl<const D: usize> Moment<D> {
                 self.part_interval = Some(interval);
                 self.pending.pop();
             }
-            Event::Grid { cell, next } => {
+            Event::Grid { cell, next, .. } => {
                 self.grid = Some(GridCell { cell: Some(cell), next, crossed: Axes::NONE });
             }
-            Event::Cross { next, axes, cell } => {
+            Event::Cross { next, axes, cell, .. } => {
                 let code = cell.map(|c| u32::try_from(c).unwrap_or(u32::MAX));
                 let inside = code.iter().all(|&c| c < tree.domain().grid_size());
                 let cell = inside.then_some(code);
                 self.grid = Some(GridCell { cell, next, crossed: axes });
             }
-            Event::Father { node, .. } => {
+            Event::Parent { node, .. } => {
                 self.current = Some(node);
                 self.detour.up.push(node);
             }
@@ -168,11 +168,11 @@ impl<const D: usize> Moment<D> {
             Event::Exits { planes, exits, axes } => {
                 self.exits = Some(Exits { planes, exits, axes });
             }
-            Event::Target { level, from, to, axes } => {
+            Event::Target { level, from, to, axes, .. } => {
                 self.target = Some(Target { level, from, to, axes, outside: None });
                 self.difference = None;
             }
-            Event::Border { outside } => {
+            Event::Border { outside, .. } => {
                 if let Some(target) = &mut self.target {
                     target.outside = Some(outside);
                 }

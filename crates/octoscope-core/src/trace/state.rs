@@ -86,9 +86,9 @@ pub struct GridCell<const D: usize> {
 /// The way from a node up, down again or across to its neighbour.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Detour {
-    /// Fathers on the way up, the lowest first.
+    /// Parents on the way up, the lowest first.
     pub up: Vec<NodeId>,
-    /// Mirrored sons on the way down, the highest first.
+    /// Mirrored children on the way down, the highest first.
     pub down: Vec<NodeId>,
     /// Nodes that links lead to, with the node from which each does.
     pub links: Vec<[NodeId; 2]>,

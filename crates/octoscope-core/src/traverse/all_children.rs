@@ -10,7 +10,7 @@
 //! which the ray meets them.
 
 use super::algorithm::Options;
-use super::clip::{Clip, clip, earliest, latest, slabs};
+use super::clip::{Clip, clip_root, earliest, latest, slabs};
 use super::report::{Report, finish, missed};
 use crate::event::{Event, Observer, Outcome};
 use crate::geometry::{Axes, Parameter, Ray};
@@ -25,9 +25,9 @@ pub fn traverse<const D: usize, P: Parameter>(
     observe: &mut impl Observer<D>,
 ) -> Outcome {
     // Clip: is the root on the ray?
-    let (clip, event) = clip::<D, P>(tree.domain(), ray, options);
-    observe.observe(event);
-    let Some(Clip { near, far, mirror, .. }) = clip else {
+    let Some(Clip { near, far, mirror, .. }) =
+        clip_root::<D, P>(tree.domain(), ray, options, observe)
+    else {
         return missed(observe);
     };
     let mut walk = Walk { tree, ray, mirror, report: Report::of(options), observe };
@@ -72,18 +72,20 @@ impl<const D: usize, P: Parameter, O: Observer<D>> Walk<'_, D, P, O> {
             // Test: both planes of every axis, as if nothing were known of them.
             let child = state.mirrored(self.mirror);
             let child_node = self.tree.child(node, child);
-            let child_code = std::array::from_fn(|e| code[e] + u32::from(child.is_upper(e)) * half);
+            let child_code = child.code_in(code, half);
             let domain = self.tree.domain();
             let (near, far) = slabs::<D, P>(domain, self.ray, level - 1, child_code);
             let (enter, exit) = (latest(near).later(P::ORIGIN), earliest(far));
-            let met = enter.before(exit);
+            let crossed = enter.before(exit);
+            let touch = !crossed && enter.not_after(exit);
             self.observe.observe(Event::Test {
                 node: child_node.id,
-                interval: met.then_some([enter.value(), exit.value()]),
+                interval: (crossed || touch).then_some([enter.value(), exit.value()]),
+                touch,
             });
 
-            // Visit what is on the ray.
-            if met {
+            // Visit what is on the ray; what it only touches is not.
+            if crossed {
                 self.visit(child_node, Some(state), level - 1, child_code, near, far)?;
                 self.observe.observe(Event::Up { node: Some(node.id) });
             }

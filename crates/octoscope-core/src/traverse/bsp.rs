@@ -14,7 +14,7 @@
 //! of the origin decides. The variant `gem` compares as it was printed.
 
 use super::algorithm::Options;
-use super::clip::{Clip, clip};
+use super::clip::{Clip, clip_root};
 use super::report::{Report, finish, missed};
 use super::variant::Variant;
 use crate::event::{Event, Halves, Observer, Outcome};
@@ -38,9 +38,7 @@ pub fn traverse<const D: usize, P: Parameter>(
     observe: &mut impl Observer<D>,
 ) -> Outcome {
     let domain = tree.domain();
-    let (clip, event) = clip::<D, P>(domain, ray, options);
-    observe.observe(event);
-    let Some(Clip { enter, exit, .. }) = clip else {
+    let Some(Clip { enter, exit, .. }) = clip_root::<D, P>(domain, ray, options, observe) else {
         return missed(observe);
     };
     let report = Report::of(options);
@@ -96,7 +94,7 @@ pub fn traverse<const D: usize, P: Parameter>(
             (node, part) = as_node(tree, node, taken);
             if part.halved.is_empty() {
                 let child = taken.as_child();
-                code = std::array::from_fn(|e| code[e] + u32::from(child.is_upper(e)) * half);
+                code = child.code_in(code, half);
                 level -= 1;
             }
         }

@@ -1,7 +1,7 @@
 //! Where a ray meets the root, and the planes of any cell.
 
 use super::algorithm::Options;
-use crate::event::Event;
+use crate::event::{Event, Observer};
 use crate::geometry::{Axes, Parameter, Ray};
 use crate::tree::{Code, Domain};
 
@@ -47,6 +47,19 @@ pub fn clip<const D: usize, P: Parameter>(
     (hit.then_some(Clip { near, far, enter, exit, mirror }), event)
 }
 
+/// The same as a step.
+#[inline]
+pub fn clip_root<const D: usize, P: Parameter>(
+    domain: &Domain<D>,
+    ray: &Ray<D>,
+    options: Options,
+    observe: &mut impl Observer<D>,
+) -> Option<Clip<D, P>> {
+    let (clip, event) = clip(domain, ray, options);
+    observe.observe(event);
+    clip
+}
+
 /// Parameters of the near and the far planes of the cell with this level and
 /// code. Without motion along an axis they are −∞ and +∞ if the cell owns the
 /// origin there; otherwise both lie on the side of the cell.
@@ -87,6 +100,14 @@ pub fn latest<const D: usize, P: Parameter>(parameters: [P; D]) -> P {
 #[inline]
 pub fn earliest<const D: usize, P: Parameter>(parameters: [P; D]) -> P {
     P::earliest(parameters)
+}
+
+/// The step of finding the parameters `mid` of mid planes, each from its
+/// coordinate.
+#[inline]
+pub fn halved<const D: usize, P: Parameter>(ray: &Ray<D>, mid: [P; D]) -> Event<D> {
+    let divided = Axes::where_true(ray.direction().map(|d| d != 0.0));
+    Event::Halve { mid: mid.map(P::value), divided }
 }
 
 /// Parameters of three planes, one per axis, at grid indices `planes`: what

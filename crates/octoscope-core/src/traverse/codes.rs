@@ -10,10 +10,9 @@
 //! settled.
 
 use super::algorithm::Options;
-use super::beyond::{beyond, code_of_entry, exit_of};
-use super::clip::{Clip, clip};
+use super::beyond::{Reached, beyond, enter, exit_of};
 use super::report::{Report, finish, missed};
-use crate::event::{Event, Observer, Outcome};
+use crate::event::{Observer, Outcome};
 use crate::geometry::{Parameter, Ray};
 use crate::locate::{climb, descend};
 use crate::tree::Tree;
@@ -26,28 +25,19 @@ pub fn traverse<const D: usize, P: Parameter>(
     options: Options,
     observe: &mut impl Observer<D>,
 ) -> Outcome {
-    // Enter: the codes of the point where the ray comes in, and their leaf.
+    // Enter: the codes of the place where the ray comes in, and their leaf.
     let domain = tree.domain();
-    let (clip, event) = clip::<D, P>(domain, ray, options);
-    observe.observe(event);
-    let Some(Clip { enter: mut entry, .. }) = clip else {
+    let Some(mut reached) = enter::<D, P>(tree, ray, options, observe) else {
         return missed(observe);
     };
     let report = Report::of(options);
-    let mut code = code_of_entry(domain, ray, entry);
-    observe.observe(Event::Encode { point: ray.at(entry.value()), code });
-    let mut node = tree.root();
-    let mut level = domain.root_level();
-    observe.observe(Event::Begin { node: node.id });
 
     loop {
-        // Descend: one bit of every code a level.
-        (node, level) = descend(tree, node, level, code, 0, observe);
-        let corner = tree.code(node.id);
-
         // Exit planes: the far planes of the leaf, and the first of them.
+        let Reached { leaf, level, entry } = reached;
+        let corner = tree.code(leaf.id);
         let exit = exit_of::<D, P>(domain, ray, level, corner);
-        let reported = report.leaf(node, entry, exit.at, observe);
+        let reported = report.leaf(leaf, entry, exit.at, observe);
         if reported.is_break() {
             return finish(reported, observe);
         }
@@ -59,8 +49,10 @@ pub fn traverse<const D: usize, P: Parameter>(
         };
 
         // Climb: up to the common ancestor.
-        (node, level) = climb(tree, node, level, corner, next, observe);
-        code = next;
-        entry = exit.at;
+        let (ancestor, level) = climb(tree, leaf, level, corner, next, observe);
+
+        // Descend: one bit of every code a level.
+        let (leaf, level) = descend(tree, ancestor, level, next, 0, observe);
+        reached = Reached { leaf, level, entry: exit.at };
     }
 }

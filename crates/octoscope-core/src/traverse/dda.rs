@@ -14,7 +14,7 @@
 
 use super::algorithm::Options;
 use super::beyond::code_of_entry;
-use super::clip::{Clip, at_planes, clip, earliest};
+use super::clip::{Clip, at_planes, clip_root, earliest};
 use super::report::{Report, finish, missed};
 use super::variant::Variant;
 use crate::event::{Event, Observer, Outcome};
@@ -61,9 +61,7 @@ fn walk<const D: usize, P: Parameter, O: Observer<D>>(
     look_up: impl Fn(Code<D>, &mut O) -> Node,
 ) -> Outcome {
     let domain = tree.domain();
-    let (clip, event) = clip::<D, P>(domain, ray, options);
-    observe.observe(event);
-    let Some(Clip { enter, .. }) = clip else {
+    let Some(Clip { enter, .. }) = clip_root::<D, P>(domain, ray, options, observe) else {
         return missed(observe);
     };
     let report = Report::of(options);
@@ -71,12 +69,12 @@ fn walk<const D: usize, P: Parameter, O: Observer<D>>(
     let rising = ray.direction().map(|d| d >= 0.0);
 
     // Init: the first cell, and the planes ahead.
-    let mut cell = code_of_entry(domain, ray, enter);
+    let (mut cell, search) = code_of_entry(domain, ray, enter);
     let mut next = at_planes::<D, P>(domain, ray, planes_ahead(cell, rising));
     // Without motion along an axis no plane is ahead.
     let still = ray.direction().map(|d| d == 0.0);
     next = std::array::from_fn(|e| if still[e] { P::BEYOND_ALL } else { next[e] });
-    observe.observe(Event::Grid { cell, next: next.map(P::value) });
+    observe.observe(Event::Grid { cell, next: next.map(P::value), search });
     let mut leaf = look_up(cell, observe);
     let (mut entry, mut now) = (enter, enter);
 
@@ -93,9 +91,9 @@ fn walk<const D: usize, P: Parameter, O: Observer<D>>(
             let step = i64::from(axes.contains(e)) * if rising[e] { 1 } else { -1 };
             i64::from(cell[e]) + step
         });
-        observe.observe(Event::Cross { next: next.map(P::value), axes, cell: beyond });
-        let is_inside = beyond.iter().all(|c| (0..i64::from(domain.grid_size())).contains(c));
-        if !is_inside {
+        let outside = domain.outside(beyond, axes);
+        observe.observe(Event::Cross { next: next.map(P::value), axes, cell: beyond, outside });
+        if !outside.is_empty() {
             return finish(report.leaf(leaf, entry, exit, observe), observe);
         }
         cell = beyond.map(|c| c as u32);

@@ -12,9 +12,10 @@
 //! are met at once are crossed at once.
 
 use super::algorithm::Options;
-use super::clip::{Clip, at_planes, clip, earliest};
+use super::beyond::within;
+use super::clip::{Clip, at_planes, clip_root, earliest, halved};
 use super::report::{Report, finish, missed};
-use crate::event::{Event, Observer, Outcome};
+use crate::event::{Event, Observer, Outcome, Search};
 use crate::geometry::{Axes, Parameter, Ray};
 use crate::tree::{Child, Code, MAX_ROOT_LEVEL, Node, Tree, branch, common_level};
 use std::ops::ControlFlow;
@@ -37,9 +38,9 @@ pub fn traverse<const D: usize, P: Parameter>(
 ) -> Outcome {
     // Clip: where the ray is in the root.
     let domain = tree.domain();
-    let (clip, event) = clip::<D, P>(domain, ray, options);
-    observe.observe(event);
-    let Some(Clip { enter: mut entry, mut far, mirror, .. }) = clip else {
+    let Some(Clip { enter: mut entry, mut far, mirror, .. }) =
+        clip_root::<D, P>(domain, ray, options, observe)
+    else {
         return missed(observe);
     };
     let report = Report::of(options);
@@ -55,7 +56,7 @@ pub fn traverse<const D: usize, P: Parameter>(
         while !node.is_leaf() {
             let half = 1 << (level - 1);
             let mid = at_planes::<D, P>(domain, ray, code.map(|c| c + half));
-            observe.observe(Event::Halve { mid: mid.map(P::value) });
+            observe.observe(halved(ray, mid));
             stack[usize::from(level)] = Level { node, code, mid, far };
             let passed = Child::<D>::from_upper_halves(mid.map(|t| t.not_after(entry)));
             let child = passed.mirrored(mirror);
@@ -83,15 +84,12 @@ pub fn traverse<const D: usize, P: Parameter>(
                 (true, true) => low - 1,
             }
         });
-        observe.observe(Event::Target { level, from: code, to: target, axes });
-        let outside = target.map(|c| c < 0 || c >= i64::from(domain.grid_size()));
-        observe.observe(Event::Border { outside: Axes::where_true(outside) });
-        if outside.contains(&true) {
+        let target = (target, Search::NONE);
+        let Some(next) = within(domain, level, code, axes, target, observe) else {
             return finish(ControlFlow::Continue(()), observe);
-        }
+        };
 
         // Resume: at the ancestor whose level is that of the highest new bit.
-        let next = target.map(|c| c as u32);
         let xor = std::array::from_fn(|e| code[e] ^ next[e]);
         let popped = common_level(code, next) - level;
         level += popped;
@@ -116,12 +114,12 @@ fn below<const D: usize, P: Parameter>(
 ) -> (Node, Code<D>, [P; D]) {
     let state = child.mirrored(mirror);
     let half = 1 << (level - 1);
-    let code = std::array::from_fn(|e| parent.code[e] + u32::from(child.is_upper(e)) * half);
-    let far =
-        std::array::from_fn(|e| if state.is_upper(e) { parent.far[e] } else { parent.mid[e] });
+    let code = child.code_in(parent.code, half);
+    let far = state.pick(parent.mid, parent.far);
     (tree.child(parent.node, child), code, far)
 }
 
 fn entered<const D: usize, P: Parameter>(node: Node, entry: P, far: [P; D]) -> Event<D> {
-    Event::Enter { node: node.id, interval: [entry.value(), earliest(far).value()] }
+    let interval = [entry.value(), earliest(far).value()];
+    Event::Enter { node: node.id, interval, call: false }
 }

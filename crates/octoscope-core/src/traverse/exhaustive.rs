@@ -104,7 +104,7 @@ fn test_all<const D: usize, I: Integer>(
             if steps[e] == nothing {
                 // Without motion the cell owns its lower plane, not its upper one.
                 if origin[e] < low || origin[e] >= high {
-                    observe.observe(Event::Test { node: leaf.id, interval: None });
+                    observe.observe(Event::Test { node: leaf.id, interval: None, touch: false });
                     continue 'leaves;
                 }
                 continue;
@@ -136,7 +136,9 @@ fn test_all<const D: usize, I: Integer>(
         let meets = order != Ordering::Greater && begins_in_time;
         let cut = end.as_ref().filter(|end| exit.compare(end) != Ordering::Less);
         let interval = [enter.value, cut.unwrap_or(&exit).value];
-        observe.observe(Event::Test { node: leaf.id, interval: meets.then_some(interval) });
+        let touch = meets && order == Ordering::Equal;
+        let interval_if_met = meets.then_some(interval);
+        observe.observe(Event::Test { node: leaf.id, interval: interval_if_met, touch });
         if meets {
             let kind = match (order, cut) {
                 (Ordering::Equal, _) => Kind::Touch,

@@ -10,9 +10,11 @@
 //! each other and could contradict each other in doubles where cuts lie close
 //! together. So equal cuts are merged, and a piece is classified by its middle,
 //! by the parameters of the planes and not by the coordinates of a rounded point.
+//! Where comparisons are exact, no middle is formed: as no plane is met within the
+//! piece, those passed in its middle are those not after its beginning.
 
 use super::algorithm::Options;
-use super::clip::{Clip, at_planes, clip};
+use super::clip::{Clip, at_planes, clip_root, halved};
 use super::hero::sorted;
 use super::report::{Report, finish, missed};
 use crate::event::{Event, Observer, Outcome};
@@ -27,9 +29,9 @@ pub fn traverse<const D: usize, P: Parameter>(
     options: Options,
     observe: &mut impl Observer<D>,
 ) -> Outcome {
-    let (clip, event) = clip::<D, P>(tree.domain(), ray, options);
-    observe.observe(event);
-    let Some(Clip { enter, exit, mirror, .. }) = clip else {
+    let Some(Clip { enter, exit, mirror, .. }) =
+        clip_root::<D, P>(tree.domain(), ray, options, observe)
+    else {
         return missed(observe);
     };
     let mut walk = Walk { tree, ray, mirror, report: Report::of(options), observe };
@@ -59,7 +61,7 @@ impl<const D: usize, P: Parameter, O: Observer<D>> Walk<'_, D, P, O> {
         exit: P,
     ) -> ControlFlow<Outcome> {
         let interval = [enter.value(), exit.value()];
-        self.observe.observe(Event::Enter { node: node.id, interval });
+        self.observe.observe(Event::Enter { node: node.id, interval, call: true });
         if node.is_leaf() {
             return self.report.leaf(node, enter, exit, self.observe);
         }
@@ -67,10 +69,13 @@ impl<const D: usize, P: Parameter, O: Observer<D>> Walk<'_, D, P, O> {
         // Cut: sort the mid planes, leave out those beyond the interval.
         let half = 1 << (level - 1);
         let mid = at_planes::<D, P>(self.tree.domain(), self.ray, code.map(|c| c + half));
-        self.observe.observe(Event::Halve { mid: mid.map(P::value) });
-        let order = sorted(mid);
-        let inside = Axes::where_true(mid.map(|t| enter.before(t) && t.before(exit)));
-        self.observe.observe(Event::Cuts { order: order.map(|axis| axis as u8), inside });
+        self.observe.observe(halved(self.ray, mid));
+        let (order, sorting) = sorted(mid);
+        let ahead = mid.map(|t| enter.before(t));
+        let inside = Axes::where_true(std::array::from_fn(|e| ahead[e] && mid[e].before(exit)));
+        let ranging = (D + ahead.iter().filter(|&&ahead| ahead).count()) as u8;
+        let axes = order.map(|axis| axis as u8);
+        self.observe.observe(Event::Cuts { order: axes, inside, sorting, ranging });
 
         let cuts = order.into_iter().filter(|&axis| inside.contains(axis)).map(|axis| mid[axis]);
         let mut from = enter;
@@ -89,7 +94,7 @@ impl<const D: usize, P: Parameter, O: Observer<D>> Walk<'_, D, P, O> {
 
             // Recurse with the piece.
             let child_node = self.tree.child(node, child);
-            let child_code = std::array::from_fn(|e| code[e] + u32::from(child.is_upper(e)) * half);
+            let child_code = child.code_in(code, half);
             self.visit(child_node, level - 1, child_code, from, to)?;
             self.observe.observe(Event::Up { node: Some(node.id) });
             from = to;

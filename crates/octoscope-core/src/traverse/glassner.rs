@@ -14,11 +14,10 @@
 //! in circles [Haines 1989], which is noticed by its getting no further.
 
 use super::algorithm::Options;
-use super::beyond::{Exit, beyond, code_of_entry, exit_of};
-use super::clip::{Clip, clip};
+use super::beyond::{Exit, Reached, beyond, enter, exit_of};
 use super::report::{Report, finish, missed};
 use super::variant::Variant;
-use crate::event::{End, Event, Observer, Outcome};
+use crate::event::{End, Event, Observer, Outcome, Search};
 use crate::geometry::{Axes, Parameter, Ray};
 use crate::locate::descend;
 use crate::tree::{Code, Domain, Tree};
@@ -32,27 +31,19 @@ pub fn traverse<const D: usize, P: Parameter>(
     observe: &mut impl Observer<D>,
 ) -> Outcome {
     let domain = tree.domain();
-    let (clip, event) = clip::<D, P>(domain, ray, options);
-    observe.observe(event);
-    let Some(Clip { enter: mut entry, .. }) = clip else {
+    let Some(mut reached) = enter::<D, P>(tree, ray, options, observe) else {
         return missed(observe);
     };
     let report = Report::of(options);
     let push = options.variants.has(Variant::Push);
-    let mut code = code_of_entry(domain, ray, entry);
-    observe.observe(Event::Encode { point: ray.at(entry.value()), code });
-    let (mut farthest, mut leaves_without_progress) = (entry, 0);
+    let (mut farthest, mut leaves_without_progress) = (reached.entry, 0);
 
     loop {
-        // Locate from the root.
-        let root = tree.root();
-        observe.observe(Event::Begin { node: root.id });
-        let (node, level) = descend(tree, root, domain.root_level(), code, 0, observe);
-        let corner = tree.code(node.id);
-
         // Exit point: on the first of the leaf's far planes.
+        let Reached { leaf, level, entry } = reached;
+        let corner = tree.code(leaf.id);
         let exit = exit_of::<D, P>(domain, ray, level, corner);
-        let reported = report.leaf(node, entry, exit.at, observe);
+        let reported = report.leaf(leaf, entry, exit.at, observe);
         if reported.is_break() {
             return finish(reported, observe);
         }
@@ -75,8 +66,12 @@ pub fn traverse<const D: usize, P: Parameter>(
         let Some(next) = next else {
             return finish(ControlFlow::Continue(()), observe);
         };
-        code = next;
-        entry = exit.at;
+
+        // Locate from the root.
+        let root = tree.root();
+        observe.observe(Event::Begin { node: root.id });
+        let (leaf, level) = descend(tree, root, domain.root_level(), next, 0, observe);
+        reached = Reached { leaf, level, entry: exit.at };
     }
 }
 
@@ -94,10 +89,10 @@ fn pushed<const D: usize, P: Parameter>(
     to[axis] += 0.5 * domain.cell_side(0) * ray.direction()[axis].signum();
     observe.observe(Event::Push { from, to, axis: axis as u8 });
     let code = domain.encode_point(to);
-    let outside = Axes::where_true(std::array::from_fn(|e| domain.encode(e, to[e]).is_none()));
-    observe.observe(Event::Border { outside });
     if let Some(code) = code {
-        observe.observe(Event::Encode { point: to, code });
+        observe.observe(Event::Encode { point: to, code, after: None, search: Search::NONE });
     }
+    let outside = Axes::where_true(std::array::from_fn(|e| domain.encode(e, to[e]).is_none()));
+    observe.observe(Event::Border { tested: Axes::where_true([true; D]), outside });
     code
 }

@@ -13,7 +13,7 @@
 //! axis the side of the origin decides.
 
 use super::algorithm::Options;
-use super::clip::{Clip, at_planes, clip};
+use super::clip::{Clip, at_planes, clip_root, halved};
 use super::report::{Report, finish, missed};
 use crate::event::{Event, Observer, Outcome};
 use crate::geometry::{Axes, Parameter, Ray};
@@ -28,9 +28,9 @@ pub fn traverse<const D: usize, P: Parameter>(
     observe: &mut impl Observer<D>,
 ) -> Outcome {
     // Mask: the signs of the direction, and the interval of the root.
-    let (clip, event) = clip::<D, P>(tree.domain(), ray, options);
-    observe.observe(event);
-    let Some(Clip { enter, exit, mirror: mask, .. }) = clip else {
+    let Some(Clip { enter, exit, mirror: mask, .. }) =
+        clip_root::<D, P>(tree.domain(), ray, options, observe)
+    else {
         return missed(observe);
     };
     let mut walk = Walk { tree, ray, mask, report: Report::of(options), observe };
@@ -59,7 +59,7 @@ impl<const D: usize, P: Parameter, O: Observer<D>> Walk<'_, D, P, O> {
         exit: P,
     ) -> ControlFlow<Outcome> {
         let interval = [enter.value(), exit.value()];
-        self.observe.observe(Event::Enter { node: node.id, interval });
+        self.observe.observe(Event::Enter { node: node.id, interval, call: true });
         if node.is_leaf() {
             return self.report.leaf(node, enter, exit, self.observe);
         }
@@ -67,17 +67,19 @@ impl<const D: usize, P: Parameter, O: Observer<D>> Walk<'_, D, P, O> {
         // Mid planes.
         let half = 1 << (level - 1);
         let mid = at_planes::<D, P>(self.tree.domain(), self.ray, code.map(|c| c + half));
-        self.observe.observe(Event::Halve { mid: mid.map(P::value) });
+        self.observe.observe(halved(self.ray, mid));
 
         // First child: the mask, with the bits flipped whose planes are passed.
-        let passed = Child::<D>::from_upper_halves(mid.map(|t| t.not_after(enter)));
-        let mut child = passed.mirrored(self.mask);
+        let passed = mid.map(|t| t.not_after(enter));
+        let mut child = Child::<D>::from_upper_halves(passed).mirrored(self.mask);
         self.observe.observe(Event::Classify { at: enter.value(), piece: None, child });
 
         // Sort: the planes that are still to be met, in their order.
-        let order = sorted(mid);
-        let inside = Axes::where_true(mid.map(|t| enter.before(t) && t.before(exit)));
-        self.observe.observe(Event::Cuts { order: order.map(|axis| axis as u8), inside });
+        let (order, sorting) = sorted(mid);
+        let inside = Axes::where_true(std::array::from_fn(|e| !passed[e] && mid[e].before(exit)));
+        let ranging = passed.iter().filter(|&&passed| !passed).count() as u8;
+        let axes = order.map(|axis| axis as u8);
+        self.observe.observe(Event::Cuts { order: axes, inside, sorting, ranging });
 
         let mut from = enter;
         let mut ahead = order.into_iter().filter(|&axis| inside.contains(axis)).peekable();
@@ -85,7 +87,7 @@ impl<const D: usize, P: Parameter, O: Observer<D>> Walk<'_, D, P, O> {
             // Visit the child up to the next plane.
             let next = ahead.peek().map(|&axis| mid[axis]);
             let child_node = self.tree.child(node, child);
-            let child_code = std::array::from_fn(|e| code[e] + u32::from(child.is_upper(e)) * half);
+            let child_code = child.code_in(code, half);
             self.visit(child_node, level - 1, child_code, from, next.unwrap_or(exit))?;
             self.observe.observe(Event::Up { node: Some(node.id) });
 
@@ -105,18 +107,23 @@ impl<const D: usize, P: Parameter, O: Observer<D>> Walk<'_, D, P, O> {
 }
 
 /// The axes in the order of these parameters, by insertion; equal ones in the
-/// order of the axes.
+/// order of the axes. With the number of comparisons that it took.
 #[inline]
-pub fn sorted<const D: usize, P: Parameter>(parameters: [P; D]) -> [usize; D] {
+pub fn sorted<const D: usize, P: Parameter>(parameters: [P; D]) -> ([usize; D], u8) {
     let mut order = std::array::from_fn(|axis| axis);
+    let mut n_comparisons = 0;
     for end in 1..D {
         let mut place = end;
-        while place > 0 && parameters[order[place]].before(parameters[order[place - 1]]) {
+        while place > 0 {
+            n_comparisons += 1;
+            if !parameters[order[place]].before(parameters[order[place - 1]]) {
+                break;
+            }
             order.swap(place, place - 1);
             place -= 1;
         }
     }
-    order
+    (order, n_comparisons)
 }
 
 #[cfg(test)]
@@ -125,7 +132,8 @@ mod tests {
 
     #[test]
     fn axes_are_sorted_by_their_parameters() {
-        assert_eq!(sorted([3.0, 1.0, 2.0]), [1, 2, 0]);
-        assert_eq!(sorted([1.0, f64::NEG_INFINITY, 1.0]), [1, 0, 2]);
+        assert_eq!(sorted([3.0, 1.0, 2.0]), ([1, 2, 0], 3));
+        assert_eq!(sorted([1.0, 2.0, 3.0]), ([0, 1, 2], 2));
+        assert_eq!(sorted([1.0, f64::NEG_INFINITY, 1.0]).0, [1, 0, 2]);
     }
 }

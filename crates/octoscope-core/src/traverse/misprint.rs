@@ -103,7 +103,8 @@ impl<const D: usize, O: Observer<D>> Walk<'_, D, O> {
             let (origin, direction) = (self.origin[e], self.direction[e]);
             self.rules.mid(plane, origin, direction, [place.near[e], place.far[e]])
         });
-        self.observe.observe(Event::Halve { mid });
+        let divided = self.rules.divided(self.direction);
+        self.observe.observe(Event::Halve { mid, divided });
 
         if D == 2 && self.rules.has(Variant::B3) {
             self.selected(&place, mid)
@@ -209,11 +210,8 @@ impl<const D: usize, O: Observer<D>> Walk<'_, D, O> {
         state: Child<D>,
     ) -> ControlFlow<Outcome, [f64; D]> {
         let half = 1 << (place.level - 1);
-        let pick = |upper: [f64; D], lower: [f64; D]| {
-            std::array::from_fn(|e| if state.is_upper(e) { upper[e] } else { lower[e] })
-        };
-        let (near, far) = (pick(mid, place.near), pick(place.far, mid));
-        let code = std::array::from_fn(|e| place.code[e] + u32::from(state.is_upper(e)) * half);
+        let (near, far) = (state.pick(place.near, mid), state.pick(mid, place.far));
+        let code = state.code_in(place.code, half);
         let node = self.tree.child(place.node, state.mirrored(self.mirror));
         self.observe.observe(Event::Visit { node: node.id, state: Some(state), near, far });
         self.visit(Place { node, level: place.level - 1, code, near, far })?;

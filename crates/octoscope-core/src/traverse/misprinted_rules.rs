@@ -2,7 +2,7 @@
 
 use super::clip::{earliest, latest};
 use super::variant::{Variant, Variants};
-use crate::geometry::Ray;
+use crate::geometry::{Axes, Ray};
 use crate::tree::{Child, Domain};
 
 /// Which rules are misprinted.
@@ -52,6 +52,12 @@ impl Rules {
         } else {
             self.parameter(at, origin, direction, Plane::Mid)
         }
+    }
+
+    /// Axes along which the parameter of a mid plane takes a division.
+    pub fn divided<const D: usize>(self, direction: [f64; D]) -> Axes<D> {
+        let averaged = self.has(Variant::B4) || self.has(Variant::Averaged);
+        Axes::where_true(direction.map(|d| d != 0.0 && !averaged))
     }
 
     /// Parameters of entry and exit of a node: eq. 12.

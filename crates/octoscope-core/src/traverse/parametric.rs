@@ -19,13 +19,13 @@
 //! * *The index is mirrored, not the ray*: a root away from 0 needs no care.
 
 use super::algorithm::Options;
-use super::clip::{Clip, at_planes, clip, earliest, latest};
+use super::clip::{Clip, at_planes, clip_root, earliest, halved, latest};
 use super::misprint::{self, Base};
 use super::report::{Report, finish, missed};
 use super::variant::Variant;
 use crate::event::{Event, Observer, Outcome};
 use crate::geometry::{Axes, Parameter, Ray};
-use crate::tree::{Child, Code, Node, Tree};
+use crate::tree::{Child, Code, Domain, Node, Tree};
 use std::ops::ControlFlow;
 
 /// Leaves of `tree` along `ray`, in order.
@@ -40,9 +40,9 @@ pub fn traverse<const D: usize, P: Parameter>(
     }
 
     // Clip: the six (four) parameters of the root.
-    let (clip, event) = clip::<D, P>(tree.domain(), ray, options);
-    observe.observe(event);
-    let Some(Clip { near, far, mirror, .. }) = clip else {
+    let Some(Clip { near, far, mirror, .. }) =
+        clip_root::<D, P>(tree.domain(), ray, options, observe)
+    else {
         return missed(observe);
     };
 
@@ -91,11 +91,14 @@ impl<const D: usize, P: Parameter, O: Observer<D>> Walk<'_, D, P, O> {
 
         // Halve: the parameters of the mid planes.
         let half = 1 << (level - 1);
-        let mut mid = at_planes::<D, P>(self.tree.domain(), self.ray, code.map(|c| c + half));
-        if self.options.variants.has(Variant::Averaged) {
-            mid = averaged(self.ray, near, mid, far);
-        }
-        self.observe.observe(Event::Halve { mid: mid.map(P::value) });
+        let planes = code.map(|c| c + half);
+        let (mid, event) = if self.options.variants.has(Variant::Averaged) {
+            averaged(self.tree.domain(), self.ray, near, planes, far)
+        } else {
+            let mid = at_planes::<D, P>(self.tree.domain(), self.ray, planes);
+            (mid, halved(self.ray, mid))
+        };
+        self.observe.observe(event);
 
         // Enter: the first child is past every mid plane that is not after the entry.
         let one_by_one = self.options.variants.has(Variant::OneByOne);
@@ -110,13 +113,11 @@ impl<const D: usize, P: Parameter, O: Observer<D>> Walk<'_, D, P, O> {
 
         loop {
             // Visit the child, in the tree's own numbering.
-            let near_of_child =
-                std::array::from_fn(|e| if state.is_upper(e) { mid[e] } else { near[e] });
-            let far_of_child =
-                std::array::from_fn(|e| if state.is_upper(e) { far[e] } else { mid[e] });
+            let near_of_child = state.pick(near, mid);
+            let far_of_child = state.pick(mid, far);
             let child = state.mirrored(self.mirror);
             let child_node = self.tree.child(node, child);
-            let child_code = std::array::from_fn(|e| code[e] + u32::from(child.is_upper(e)) * half);
+            let child_code = child.code_in(code, half);
             self.observe.observe(Event::Visit {
                 node: child_node.id,
                 state: Some(state),
@@ -150,16 +151,28 @@ impl<const D: usize, P: Parameter, O: Observer<D>> Walk<'_, D, P, O> {
 }
 
 /// Parameters of the mid planes as the mean of those of the near and far planes
-/// [Revelles 2000, eq. 13]; along axes without motion as they are (eq. 15).
+/// [Revelles 2000, eq. 13], along axes without motion from their coordinate
+/// (eq. 15); with the step of finding them. No division in doubles.
 #[inline]
 pub(super) fn averaged<const D: usize, P: Parameter>(
+    domain: &Domain<D>,
     ray: &Ray<D>,
     near: [P; D],
-    mid: [P; D],
+    planes: [u32; D],
     far: [P; D],
-) -> [P; D] {
-    let moves = ray.direction().map(|d| d != 0.0);
-    std::array::from_fn(|e| if moves[e] { P::mean(near[e], far[e], mid[e]) } else { mid[e] })
+) -> ([P; D], Event<D>) {
+    let (origin, direction) = (ray.origin(), ray.direction());
+    let mid: [P; D] = std::array::from_fn(|e| {
+        let plane = domain.plane(e, planes[e]);
+        if direction[e] != 0.0 {
+            P::mean(near[e], far[e], || P::at_plane(plane, origin[e], direction[e]))
+        } else if origin[e] < plane {
+            P::BEYOND_ALL
+        } else {
+            P::BEFORE_ALL
+        }
+    });
+    (mid, Event::Halve { mid: mid.map(P::value), divided: Axes::NONE })
 }
 
 /// Axis of the near plane that is reached last, the first of equal ones; `None`

@@ -14,7 +14,7 @@
 //! as its authors corrected it; mid planes from their coordinate.
 
 use super::algorithm::Options;
-use super::clip::{Clip, at_planes, clip, earliest, latest};
+use super::clip::{Clip, at_planes, clip_root, earliest, halved, latest};
 use super::misprint::{self, Base};
 use super::parametric::averaged;
 use super::report::{Report, finish, missed};
@@ -72,9 +72,9 @@ pub fn traverse<const D: usize, P: Parameter>(
     }
 
     // Clip: the six (four) parameters of the root.
-    let (clip, event) = clip::<D, P>(tree.domain(), ray, options);
-    observe.observe(event);
-    let Some(Clip { near, far, mirror, .. }) = clip else {
+    let Some(Clip { near, far, mirror, .. }) =
+        clip_root::<D, P>(tree.domain(), ray, options, observe)
+    else {
         return missed(observe);
     };
 
@@ -130,11 +130,14 @@ impl<const D: usize, P: Parameter, O: Observer<D>> Walk<'_, D, P, O> {
 
         // Halve: the parameters of the mid planes.
         let half = 1 << (level - 1);
-        let mut mid = at_planes::<D, P>(self.tree.domain(), self.ray, code.map(|c| c + half));
-        if self.options.variants.has(Variant::Averaged) {
-            mid = averaged(self.ray, near, mid, far);
-        }
-        self.observe.observe(Event::Halve { mid: mid.map(P::value) });
+        let planes = code.map(|c| c + half);
+        let (mid, event) = if self.options.variants.has(Variant::Averaged) {
+            averaged(self.tree.domain(), self.ray, near, planes, far)
+        } else {
+            let mid = at_planes::<D, P>(self.tree.domain(), self.ray, planes);
+            (mid, halved(self.ray, mid))
+        };
+        self.observe.observe(event);
 
         // Enter: Table 2, from the near plane that is reached last.
         let entry = latest(near);
@@ -152,13 +155,11 @@ impl<const D: usize, P: Parameter, O: Observer<D>> Walk<'_, D, P, O> {
 
         loop {
             // Visit the child, in the tree's own numbering.
-            let near_of_child =
-                std::array::from_fn(|e| if state.is_upper(e) { mid[e] } else { near[e] });
-            let far_of_child =
-                std::array::from_fn(|e| if state.is_upper(e) { far[e] } else { mid[e] });
+            let near_of_child = state.pick(near, mid);
+            let far_of_child = state.pick(mid, far);
             let child = state.mirrored(self.mirror);
             let child_node = self.tree.child(node, child);
-            let child_code = std::array::from_fn(|e| code[e] + u32::from(child.is_upper(e)) * half);
+            let child_code = child.code_in(code, half);
             self.observe.observe(Event::Visit {
                 node: child_node.id,
                 state: Some(state),

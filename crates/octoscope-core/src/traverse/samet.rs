@@ -12,12 +12,11 @@
 //! directions and tables cannot contradict each other.
 
 use super::algorithm::Options;
-use super::beyond::{code_of_entry, exit_of, target_of};
-use super::clip::{Clip, clip};
+use super::beyond::{Reached, enter, exit_of, locate_below};
 use super::report::{Report, finish, missed};
-use crate::event::{Event, Observer, Outcome};
+use crate::event::{Observer, Outcome};
 use crate::geometry::{Parameter, Ray};
-use crate::locate::{ascend_and_mirror, descend};
+use crate::locate::ascend_and_mirror;
 use crate::tree::Tree;
 use std::ops::ControlFlow;
 
@@ -28,22 +27,16 @@ pub fn traverse<const D: usize, P: Parameter>(
     options: Options,
     observe: &mut impl Observer<D>,
 ) -> Outcome {
+    // Entry point: its leaf is located from the root.
     let domain = tree.domain();
-    let (clip, event) = clip::<D, P>(domain, ray, options);
-    observe.observe(event);
-    let Some(Clip { enter: mut entry, .. }) = clip else {
+    let Some(mut reached) = enter::<D, P>(tree, ray, options, observe) else {
         return missed(observe);
     };
     let report = Report::of(options);
 
-    // Entry point: its leaf is located from the root.
-    let code = code_of_entry(domain, ray, entry);
-    observe.observe(Event::Encode { point: ray.at(entry.value()), code });
-    observe.observe(Event::Begin { node: tree.root().id });
-    let (mut leaf, mut level) = descend(tree, tree.root(), domain.root_level(), code, 0, observe);
-
     loop {
         // Exit kind: one plane is a face, two are an edge, three a corner.
+        let Reached { leaf, level, entry } = reached;
         let corner = tree.code(leaf.id);
         let exit = exit_of::<D, P>(domain, ray, level, corner);
         let reported = report.leaf(leaf, entry, exit.at, observe);
@@ -63,12 +56,6 @@ pub fn traverse<const D: usize, P: Parameter>(
         };
 
         // Locate below: the leaf in which the ray goes on.
-        let target = target_of(domain, ray, level, corner, &exit).map(|c| c as u32);
-        level = tree.level(neighbour.id);
-        if !neighbour.is_leaf() {
-            observe.observe(Event::Encode { point: ray.at(exit.at.value()), code: target });
-        }
-        (leaf, level) = descend(tree, neighbour, level, target, 0, observe);
-        entry = exit.at;
+        reached = locate_below(tree, ray, neighbour, (level, corner), &exit, observe);
     }
 }

@@ -3,18 +3,16 @@
 //!
 //! For a ray of fixed direction the far planes of every cell meet in the same one
 //! of its corners, given by the signs of the direction. Keeping that corner, a
-//! leaf is left where the first of the corner's parameters says; and a father is
-//! left as well as long as the son's bits agree with the signs along the crossed
+//! leaf is left where the first of the corner's parameters says; and a parent is
+//! left as well as long as the child's bits agree with the signs along the crossed
 //! axes. So neither faces nor tables are looked at. O(visited leaves × distance to
 //! the common ancestor), D divisions a leaf.
 
 use super::algorithm::Options;
-use super::beyond::{code_of_entry, exit_of, target_of};
-use super::clip::{Clip, clip};
+use super::beyond::{Reached, enter, exit_of, locate_below};
 use super::report::{Report, finish, missed};
 use crate::event::{Event, Lookup, Observer, Outcome};
 use crate::geometry::{Axes, Parameter, Ray};
-use crate::locate::descend;
 use crate::tree::{Node, Tree};
 use std::ops::ControlFlow;
 
@@ -25,23 +23,17 @@ pub fn traverse<const D: usize, P: Parameter>(
     options: Options,
     observe: &mut impl Observer<D>,
 ) -> Outcome {
+    // Entry point: its leaf is located from the root.
     let domain = tree.domain();
-    let (clip, event) = clip::<D, P>(domain, ray, options);
-    observe.observe(event);
-    let Some(Clip { enter: mut entry, .. }) = clip else {
+    let Some(mut reached) = enter::<D, P>(tree, ray, options, observe) else {
         return missed(observe);
     };
     let report = Report::of(options);
     let signs = Axes::where_true(ray.direction().map(|d| d > 0.0));
 
-    // Entry point: its leaf is located from the root.
-    let code = code_of_entry(domain, ray, entry);
-    observe.observe(Event::Encode { point: ray.at(entry.value()), code });
-    observe.observe(Event::Begin { node: tree.root().id });
-    let (mut leaf, mut level) = descend(tree, tree.root(), domain.root_level(), code, 0, observe);
-
     loop {
         // Corner: the first of its planes to be met.
+        let Reached { leaf, level, entry } = reached;
         let low = tree.code(leaf.id);
         let exit = exit_of::<D, P>(domain, ray, level, low);
         let reported = report.leaf(leaf, entry, exit.at, observe);
@@ -50,17 +42,13 @@ pub fn traverse<const D: usize, P: Parameter>(
         }
         observe.observe(exit.event(domain));
 
-        // Climb: while the ray leaves the father through the same planes.
+        // Climb: while the ray leaves the parent through the same planes.
         let Some(ancestor) = climb_by_signs(tree, leaf, exit.axes, signs, observe) else {
             return finish(ControlFlow::Continue(()), observe);
         };
 
         // Down again, to where the ray goes on.
-        let target = target_of(domain, ray, level, low, &exit).map(|c| c as u32);
-        level = tree.level(ancestor.id);
-        observe.observe(Event::Encode { point: ray.at(exit.at.value()), code: target });
-        (leaf, level) = descend(tree, ancestor, level, target, 0, observe);
-        entry = exit.at;
+        reached = locate_below(tree, ray, ancestor, (level, low), &exit, observe);
     }
 }
 
@@ -81,17 +69,17 @@ fn climb_by_signs<const D: usize>(
         })
     };
     while !axes.is_empty() {
-        let father = tree.parent(node.id)?;
-        let son = tree.child_index(node.id)?;
-        let common = Axes(axes.0 & !(son.0 ^ signs.0));
-        observe.observe(Event::Father {
-            node: father,
-            son,
+        let parent = tree.parent(node.id)?;
+        let child = tree.child_index(node.id)?;
+        let common = Axes(axes.0 & !(child.0 ^ signs.0));
+        observe.observe(Event::Parent {
+            node: parent,
+            child,
             direction: towards(axes),
             common: towards(common),
             lookup: Lookup::Bits,
         });
-        (node, axes) = (tree.node(father), common);
+        (node, axes) = (tree.node(parent), common);
     }
     Some(node)
 }

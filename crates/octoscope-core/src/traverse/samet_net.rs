@@ -8,12 +8,10 @@
 //! the way spans the goal already. O(visited leaves) links, D divisions a leaf.
 
 use super::algorithm::Options;
-use super::beyond::{code_of_entry, exit_of, target_of};
-use super::clip::{Clip, clip};
+use super::beyond::{Exit, Reached, enter, exit_of, locate_below};
 use super::report::{Report, finish, missed};
 use crate::event::{Event, Observer, Outcome};
-use crate::geometry::{Axes, Parameter, Ray};
-use crate::locate::descend;
+use crate::geometry::{Parameter, Ray};
 use crate::tree::{Node, Tree};
 use std::ops::ControlFlow;
 
@@ -24,22 +22,16 @@ pub fn traverse<const D: usize, P: Parameter>(
     options: Options,
     observe: &mut impl Observer<D>,
 ) -> Outcome {
+    // Entry point: its leaf is located from the root.
     let domain = tree.domain();
-    let (clip, event) = clip::<D, P>(domain, ray, options);
-    observe.observe(event);
-    let Some(Clip { enter: mut entry, .. }) = clip else {
+    let Some(mut reached) = enter::<D, P>(tree, ray, options, observe) else {
         return missed(observe);
     };
     let report = Report::of(options);
 
-    // Entry point: its leaf is located from the root.
-    let code = code_of_entry(domain, ray, entry);
-    observe.observe(Event::Encode { point: ray.at(entry.value()), code });
-    observe.observe(Event::Begin { node: tree.root().id });
-    let (mut leaf, mut level) = descend(tree, tree.root(), domain.root_level(), code, 0, observe);
-
     loop {
         // Exit planes: the far planes of the leaf, and the first of them.
+        let Reached { leaf, level, entry } = reached;
         let corner = tree.code(leaf.id);
         let exit = exit_of::<D, P>(domain, ray, level, corner);
         let reported = report.leaf(leaf, entry, exit.at, observe);
@@ -49,38 +41,32 @@ pub fn traverse<const D: usize, P: Parameter>(
         observe.observe(exit.event(domain));
 
         // Links: one through every plane that is met.
-        let target = target_of(domain, ray, level, corner, &exit);
-        let Some(neighbour) = follow_links(tree, ray, leaf, exit.axes, target, observe) else {
+        let Some(neighbour) = follow_links(tree, ray, leaf, &exit, observe) else {
             return finish(ControlFlow::Continue(()), observe);
         };
 
         // Locate below: the leaf in which the ray goes on.
-        let target = target.map(|c| c as u32);
-        level = tree.level(neighbour.id);
-        if !neighbour.is_leaf() {
-            observe.observe(Event::Encode { point: ray.at(exit.at.value()), code: target });
-        }
-        (leaf, level) = descend(tree, neighbour, level, target, 0, observe);
-        entry = exit.at;
+        reached = locate_below(tree, ray, neighbour, (level, corner), &exit, observe);
     }
 }
 
-/// The node, a leaf or not, beyond the planes of `axes` that spans `target`
-/// along these axes; `None` if the ray leaves the root.
-fn follow_links<const D: usize>(
+/// The node, a leaf or not, beyond all planes of `exit` that are met first;
+/// `None` if the ray leaves the root.
+fn follow_links<const D: usize, P: Parameter>(
     tree: &Tree<D>,
     ray: &Ray<D>,
     mut node: Node,
-    axes: Axes<D>,
-    target: [i64; D],
+    exit: &Exit<D, P>,
     observe: &mut impl Observer<D>,
 ) -> Option<Node> {
-    for axis in axes.iter() {
+    for axis in exit.axes.iter() {
+        // A cell on the way may span what is beyond this plane already.
+        let upper = ray.direction()[axis] > 0.0;
+        let goal = i64::from(exit.planes[axis]) - i64::from(!upper);
         let (level, code) = (tree.level(node.id), tree.code(node.id)[axis]);
-        if target[axis] >> level == i64::from(code >> level) {
+        if goal >> level == i64::from(code >> level) {
             continue;
         }
-        let upper = ray.direction()[axis] > 0.0;
         let next = tree.neighbour_across(node.id, axis, upper);
         observe.observe(Event::Rope { axis: axis as u8, node: next });
         node = tree.node(next?);

@@ -1,5 +1,6 @@
 //! Child indices, in the numbering of Revelles: x is the most significant bit.
 
+use super::Code;
 use crate::geometry::Axes;
 
 /// Index of a child in its parent, 0 … 2^D−1: bit D−1−e is 1 in the upper half
@@ -43,6 +44,18 @@ impl<const D: usize> Child<D> {
     #[inline]
     pub fn mirrored(self, mask: Axes<D>) -> Self {
         Self(self.0 ^ mask.0)
+    }
+
+    /// Code of the child of a node with code `parent`; the child's side is `half`.
+    #[inline]
+    pub fn code_in(self, parent: Code<D>, half: u32) -> Code<D> {
+        std::array::from_fn(|e| parent[e] + u32::from(self.is_upper(e)) * half)
+    }
+
+    /// Of every axis the second value in the upper half, else the first one.
+    #[inline]
+    pub fn pick<T: Copy>(self, lower: [T; D], upper: [T; D]) -> [T; D] {
+        std::array::from_fn(|e| if self.is_upper(e) { upper[e] } else { lower[e] })
     }
 
     /// Index in the numbering of Frisken–Perry and of Morton codes, where x is

@@ -1,7 +1,7 @@
 //! The root's box and its grid of smallest cells.
 
 use super::{Code, MAX_ROOT_LEVEL};
-use crate::geometry::Aabb;
+use crate::geometry::{Aabb, Axes};
 use thiserror::Error;
 
 /// Cube that the root covers, with the grid of its smallest cells.
@@ -137,6 +137,13 @@ impl<const D: usize> Domain<D> {
     pub fn nearest_index(&self, axis: usize, x: f64) -> u32 {
         let guess = (x - self.min[axis]) / self.cell;
         guess.clamp(0.0, f64::from(self.grid_size() - 1)) as u32
+    }
+
+    /// Axes of `crossed` along which `code` lies outside the domain: −1 or 2^R.
+    #[inline]
+    pub fn outside(&self, code: [i64; D], crossed: Axes<D>) -> Axes<D> {
+        let is_outside = |e: usize| !(0..i64::from(self.grid_size())).contains(&code[e]);
+        Axes::where_true(std::array::from_fn(|e| crossed.contains(e) && is_outside(e)))
     }
 
     fn settle(&self, axis: usize, x: f64, passed: impl Fn(f64) -> bool) -> u32 {

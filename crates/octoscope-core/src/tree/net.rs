@@ -27,17 +27,17 @@ impl<const D: usize> Tree<D> {
     }
 
     /// The links of all nodes: those between siblings, and those that lead to
-    /// the sons of the father's neighbours.
+    /// the children of the parent's neighbours.
     fn links(&self) -> Vec<Links<D>> {
         let mut links: Vec<Links<D>> = vec![[[None; 2]; D]; self.n_nodes()];
-        for father in self.nodes().filter(|node| !node.is_leaf()) {
-            for (child, son) in Child::<D>::all().zip(self.children(father)) {
+        for parent in self.nodes().filter(|node| !node.is_leaf()) {
+            for (child, below) in Child::<D>::all().zip(self.children(parent)) {
                 for axis in 0..D {
                     let across = child.across(axis);
                     let inner_side = usize::from(!child.is_upper(axis));
-                    links[son.id.index()][axis][inner_side] = Some(self.child(father, across).id);
-                    let beyond = links[father.id.index()][axis][1 - inner_side];
-                    links[son.id.index()][axis][1 - inner_side] = beyond.map(|beyond| {
+                    links[below.id.index()][axis][inner_side] = Some(self.child(parent, across).id);
+                    let beyond = links[parent.id.index()][axis][1 - inner_side];
+                    links[below.id.index()][axis][1 - inner_side] = beyond.map(|beyond| {
                         let node = self.node(beyond);
                         if node.is_leaf() { beyond } else { self.child(node, across).id }
                     });

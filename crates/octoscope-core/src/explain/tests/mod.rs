@@ -1,6 +1,11 @@
 //! Laws and expectations of what is said.
 
+mod forms;
+mod listed;
+mod told;
+
 use super::*;
+use crate::event::Event;
 use crate::geometry::Ray;
 use crate::locate::{Direction, NeighbourMethod, Reach};
 use crate::paper::counterexample;
@@ -160,37 +165,6 @@ fn every_step_has_a_whole_sentence_in_both_languages() {
     check_sentences::<3>();
 }
 
-#[test]
-fn every_event_has_a_line_and_every_line_an_event() {
-    let mut reached: BTreeMap<String, BTreeSet<&str>> = BTreeMap::new();
-    fn run<const D: usize>(reached: &mut BTreeMap<String, BTreeSet<&'static str>>) {
-        for_all_runs::<D>(|tree, ray, name, query| {
-            let labels = record(tree, ray, query).events.iter().map(label).collect::<Vec<_>>();
-            reached.entry(name.to_owned()).or_default().extend(labels);
-        });
-    }
-    run::<2>(&mut reached);
-    run::<3>(&mut reached);
-    for (name, query) in queries::<2>() {
-        let lines = listing(&query, Language::English).lines;
-        let labels: BTreeSet<&str> =
-            lines.iter().map(|line| line.label).filter(|label| !label.is_empty()).collect();
-        assert_eq!(labels, reached[name], "{name}");
-    }
-}
-
-#[test]
-fn listings_fit_their_panel_and_are_commented_in_both_languages() {
-    for (name, query) in queries::<2>() {
-        let [english, german] = Language::ALL.map(|language| listing(&query, language).lines);
-        for (line, translated) in english.iter().zip(&german) {
-            let width = line.code.chars().count() + 2 * usize::from(line.indent);
-            assert!(width <= 44, "{name}: {}", line.code);
-            assert_eq!(line.comment.is_empty(), translated.comment.is_empty(), "{}", line.code);
-        }
-    }
-}
-
 fn check_variables<const D: usize>() {
     for_all_runs::<D>(|tree, ray, _, query| {
         let trace = record(tree, ray, query);
@@ -226,140 +200,9 @@ fn along(algorithm: Algorithm) -> Query<2> {
     Query::Ray { algorithm, options, arithmetic }
 }
 
-#[test]
-fn a_ray_is_told_with_its_numbers() {
-    let ray = Ray::new([-0.25, 0.125], [1.0, 0.25]).unwrap();
-    let check =
-        |english, german| check_words(&ray, &along(Algorithm::Parametric), [english, german]);
-    check(
-        "A ray from (−0.25, 0.125) along (1, 0.25) is followed through the quadtree by the parametric algorithm.",
-        "Ein Strahl von (−0.25, 0.125) in Richtung (1, 0.25) wird mit dem parametrischen Verfahren durch den Quadtree verfolgt.",
-    );
-    check(
-        "Child 0 is left through the x plane: t_x1 = 0.625 < t_y1 = 1, so the x bit is set and the next state is 2.",
-        "Kind 0 wird durch die x-Ebene verlassen: t_x1 = 0.625 < t_y1 = 1, also wird das x-Bit gesetzt, und der nächste Zustand ist 2.",
-    );
-    check(
-        "Child 0 is left through the x and y planes at once: t_x1 = 0.5 = t_y1 = 0.5, so the x and y bits are set together and the next state is 3.",
-        "Kind 0 wird durch die Ebenen von x und y zugleich verlassen: t_x1 = 0.5 = t_y1 = 0.5, also werden die Bits von x und y zusammen gesetzt, und der nächste Zustand ist 3.",
-    );
-    check(
-        "Child 2 is left through the x plane: t_x1 = 0.75 < t_y1 = 1. In x that is the upper half already, so the ray leaves the parent, too.",
-        "Kind 2 wird durch die x-Ebene verlassen: t_x1 = 0.75 < t_y1 = 1. In x ist das schon die obere Hälfte, also verlässt der Strahl auch den Elternknoten.",
-    );
-    check(
-        "The ray has left the root: the traversal ends after 4 leaves.",
-        "Der Strahl hat die Wurzel verlassen: Die Traversierung endet nach 4 Blättern.",
-    );
-}
-
-#[test]
-fn an_entry_past_a_mid_plane_is_told_by_its_bit() {
-    // The ray meets x = 0.5 at t = 0.375, but z = 0 only at t = 1.
-    let ray = Ray::new([0.3125, 0.0, -1.0], [0.5, 0.25, 1.0]).unwrap();
-    let query = Query::Ray {
-        algorithm: Algorithm::Parametric,
-        options: Options::default(),
-        arithmetic: Arithmetic::Doubles,
-    };
-    check_words(
-        &ray,
-        &query,
-        [
-            "t_xm = 0.375 < t_z0 = 1, so the x bit is 1: the ray enters in the upper x half, in state 4.",
-            "t_xm = 0.375 < t_z0 = 1, also ist das x-Bit 1: Der Strahl tritt in der oberen x-Hälfte ein, im Zustand 4.",
-        ],
-    );
-}
-
-#[test]
-fn a_mirrored_state_is_told_with_its_child() {
-    let ray = Ray::new([1.25, 0.125], [-1.0, 0.0]).unwrap();
-    check_words(
-        &ray,
-        &along(Algorithm::Parametric),
-        [
-            "State 2 is child 0 of the tree, as f(2) = 2 xor 2; it is visited: the node (0, 0) of level 2.",
-            "Zustand 2 ist Kind 0 des Baumes, denn f(2) = 2 xor 2; es wird besucht: Knoten (0, 0) auf Ebene 2.",
-        ],
-    );
-}
-
-#[test]
-fn codes_are_told_by_their_bits() {
-    let ray = Ray::new([-0.25, 0.3], [1.0, 0.0]).unwrap();
-    check_words(
-        &ray,
-        &along(Algorithm::Codes),
-        [
-            "The codes differ first in bit 2, so the common ancestor has level 3.",
-            "Die Codes unterscheiden sich zuerst in Bit 2, also liegt der gemeinsame Vorfahr auf Ebene 3.",
-        ],
-    );
-}
-
-#[test]
-fn a_miss_beside_the_root_and_a_touch_are_told() {
-    let beside = Ray::new([0.0, 2.0], [1.0, 0.0]).unwrap();
-    check_words(
-        &beside,
-        &along(Algorithm::Parametric),
-        [
-            "The ray misses the root: it does not move along y, and its origin lies outside there.",
-            "Der Strahl verfehlt die Wurzel: Entlang y bewegt er sich nicht, und sein Startpunkt liegt dort außerhalb.",
-        ],
-    );
-    let diagonal = Ray::new([-0.25, -0.25], [1.0, 1.0]).unwrap();
-    check_words(
-        &diagonal,
-        &along(Algorithm::ParametricTable),
-        [
-            "Leaf (0, 4) of level 2 is only touched, in one point at t = 0.75.",
-            "Blatt (0, 4) auf Ebene 2 wird nur berührt, in einem Punkt bei t = 0.75.",
-        ],
-    );
-}
-
-#[test]
-fn the_end_of_a_search_names_what_was_found() {
-    let ray = Ray::new([0.0, 0.0], [1.0, 0.0]).unwrap();
-    let check = |query, expected| check_words::<2>(&ray, &query, expected);
-    check(
-        Query::Point { at: [0.9, 0.1], method: PointMethod::Codes, variants: Variants::NONE },
-        [
-            "The search ends: it has found the node (4, 0) of level 2, a leaf.",
-            "Die Suche endet: Gefunden ist Knoten (4, 0) auf Ebene 2, ein Blatt.",
-        ],
-    );
-    check(
-        Query::Region { min: [0.1, 0.1], max: [0.3, 0.3], variants: Variants::NONE },
-        [
-            "The search ends: it has found the node (0, 0) of level 2, which has children.",
-            "Die Suche endet: Gefunden ist Knoten (0, 0) auf Ebene 2, der Kinder hat.",
-        ],
-    );
-    let beyond = |code, direction| Query::Neighbour {
-        level: 2,
-        code,
-        direction: Direction::new(direction).unwrap(),
-        reach: Reach::EqualOrLarger,
-        method: NeighbourMethod::Codes,
-        variants: Variants::NONE,
-    };
-    check(
-        beyond([0, 0], [1, 0]),
-        [
-            "The search ends: it has found the node (4, 0) of level 2, a leaf.",
-            "Die Suche endet: Gefunden ist Knoten (4, 0) auf Ebene 2, ein Blatt.",
-        ],
-    );
-    check(
-        beyond([4, 0], [1, -1]),
-        [
-            "The search ends: along x and y the neighbour would lie outside the domain, so there is none.",
-            "Die Suche endet: Entlang x und y läge der Nachbar außerhalb des Gebiets, es gibt also keinen.",
-        ],
-    );
+fn with(algorithm: Algorithm, variant: Variant) -> Query<2> {
+    let options = Options { variants: Variants::NONE.with(variant), ..Options::default() };
+    Query::Ray { algorithm, options, arithmetic: Arithmetic::Doubles }
 }
 
 #[test]
@@ -371,37 +214,4 @@ fn the_first_sentence_tells_no_key_of_the_window() {
             assert!(!text.contains('→'), "{text}");
         }
     });
-}
-
-/// The sentences of the counterexample of a variant, in English.
-fn printed(variant: Variant) -> Vec<String> {
-    fn of<const D: usize>(scenario: &Scenario<D>) -> Vec<String> {
-        let (content, domain) = (scenario.source.content().unwrap(), scenario.grid().unwrap());
-        let tree = build(&content, domain, &scenario.recipe, &Progress::default()).unwrap();
-        let trace = record(&tree, &scenario.ray, &scenario.query);
-        let sentences = sentence::sentences(&tree, &scenario.ray, &trace, Language::English);
-        sentences.iter().map(RichText::plain).collect()
-    }
-    match counterexample(variant) {
-        AnyScenario::Quadtree(scenario) => of(&scenario),
-        AnyScenario::Octree(scenario) => of(&scenario),
-    }
-}
-
-#[test]
-fn steps_by_a_printed_rule_say_so() {
-    for (variant, expected) in [
-        (Variant::B1, "By the printed rule, B-1, the root is hit, from t = 0 to t = 3."),
-        (Variant::B2, "By the printed rule, B-2, the ray enters in state 1."),
-        (Variant::B3, "By the printed rule, B-3, the ray enters in state 0."),
-        (Variant::B24b, "So says the printed rule, B-24b."),
-        (Variant::B28, "So says the printed rule, B-28."),
-    ] {
-        let sentences = printed(variant);
-        assert!(sentences.iter().any(|text| text.ends_with(expected)), "{sentences:#?}");
-    }
-    for variant in Variant::ALL.into_iter().filter(|variant| variant.is_misprint()) {
-        let named = format!("printed rule, {}", variant.id());
-        assert!(printed(variant).iter().any(|text| text.contains(&named)), "{named}");
-    }
 }

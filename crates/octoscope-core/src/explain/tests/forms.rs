@@ -1,0 +1,116 @@
+//! What is said of rules in another form than the right one.
+
+use super::*;
+
+#[test]
+fn the_gem_is_told_by_what_it_compared() {
+    let gem = with(Algorithm::Bsp, Variant::Gem);
+    let check = |origin, direction, expected| {
+        check_words(&Ray::new(origin, direction).unwrap(), &gem, expected);
+    };
+    // In the plane, along it: 0/0.
+    check(
+        [0.5, -0.25],
+        [0.0, 1.0],
+        [
+            "t_xm = NaN is no number, so that no comparison with 1.25, 0 or 0.25 holds: the gem takes both halves, first the lower x half; the other one waits on the stack.",
+            "t_xm = NaN ist keine Zahl, sodass kein Vergleich mit 1.25, 0 oder 0.25 zutrifft: Das Gem nimmt beide Hälften, zuerst die untere x-Hälfte; die andere wartet auf dem Stapel.",
+        ],
+    );
+    // From the plane, away from it: −0 is not less than 0.
+    check(
+        [0.5, 0.25],
+        [-1.0, 0.0],
+        [
+            "t_xm = −0 is neither greater than 0.5 nor less than 0 or 0: the gem takes both halves, first the lower x half; the other one waits on the stack.",
+            "t_xm = −0 ist weder größer als 0.5 noch kleiner als 0 oder 0: Das Gem nimmt beide Hälften, zuerst die untere x-Hälfte; die andere wartet auf dem Stapel.",
+        ],
+    );
+    check(
+        [0.75, 0.25],
+        [1.0, 0.0],
+        [
+            "t_xm = −0.25 < 0: the gem takes the half on the side of the origin alone, the upper x half.",
+            "t_xm = −0.25 < 0: Das Gem nimmt nur die Hälfte auf der Seite des Startpunkts, die obere x-Hälfte.",
+        ],
+    );
+}
+
+#[test]
+fn the_first_sentence_names_the_rules_in_another_form() {
+    let ray = Ray::new([0.1, 0.2], [1.0, 0.0]).unwrap();
+    check_words(
+        &ray,
+        &with(Algorithm::Bsp, Variant::Gem),
+        [
+            "A ray from (0.1, 0.2) along (1, 0) is followed through the quadtree by binary space partition. Rules in another form: gem.",
+            "Ein Strahl von (0.1, 0.2) in Richtung (1, 0) wird mit binärer Raumteilung durch den Quadtree verfolgt. Regeln in anderer Form: gem.",
+        ],
+    );
+}
+
+#[test]
+fn of_planes_met_at_once_the_one_that_counts_is_told() {
+    let ray = Ray::new([-0.25, -0.25], [1.0, 1.0]).unwrap();
+    check_words(
+        &ray,
+        &with(Algorithm::Dda, Variant::OneByOne),
+        [
+            "t_xmax = 0.375 = t_ymax = 0.375, so the ray crosses the x plane: on to cell (1, 0). Of equal parameters the first axis counts.",
+            "t_xmax = 0.375 = t_ymax = 0.375, also kreuzt der Strahl die x-Ebene: weiter zu Zelle (1, 0). Von gleichen Parametern zählt die erste Achse.",
+        ],
+    );
+    check_words(
+        &ray,
+        &along(Algorithm::ParametricTable),
+        [
+            "Child 0 is left through the y plane: t_y1 = 0.75 = t_x1 = 0.75, so the y bit is set and the next state is 1. Of equal parameters the last axis counts.",
+            "Kind 0 wird durch die y-Ebene verlassen: t_y1 = 0.75 = t_x1 = 0.75, also wird das y-Bit gesetzt, und der nächste Zustand ist 1. Von gleichen Parametern zählt die letzte Achse.",
+        ],
+    );
+}
+
+#[test]
+fn mid_planes_that_are_means_are_told_as_that() {
+    check_words(
+        &Ray::new([-0.25, 0.125], [1.0, 0.25]).unwrap(),
+        &with(Algorithm::ParametricTable, Variant::Averaged),
+        [
+            "The ray meets the mid planes of the node at t_xm = 0.75 and t_ym = 1.5. These are the means of the parameters of the near and far planes.",
+            "Der Strahl trifft die Mittelebenen des Knotens bei t_xm = 0.75 und t_ym = 1.5. Das sind die Mittel der Parameter der nahen und fernen Ebenen.",
+        ],
+    );
+}
+
+/// The sentences of the counterexample of a variant, in English.
+fn printed(variant: Variant) -> Vec<String> {
+    fn of<const D: usize>(scenario: &Scenario<D>) -> Vec<String> {
+        let (content, domain) = (scenario.source.content().unwrap(), scenario.grid().unwrap());
+        let tree = build(&content, domain, &scenario.recipe, &Progress::default()).unwrap();
+        let trace = record(&tree, &scenario.ray, &scenario.query);
+        let sentences = sentence::sentences(&tree, &scenario.ray, &trace, Language::English);
+        sentences.iter().map(RichText::plain).collect()
+    }
+    match counterexample(variant) {
+        AnyScenario::Quadtree(scenario) => of(&scenario),
+        AnyScenario::Octree(scenario) => of(&scenario),
+    }
+}
+
+#[test]
+fn steps_by_a_printed_rule_say_so() {
+    for (variant, expected) in [
+        (Variant::B1, "By the printed rule, B-1, the root is hit, from t = 0 to t = 3."),
+        (Variant::B2, "By the printed rule, B-2, the ray enters in state 1."),
+        (Variant::B3, "By the printed rule, B-3, the ray enters in state 0."),
+        (Variant::B24b, "So says the printed rule, B-24b."),
+        (Variant::B28, "So says the printed rule, B-28."),
+    ] {
+        let sentences = printed(variant);
+        assert!(sentences.iter().any(|text| text.ends_with(expected)), "{sentences:#?}");
+    }
+    for variant in Variant::ALL.into_iter().filter(|variant| variant.is_misprint()) {
+        let named = format!("printed rule, {}", variant.id());
+        assert!(printed(variant).iter().any(|text| text.contains(&named)), "{named}");
+    }
+}

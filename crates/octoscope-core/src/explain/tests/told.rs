@@ -1,0 +1,219 @@
+//! What is said of single steps.
+
+use super::*;
+
+#[test]
+fn a_ray_is_told_with_its_numbers() {
+    let ray = Ray::new([-0.25, 0.125], [1.0, 0.25]).unwrap();
+    let check =
+        |english, german| check_words(&ray, &along(Algorithm::Parametric), [english, german]);
+    check(
+        "A ray from (−0.25, 0.125) along (1, 0.25) is followed through the quadtree by the parametric algorithm.",
+        "Ein Strahl von (−0.25, 0.125) in Richtung (1, 0.25) wird mit dem parametrischen Verfahren durch den Quadtree verfolgt.",
+    );
+    check(
+        "Child 0 is left through the x plane: t_x1 = 0.625 < t_y1 = 1, so the x bit is set and the next state is 2.",
+        "Kind 0 wird durch die x-Ebene verlassen: t_x1 = 0.625 < t_y1 = 1, also wird das x-Bit gesetzt, und der nächste Zustand ist 2.",
+    );
+    check(
+        "Child 0 is left through the x and y planes at once: t_x1 = 0.5 = t_y1 = 0.5, so the x and y bits are set together and the next state is 3.",
+        "Kind 0 wird durch die Ebenen von x und y zugleich verlassen: t_x1 = 0.5 = t_y1 = 0.5, also werden die Bits von x und y zusammen gesetzt, und der nächste Zustand ist 3.",
+    );
+    check(
+        "Child 2 is left through the x plane: t_x1 = 0.75 < t_y1 = 1. In x that is the upper half already, so the ray leaves the parent, too.",
+        "Kind 2 wird durch die x-Ebene verlassen: t_x1 = 0.75 < t_y1 = 1. In x ist das schon die obere Hälfte, also verlässt der Strahl auch den Elternknoten.",
+    );
+    check(
+        "The ray has left the root: the traversal ends after 4 leaves.",
+        "Der Strahl hat die Wurzel verlassen: Die Traversierung endet nach 4 Blättern.",
+    );
+}
+
+#[test]
+fn an_entry_past_a_mid_plane_is_told_by_its_bit() {
+    // The ray meets x = 0.5 at t = 0.375, but z = 0 only at t = 1.
+    let ray = Ray::new([0.3125, 0.0, -1.0], [0.5, 0.25, 1.0]).unwrap();
+    let query = Query::Ray {
+        algorithm: Algorithm::Parametric,
+        options: Options::default(),
+        arithmetic: Arithmetic::Doubles,
+    };
+    check_words(
+        &ray,
+        &query,
+        [
+            "t_xm = 0.375 < t_z0 = 1, so the x bit is 1: the ray enters in the upper x half, in state 4.",
+            "t_xm = 0.375 < t_z0 = 1, also ist das x-Bit 1: Der Strahl tritt in der oberen x-Hälfte ein, im Zustand 4.",
+        ],
+    );
+}
+
+#[test]
+fn a_mirrored_state_is_told_with_its_child() {
+    let ray = Ray::new([1.25, 0.125], [-1.0, 0.0]).unwrap();
+    check_words(
+        &ray,
+        &along(Algorithm::Parametric),
+        [
+            "State 2 is child 0 of the tree, as f(2) = 2 xor 2; it is visited: the node (0, 0) of level 2.",
+            "Zustand 2 ist Kind 0 des Baumes, denn f(2) = 2 xor 2; es wird besucht: Knoten (0, 0) auf Ebene 2.",
+        ],
+    );
+}
+
+#[test]
+fn codes_are_told_by_their_bits() {
+    let ray = Ray::new([-0.25, 0.3], [1.0, 0.0]).unwrap();
+    check_words(
+        &ray,
+        &along(Algorithm::Codes),
+        [
+            "The codes differ first in bit 2, so the common ancestor has level 3.",
+            "Die Codes unterscheiden sich zuerst in Bit 2, also liegt der gemeinsame Vorfahr auf Ebene 3.",
+        ],
+    );
+}
+
+#[test]
+fn the_codes_of_a_ray_are_those_of_the_cell_that_it_goes_on_into() {
+    // The ray comes in from above: the point itself lies outside the domain.
+    let ray = Ray::new([0.25, 1.25], [0.125, -1.0]).unwrap();
+    check_words(
+        &ray,
+        &along(Algorithm::Codes),
+        [
+            "Just after t = 0.25, near (0.28125, 1), the ray is in the smallest cell with the location codes (010, 111) in binary.",
+            "Unmittelbar nach t = 0.25, nahe (0.28125, 1), ist der Strahl in der kleinsten Zelle mit den Ortscodes (010, 111), binär geschrieben.",
+        ],
+    );
+    let query =
+        Query::Point { at: [0.3, 0.9], method: PointMethod::Codes, variants: Variants::NONE };
+    check_words(
+        &ray,
+        &query,
+        [
+            "The point (0.3, 0.9) has the location codes (010, 111) in binary.",
+            "Der Punkt (0.3, 0.9) hat binär die Ortscodes (010, 111).",
+        ],
+    );
+}
+
+#[test]
+fn a_child_that_is_touched_is_told_as_that() {
+    let ray = Ray::new([-0.25, -0.25], [1.0, 1.0]).unwrap();
+    check_words(
+        &ray,
+        &along(Algorithm::AllChildren),
+        [
+            "Leaf (0, 4) of level 2 is met in one point only, at t = 0.75.",
+            "Blatt (0, 4) auf Ebene 2 wird nur in einem Punkt getroffen, bei t = 0.75.",
+        ],
+    );
+}
+
+#[test]
+fn the_last_step_out_of_the_grid_leads_to_no_cell() {
+    let ray = Ray::new([-0.25, 0.3125], [1.0, 0.0]).unwrap();
+    check_words(
+        &ray,
+        &along(Algorithm::Dda),
+        [
+            "t_xmax = 1.25 < t_ymax = ∞, so the ray crosses the x plane and leaves the grid.",
+            "t_xmax = 1.25 < t_ymax = ∞, also kreuzt der Strahl die x-Ebene und verlässt das Raster.",
+        ],
+    );
+}
+
+#[test]
+fn only_algorithms_with_states_speak_of_them() {
+    let ray = Ray::new([1.25, 0.125], [-1.0, 0.0625]).unwrap();
+    for algorithm in Algorithm::ALL {
+        let trace = record(&tree(3), &ray, &along(algorithm));
+        let visits = trace.events.iter().any(|event| matches!(event, Event::Visit { .. }));
+        for (language, word) in Language::ALL.into_iter().zip(["state", "Zustand"]) {
+            let told = sentence::sentences(&tree(3), &ray, &trace, language);
+            let speaks = told.iter().any(|text| text.plain().contains(word));
+            assert_eq!(speaks, visits, "{algorithm:?}");
+        }
+    }
+    check_words(
+        &ray,
+        &along(Algorithm::Codes),
+        [
+            "The ray crosses the root: it meets the last near plane before the first far plane, t_x0 = 0.25 < t_x1 = 1.25. Its direction is negative along x, so the far planes there are the lower ones.",
+            "Der Strahl durchquert die Wurzel: Er trifft die letzte nahe Ebene vor der ersten fernen, t_x0 = 0.25 < t_x1 = 1.25. Entlang x ist seine Richtung negativ; dort sind daher die unteren Ebenen die fernen.",
+        ],
+    );
+    check_words(
+        &ray,
+        &along(Algorithm::Hero),
+        [
+            "The ray crosses the root: it meets the last near plane before the first far plane, t_x0 = 0.25 < t_x1 = 1.25. Its direction is negative along x, so the upper half comes first there: the mask is 2.",
+            "Der Strahl durchquert die Wurzel: Er trifft die letzte nahe Ebene vor der ersten fernen, t_x0 = 0.25 < t_x1 = 1.25. Entlang x ist seine Richtung negativ; dort kommt daher die obere Hälfte zuerst: Die Maske ist 2.",
+        ],
+    );
+}
+
+#[test]
+fn a_miss_beside_the_root_and_a_touch_are_told() {
+    let beside = Ray::new([0.0, 2.0], [1.0, 0.0]).unwrap();
+    check_words(
+        &beside,
+        &along(Algorithm::Parametric),
+        [
+            "The ray misses the root: it does not move along y, and its origin lies outside there.",
+            "Der Strahl verfehlt die Wurzel: Entlang y bewegt er sich nicht, und sein Startpunkt liegt dort außerhalb.",
+        ],
+    );
+    let diagonal = Ray::new([-0.25, -0.25], [1.0, 1.0]).unwrap();
+    check_words(
+        &diagonal,
+        &along(Algorithm::ParametricTable),
+        [
+            "Leaf (0, 4) of level 2 is only touched, in one point at t = 0.75.",
+            "Blatt (0, 4) auf Ebene 2 wird nur berührt, in einem Punkt bei t = 0.75.",
+        ],
+    );
+}
+
+#[test]
+fn the_end_of_a_search_names_what_was_found() {
+    let ray = Ray::new([0.0, 0.0], [1.0, 0.0]).unwrap();
+    let check = |query, expected| check_words::<2>(&ray, &query, expected);
+    check(
+        Query::Point { at: [0.9, 0.1], method: PointMethod::Codes, variants: Variants::NONE },
+        [
+            "The search ends: it has found the node (4, 0) of level 2, a leaf.",
+            "Die Suche endet: Gefunden ist Knoten (4, 0) auf Ebene 2, ein Blatt.",
+        ],
+    );
+    check(
+        Query::Region { min: [0.1, 0.1], max: [0.3, 0.3], variants: Variants::NONE },
+        [
+            "The search ends: it has found the node (0, 0) of level 2, which has children.",
+            "Die Suche endet: Gefunden ist Knoten (0, 0) auf Ebene 2, der Kinder hat.",
+        ],
+    );
+    let beyond = |code, direction| Query::Neighbour {
+        level: 2,
+        code,
+        direction: Direction::new(direction).unwrap(),
+        reach: Reach::EqualOrLarger,
+        method: NeighbourMethod::Codes,
+        variants: Variants::NONE,
+    };
+    check(
+        beyond([0, 0], [1, 0]),
+        [
+            "The search ends: it has found the node (4, 0) of level 2, a leaf.",
+            "Die Suche endet: Gefunden ist Knoten (4, 0) auf Ebene 2, ein Blatt.",
+        ],
+    );
+    check(
+        beyond([4, 0], [1, -1]),
+        [
+            "The search ends: along x and y the neighbour would lie outside the domain, so there is none.",
+            "Die Suche endet: Entlang x und y läge der Nachbar außerhalb des Gebiets, es gibt also keinen.",
+        ],
+    );
+}
