@@ -1,7 +1,6 @@
 //! Controls and drawings that several panels share.
 
 mod bits;
-mod cell_text;
 mod child_bits;
 mod heading;
 mod lit;
@@ -11,7 +10,6 @@ mod rich;
 mod segments;
 
 pub use bits::{BitRow, BitTable, bit_table};
-pub use cell_text::cell_text;
 pub use child_bits::child_bits;
 pub use heading::heading;
 pub use lit::{Lit, caption, lit, per_axis};
