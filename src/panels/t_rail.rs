@@ -43,9 +43,9 @@ impl<const D: usize> Rail<D> {
             return Some(Self::interval(interval, None));
         }
         if let Some(grid) = moment.grid {
-            // From where the ray was last to the planes ahead.
-            let left = moment.leaves.last().map(|leaf| leaf.exit);
-            let near = [left.unwrap_or_else(|| entered(moment)); D];
+            // From where the ray came into the leaf to the planes ahead.
+            let into = moment.leaves.last().map(|leaf| leaf.enter);
+            let near = [into.unwrap_or_else(|| entered(moment)); D];
             return Some(Self { ends: [None, Some("max")], near, mid: None, far: grid.next });
         }
         if let Some(exits) = moment.exits {

@@ -60,7 +60,7 @@ fn queries<const D: usize>(tree: &Tree<D>, random: &mut Random) -> Vec<Query<D>>
     queries
 }
 
-fn for_random_traces(check: impl Fn(&Tree<3>, &Ray<3>, &Query<3>, &Trace<3>)) {
+fn for_random_traces(mut check: impl FnMut(&Tree<3>, &Ray<3>, &Query<3>, &Trace<3>)) {
     let mut random = Random::new(4);
     for n in 0..10 {
         let tree = random_tree(domain(1 + n as u8, n), 15, &mut random);
@@ -168,6 +168,29 @@ fn stepping_from_leaf_to_leaf_stops_at_each() {
             assert_eq!(trace.previous_leaf(step), previous.unwrap_or(0));
         }
     });
+}
+
+#[test]
+fn a_walk_through_the_grid_reports_a_leaf_in_its_first_cell() {
+    let mut n_reported = 0;
+    for_random_traces(|tree, _, query, trace| {
+        let Query::Ray { algorithm: Algorithm::Dda | Algorithm::DdaOctree, .. } = query else {
+            return;
+        };
+        let mut moment = Moment::default();
+        for event in &trace.events {
+            moment.apply(tree, event);
+            match *event {
+                Event::Leaf { node, .. } | Event::Touch { node, .. } => {
+                    let cell = moment.grid.and_then(|grid| grid.cell).unwrap();
+                    assert_eq!(tree.node_at(0, cell).map(|node| node.id), Some(node));
+                    n_reported += 1;
+                }
+                _ => {}
+            }
+        }
+    });
+    assert!(n_reported > 1000, "{n_reported}");
 }
 
 #[test]
