@@ -133,8 +133,7 @@ impl App {
             Command::ReverseRay => with_document!(&mut self.document, d => d.reverse_ray()),
             Command::BackToRay => {
                 if self.is_enabled(command) {
-                    let step = with_document!(&mut self.document, d => d.back_to_ray());
-                    self.go_to(step);
+                    with_document!(&mut self.document, d => d.back_to_ray());
                 }
             }
             Command::SnapRay if self.is_enabled(command) => self.snap_ray(),
@@ -237,6 +236,7 @@ impl App {
                 (self.view.plane_camera, self.view.orbit_camera) = (None, None);
             }
             self.document = shown.document;
+            self.tracing = None;
             self.go_to(shown.step);
             self.settled = self.shown();
         }

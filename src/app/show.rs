@@ -29,7 +29,7 @@ impl App {
             ui.allocate_ui(vec2(ui.available_width(), height), |ui| {
                 ui.set_min_height(height);
                 let text = with_document!(&self.document, d => {
-                    sentence_of(&d.tree, &d.scenario.ray, &d.trace, step, self.view.language)
+                    sentence_of(&d.tree, d.traced_ray(), &d.trace, step, self.view.language)
                 });
                 sentence::ui(ui, &self.look, text, step);
             });
@@ -66,6 +66,13 @@ impl App {
             && dialogs::progress(&context, &self.look, &job.title, job.progress.fraction())
         {
             job.progress.cancel();
+        }
+        if let Some(job) = &self.tracing
+            && self.job.is_none()
+            && job.is_shown()
+            && dialogs::progress(&context, &self.look, &job.title, job.progress.fraction())
+        {
+            self.give_up_tracing();
         }
         let answer = dialogs::ui(&context, &self.look, &mut self.view.dialog, commands);
         match answer {

@@ -46,12 +46,16 @@ pub fn ui<const D: usize>(
         if faster.clicked() {
             commands.push(Command::Faster);
         }
-        let count = format!("{} / {length}", playback.step);
+        let more = if trace.is_cut() { " …" } else { "" };
+        let count = format!("{} / {length}{more}", playback.step);
         let font = FontId::new(16.0, look.strong_family());
         let galley = ui.painter().layout_no_wrap(count.clone(), font, look.palette.ink);
         let width = ui.available_width() - galley.size().x.max(84.0) - 16.0;
         ruler(ui, look, trace, rounded, playback, width.max(60.0));
-        ui.label(RichText::new(count).size(16.0).strong());
+        let label = ui.label(RichText::new(count).size(16.0).strong());
+        if trace.is_cut() {
+            label.on_hover_text(look.text("timeline-cut"));
+        }
     });
 }
 

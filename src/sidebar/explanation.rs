@@ -126,7 +126,7 @@ fn body<const D: usize>(
         }
         PanelKind::Automaton => automaton::ui(ui, look, moment, event),
         PanelKind::Listing => {
-            let listing = listing_of(&document.scenario.query, view.language);
+            let listing = listing_of(&trace.query, view.language);
             listing::ui(ui, look, &listing, event.map(label));
         }
         PanelKind::Variables => {
@@ -141,10 +141,10 @@ fn body<const D: usize>(
         PanelKind::Cuts => cuts::ui(ui, look, &tree, moment, event),
         PanelKind::Children => children::ui(ui, look, &tree, moment, past),
         PanelKind::WayDown => {
-            way_down::ui(ui, look, &tree, &document.scenario.ray, moment, past);
+            way_down::ui(ui, look, &tree, document.traced_ray(), moment, past);
         }
         PanelKind::Links => {
-            let ray = &document.scenario.ray;
+            let ray = document.traced_ray();
             links::ui(ui, look, links::Net { tree: &tree, ray }, &trace, moment);
         }
         PanelKind::Halves => halves::ui(ui, look, past),

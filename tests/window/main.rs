@@ -8,6 +8,7 @@ mod controls;
 mod desk;
 mod files;
 mod layout;
+mod limits;
 mod panels;
 mod paper;
 mod pictures;

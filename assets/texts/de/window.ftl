@@ -228,11 +228,13 @@ compare-none = Vergleicht die Verfahren, sobald nach einem Strahl gefragt wird.
 compare-too-many = Der Baum ist zu groß, um bei jeder Bewegung jedes Blatt zu prüfen, durch sein Raster zu laufen oder seine Knoten zu verbinden; was das bräuchte, fehlt hier.
 timeline-name = Schritt der Aufzeichnung
 timeline-speed = Geschwindigkeit
+timeline-cut = Der Lauf ist länger: Nach so vielen Schritten endet die Aufzeichnung
 timeline-rounded = Schritte mit Dreieck: Gleitkommazahlen würden irren
 
 sentence-begin = Mit → geht es los.
 job-open = { $name } wird geöffnet
 job-restore = Das zuletzt Geöffnete wird geöffnet
+job-trace = Ein langer Lauf wird aufgezeichnet
 job-build = Der Baum wird gebaut
 job-broken = Die Arbeit endete ohne Ergebnis. Versuchen Sie es noch einmal; geschieht es wieder, melden Sie es bitte.
 job-cancel = Abbrechen

@@ -228,11 +228,13 @@ compare-none = Compares the algorithms once a ray is asked for.
 compare-too-many = The tree is too large to test every leaf, to walk through its grid or to link its nodes at every movement; what would need that is left out.
 timeline-name = Step of the trace
 timeline-speed = Speed
+timeline-cut = The run is longer: the trace ends after so many steps
 timeline-rounded = Steps with a triangle: doubles would err
 
 sentence-begin = Press → to begin.
 job-open = Opening { $name }
 job-restore = Opening what was open last
+job-trace = Tracing a long run
 job-build = Building the tree
 job-broken = The work stopped without a result. Try again; if it happens again, please report it.
 job-cancel = Cancel

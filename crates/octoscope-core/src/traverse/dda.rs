@@ -17,7 +17,7 @@
 use super::algorithm::Options;
 use super::beyond::{code_of_entry, exit_of};
 use super::clip::{Clip, at_planes, clip, earliest};
-use super::report::{Report, finish, missed};
+use super::report::{Report, finish, go_on, missed};
 use super::variant::Variant;
 use crate::event::{Event, Observer, Outcome};
 use crate::geometry::{Axes, Parameter, Ray};
@@ -115,12 +115,14 @@ fn walk<const D: usize, P: Parameter, O: Observer<D>>(
         // A new leaf? Then the ray comes into it.
         now = now.later(exit);
         let found = look_up(cell, observe);
-        if found != leaf {
+        let walked = if found == leaf {
+            go_on(observe)
+        } else {
             leaf = found;
-            let reported = report_leaf(tree, ray, leaf, now, &report, observe);
-            if reported.is_break() {
-                return finish(reported, observe);
-            }
+            report_leaf(tree, ray, leaf, now, &report, observe)
+        };
+        if walked.is_break() {
+            return finish(walked, observe);
         }
     }
 }
