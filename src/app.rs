@@ -38,7 +38,7 @@ pub struct App {
     chosen: files::Answers,
     /// One line that says what has just happened.
     status: String,
-    /// Number of searches for another ray: the seed of the next one.
+    /// Number of searches for another question: the seed of the next one.
     n_searches: u64,
     /// The ray of the gallery that was shown last.
     degenerate: Option<Degenerate>,

@@ -7,7 +7,7 @@ use crate::history::Shared;
 use crate::traced::{MOST_EVENTS, Traced};
 use octoscope_core::event::Event;
 use octoscope_core::geometry::Ray;
-use octoscope_core::paper::{Verdict, verdict};
+use octoscope_core::paper::{Verdict, erratum_of, verdict};
 use octoscope_core::progress::{Cancelled, Progress};
 use octoscope_core::query::Query;
 use octoscope_core::scenario::{Scenario, Source};
@@ -285,6 +285,16 @@ impl<const D: usize> Document<D> {
         }
         let (tree, ray, trace) = (&self.tree, &self.traced.0, &self.trace);
         Some(Arc::clone(self.verdict.get_or_insert_with(|| Arc::new(verdict(tree, ray, trace)))))
+    }
+
+    /// The step at which a misprinted rule leads astray first, if one is followed,
+    /// and it does.
+    pub fn first_wrong_step(&mut self) -> Option<usize> {
+        let is_misprint = |variant| erratum_of(variant).is_some();
+        if !self.trace.query.variants().iter().any(is_misprint) {
+            return None;
+        }
+        self.verdict().and_then(|verdict| verdict.first_wrong_step)
     }
 
     /// The verdict, if it was asked for.

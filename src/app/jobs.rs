@@ -23,7 +23,7 @@ pub(super) enum Purpose {
     Restore,
     /// Its tree is taken into the present document.
     Rebuild,
-    /// Its ray is taken into the present document.
+    /// Its ray and query are taken into the present document.
     Aim,
 }
 
@@ -65,15 +65,16 @@ impl App {
         self.job = Some((Job::start(title, context, work), Purpose::Open));
     }
 
-    /// Looks for another ray on which the query goes wrong; each time for another.
-    pub(super) fn find_other_ray(&mut self, context: &Context) {
+    /// Looks for another question on which the rules go wrong; each time for another.
+    pub(super) fn find_other_question(&mut self, context: &Context) {
         self.n_searches += 1;
         let (seed, mut document) = (self.n_searches, self.document.clone());
-        let (title, none) = (self.look.text("job-other-ray"), self.look.text("paper-no-other"));
+        let (title, none) = (self.look.text("job-other"), self.look.text("paper-no-other"));
         let work = move |progress: &Progress| {
             let found = with_document!(&mut document, d => {
-                let ray = find_other(&d.tree, &d.scenario.query, seed, progress);
-                ray.map(|ray| d.scenario.ray = ray).is_some()
+                let asked = (d.scenario.ray, d.scenario.query);
+                let other = find_other(&d.tree, asked, seed, progress);
+                other.map(|other| (d.scenario.ray, d.scenario.query) = other).is_some()
             });
             progress.advance(0)?;
             if found { Ok(document) } else { Err(anyhow!(none)) }
@@ -209,9 +210,11 @@ impl App {
             (Ok(aimed), Purpose::Aim) => match (&mut self.document, aimed) {
                 (AnyDocument::Plane(now), AnyDocument::Plane(aimed)) => {
                     now.scenario.ray = aimed.scenario.ray;
+                    now.scenario.query = aimed.scenario.query;
                 }
                 (AnyDocument::Space(now), AnyDocument::Space(aimed)) => {
                     now.scenario.ray = aimed.scenario.ray;
+                    now.scenario.query = aimed.scenario.query;
                 }
                 (AnyDocument::Plane(_), AnyDocument::Space(_))
                 | (AnyDocument::Space(_), AnyDocument::Plane(_)) => {}

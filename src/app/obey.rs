@@ -76,6 +76,7 @@ impl App {
             Command::Redo => self.history.can_redo(),
             Command::StepForward | Command::NextLeaf | Command::Last => step < length,
             Command::StepBack | Command::PreviousLeaf | Command::First => step > 0,
+            Command::FirstWrong => self.first_wrong_step().is_some(),
             Command::ReverseRay | Command::SnapRay | Command::NextDegenerate => {
                 self.is_about_a_ray()
             }
@@ -126,6 +127,11 @@ impl App {
             Command::PreviousLeaf => {
                 self.go_to(with_document!(&self.document, d => d.trace.previous_leaf(step)));
             }
+            Command::FirstWrong => {
+                if let Some(step) = self.first_wrong_step() {
+                    self.go_to(step);
+                }
+            }
             Command::Play => self.view.playback.toggle(length),
             Command::Faster => self.view.playback.change_speed(2.0),
             Command::Slower => self.view.playback.change_speed(0.5),
@@ -164,6 +170,11 @@ impl App {
             Command::Keys => self.view.dialog = Some(Dialog::Keys),
             Command::About => self.view.dialog = Some(Dialog::About),
         }
+    }
+
+    /// Where a misprint leads astray first, as the timeline shows it.
+    fn first_wrong_step(&self) -> Option<usize> {
+        with_document!(&self.document, d => d.known_verdict()?.first_wrong_step)
     }
 
     fn is_about_a_ray(&self) -> bool {
