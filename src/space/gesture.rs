@@ -105,9 +105,21 @@ pub fn handle<const D: usize>(
             (Grip::Camera, _) => CursorIcon::Default,
         });
         let is_free = grip.is_none() && matches!(over, Grip::Camera | Grip::Region(_));
+        let is_free = is_free && has_moved(ui, response, at);
         return is_free.then(|| under(frame, camera, document, at)).flatten();
     }
     None
+}
+
+/// Whether the pointer has been moved since it was first seen over the view: where the
+/// window opened beneath it, nothing is pointed at.
+fn has_moved(ui: &Ui, response: &Response, at: Pos2) -> bool {
+    let memory = response.id.with("first-seen");
+    let first = ui.data_mut(|data| *data.get_temp_mut_or(memory, Some(at)));
+    if first.is_some_and(|first| first != at) {
+        ui.data_mut(|data| data.insert_temp(memory, None::<Pos2>));
+    }
+    first != Some(at)
 }
 
 fn under<const D: usize>(

@@ -4,7 +4,7 @@
 use super::PageInWindow;
 use super::gesture::{Click, Under};
 use crate::look::Look;
-use eframe::egui::{Align2, FontId, Label, Pos2, Rect, RichText, Ui, vec2};
+use eframe::egui::{Align, Align2, FontId, Label, Pos2, Rect, RichText, Ui, vec2};
 use octoscope_core::locate::Direction;
 use octoscope_core::tree::{NodeId, Tree};
 use octoscope_figure::{Mark, Role, Shape};
@@ -54,10 +54,23 @@ pub fn labels<const D: usize>(
     let arguments = [("level", tree.level(node).into()), ("codes", codes.into())];
     let note = look.texts.format("node-note", &arguments);
     label(ui, look, rect, rect.left_bottom() + vec2(10.0, -10.0), Align2::LEFT_BOTTOM, note);
-    if let Some(Under { at, click: Some(Click::Neighbour(_)), .. }) = under {
+    if let Some(Under { at, click: Some(Click::Neighbour(direction)), .. }) = under {
         let hint = look.text("space-click-neighbour");
-        label(ui, look, rect, frame.on_screen(*at) + vec2(14.0, 18.0), Align2::LEFT_TOP, hint);
+        let (at, anchor) = beside(frame.on_screen(*at), direction.components());
+        label(ui, look, rect, at, anchor, hint);
     }
+}
+
+/// Place and anchor of a hint at the pointer, on the inner side of the cell, so that
+/// it does not cover the side in this direction, upwards being positive.
+fn beside<const D: usize>(pointer: Pos2, direction: [i8; D]) -> (Pos2, Align2) {
+    let to_left = direction[0] > 0;
+    let above = direction[1] < 0;
+    let x = if to_left { -14.0 } else { 14.0 };
+    let y = if above { -14.0 } else { 18.0 };
+    let horizontal = if to_left { Align::Max } else { Align::Min };
+    let vertical = if above { Align::Max } else { Align::Min };
+    (pointer + vec2(x, y), Align2([horizontal, vertical]))
 }
 
 /// A line of quiet text on its own ground, within `rect`.
@@ -66,9 +79,29 @@ fn label(ui: &mut Ui, look: &Look, rect: Rect, at: Pos2, anchor: Align2, text: S
     let color = look.palette.quiet;
     let size = ui.painter().layout_no_wrap(text.clone(), font.clone(), color).size();
     let ground = anchor.anchor_size(at, size + vec2(12.0, 6.0));
-    let overhang = (ground.max - rect.shrink(8.0).max).max(vec2(0.0, 0.0));
-    let ground = ground.translate(-overhang);
+    let room = rect.shrink(8.0);
+    let ground = ground.translate((room.min - ground.min).max(vec2(0.0, 0.0)));
+    let ground = ground.translate(-(ground.max - room.max).max(vec2(0.0, 0.0)));
     ui.painter().rect_filled(ground, 4.0, look.palette.panel);
     let text = RichText::new(text).font(font).color(color);
     ui.put(ground, Label::new(text).selectable(false));
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use eframe::egui::pos2;
+
+    #[test]
+    fn the_hint_lies_on_the_side_of_the_pointer_that_the_click_does_not_cross() {
+        let pointer = pos2(100.0, 100.0);
+        let placed = |direction| {
+            let (at, anchor) = beside(pointer, direction);
+            anchor.anchor_size(at, vec2(60.0, 20.0))
+        };
+        assert!(placed([1, 0]).right() < 100.0);
+        assert!(placed([-1, 0]).left() > 100.0);
+        assert!(placed([0, 1]).top() > 100.0);
+        assert!(placed([0, -1]).bottom() < 100.0);
+    }
 }
