@@ -9,6 +9,7 @@ mod desk;
 mod files;
 mod layout;
 mod limits;
+mod links;
 mod panels;
 mod paper;
 mod pictures;
