@@ -1,5 +1,6 @@
 //! Controls and drawings that several panels share.
 
+mod beside;
 mod bits;
 mod child_bits;
 mod heading;
@@ -9,6 +10,7 @@ mod panel_heading;
 mod rich;
 mod segments;
 
+pub use beside::beside_or_below;
 pub use bits::{BitRow, BitTable, bit_table};
 pub use child_bits::child_bits;
 pub use heading::heading;
