@@ -3,7 +3,7 @@
 use crate::look::Look;
 use eframe::egui::text::{LayoutJob, TextFormat};
 use eframe::egui::{
-    Align, Align2, Color32, FontId, Label, Painter, Pos2, Rect, RichText, Sense, Stroke, Ui,
+    Align, Align2, Color32, FontId, Label, Painter, Pos2, Rect, RichText, Sense, Shape, Stroke, Ui,
     WidgetInfo, accesskit::Role, pos2, vec2,
 };
 use octoscope_core::event::Event;
@@ -23,7 +23,7 @@ struct Rail<const D: usize> {
 }
 
 /// Planes are shown in their place up to so many lengths of an interval outside it.
-const NEAR: f64 = 2.0;
+const NEAR: f64 = 3.0;
 
 /// Names of the near and the far plane.
 const PLANES: [Option<&str>; 2] = [Some("0"), Some("1")];
@@ -243,8 +243,11 @@ fn paint_axis<const D: usize>(
         if (low..=high).contains(&t) {
             painter.vline(x, y - 8.0..=y + 8.0, Stroke::new(2.0, color));
         } else {
-            let tip = if t > high { 7.0 } else { -7.0 };
-            painter.arrow(pos2(x - tip, y), vec2(tip, 0.0), Stroke::new(2.0, color));
+            // Beyond the end: a head that is higher than the bar.
+            let tip = if t > high { 9.0 } else { -9.0 };
+            let head = [vec2(0.0, 0.0), vec2(-tip, 7.0), vec2(-tip, -7.0)];
+            let head = head.map(|corner| pos2(x, y) + corner).to_vec();
+            painter.add(Shape::convex_polygon(head, color, Stroke::NONE));
         }
         // t with its subscript, and the value where there is room.
         let name = format!("{}{which}", AXIS_NAMES[axis]);
@@ -308,11 +311,13 @@ mod tests {
 
     #[test]
     fn planes_far_outside_leave_room_for_the_interval() {
-        let near_by = Rail { mid: Some([1.1, 3.5]), ..rail(1.0, 2.0) };
-        assert_eq!(near_by.range(), [1.0 - 0.2, 3.5 + 0.2]);
+        let near_by = Rail { mid: Some([1.5, 4.5]), ..rail(1.0, 2.0) };
+        let [low, high] = near_by.range();
+        assert!(low < 1.0 && 4.5 < high && high < 5.0, "{low} {high}");
         let far_off = Rail { mid: Some([-50.0, 1e9]), ..rail(1.0, 2.0) };
-        assert_eq!(far_off.range(), [1.0 - 0.08, 2.0 + 0.08]);
-        let ahead = Rail::<2> { far: [1.5, 80.0], ..rail(1.0, 1.0) };
+        let [low, high] = far_off.range();
+        assert!(0.9 < low && low < 1.0 && 2.0 < high && high < 2.1, "{low} {high}");
+        let ahead = Rail { far: [1.5, 80.0], ..rail(1.0, 1.0) };
         let [low, high] = ahead.range();
         assert!(0.9 < low && high < 1.6, "{low} {high}");
     }
