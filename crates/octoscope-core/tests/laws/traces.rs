@@ -108,7 +108,8 @@ fn a_trace_within_a_limit_is_the_beginning_of_the_whole_one() {
 
 /// A tree of one empty leaf over a grid of 2^20 cells along every axis.
 fn finest_grid() -> Tree<3> {
-    grow(Domain::unit(20), (), &Progress::default(), |_, ()| Split::Empty).unwrap()
+    let tree = grow(Domain::unit(20), (), &Progress::default(), |_, ()| Split::Empty);
+    tree.expect("nobody cancels it")
 }
 
 #[test]
