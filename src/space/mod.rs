@@ -1,9 +1,11 @@
 //! The view of the tree and the ray, and what the mouse does in it.
 
+mod ask;
 mod base;
 mod gesture;
 mod hover;
 mod paint;
+mod pick;
 
 use crate::document::Document;
 use crate::look::Look;
