@@ -18,7 +18,7 @@ use crate::{render, save, theme, with_document};
 use eframe::egui::{CentralPanel, Frame, Key, Ui};
 use jobs::Purpose;
 use octoscope_core::gallery::Degenerate;
-use octoscope_core::progress::Progress;
+use octoscope_core::progress::{Cancelled, Progress};
 use octoscope_core::scenario::{BUILT_IN, StepAt};
 use std::path::PathBuf;
 use std::time::Duration;
@@ -34,10 +34,12 @@ pub struct App {
     look: Look,
     look_of: (octoscope_core::text::Language, octoscope_figure::Theme),
     job: Option<(Job<anyhow::Result<AnyDocument>>, Purpose)>,
+    /// The trace that is being made of a long run.
+    tracing: Option<Job<Result<AnyDocument, Cancelled>>>,
     chosen: files::Answers,
     /// One line that says what has just happened.
     status: String,
-    /// Number of searches for another ray: the seed of the next one.
+    /// Number of searches for another question: the seed of the next one.
     n_searches: u64,
     /// The ray of the gallery that was shown last.
     degenerate: Option<Degenerate>,
@@ -97,6 +99,7 @@ impl App {
             look_of,
             view,
             job: None,
+            tracing: None,
             chosen: files::Answers::default(),
             status: String::new(),
             n_searches: 0,
@@ -144,6 +147,7 @@ impl eframe::App for App {
     fn ui(&mut self, ui: &mut Ui, _frame: &mut eframe::Frame) {
         let context = ui.ctx().clone();
         self.poll_job();
+        self.poll_tracing();
         self.take_answers(&context);
         self.open_dropped(&context);
         let mut commands = self.pressed(&context);
@@ -174,16 +178,15 @@ impl eframe::App for App {
         }
         let step = self.view.playback.step;
         let step_now = with_document!(&mut self.document, document => document.refresh(step));
-        if step_now != step {
-            self.go_to(step_now);
-        }
+        self.follow(step_now);
         self.rebuild_if_needed(&context);
+        self.trace_if_needed(&context);
         self.settle(&context);
         if self.view.hover.turn() {
             context.request_repaint();
         }
 
-        if self.job.is_some() {
+        if self.job.is_some() || self.tracing.is_some() {
             context.request_repaint_after(Duration::from_millis(30));
         }
         if let Some(secs) = self.view.playback.secs_to_next() {

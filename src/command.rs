@@ -35,6 +35,8 @@ pub enum Command {
     NextLeaf,
     /// To the previous leaf or result.
     PreviousLeaf,
+    /// To the first step at which a misprint leads astray.
+    FirstWrong,
     /// Play or pause.
     Play,
     /// Play twice as fast.
@@ -278,6 +280,7 @@ pub const COMMANDS: &[Row] = &[
     row(Command::PreviousLeaf, "command-previous-leaf", Menu::Step, &[key(Key::ArrowUp)]),
     row(Command::First, "command-first", Menu::Step, &[key(Key::Home)]),
     row(Command::Last, "command-last", Menu::Step, &[key(Key::End)]),
+    row(Command::FirstWrong, "command-first-wrong", Menu::Step, &[key(Key::W)]),
     row(Command::Play, "command-play", Menu::Step, &[key(Key::Space)]),
     row(Command::Faster, "command-faster", Menu::Step, &[key(Key::CloseBracket)]),
     row(Command::Slower, "command-slower", Menu::Step, &[key(Key::OpenBracket)]),

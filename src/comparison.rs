@@ -26,8 +26,8 @@ pub struct Run {
 /// More leaves than this are not tested one by one for every movement.
 pub const MOST_LEAVES: usize = 100_000;
 
-/// Trees of more nodes than this are not linked while the ray moves.
-const MOST_LINKS: usize = 1_000_000;
+/// Trees of more nodes than this are not linked for the comparison alone.
+const MOST_LINKS: usize = 50_000;
 
 /// Grids of more cells along an axis are not walked through for every movement.
 const MOST_CELLS: u32 = 1 << 12;
@@ -36,7 +36,7 @@ const MOST_CELLS: u32 = 1 << 12;
 fn is_quick<const D: usize>(algorithm: Algorithm, tree: &Tree<D>) -> bool {
     match algorithm {
         Algorithm::Exhaustive => tree.n_leaves() <= MOST_LEAVES,
-        Algorithm::SametNet => tree.n_nodes() <= MOST_LINKS,
+        Algorithm::SametNet => tree.is_linked() || tree.n_nodes() <= MOST_LINKS,
         Algorithm::Dda | Algorithm::DdaOctree => tree.domain().grid_size() <= MOST_CELLS,
         Algorithm::Parametric
         | Algorithm::ParametricTable

@@ -1,21 +1,25 @@
 //! The open scenario with all that is derived from it.
 
+mod any;
+
 use crate::comparison::{MOST_LEAVES, Run, compare};
-use crate::history::{Shared, Weighed};
+use crate::history::Shared;
+use crate::traced::{MOST_EVENTS, Traced};
 use octoscope_core::event::Event;
-use octoscope_core::explain::rounded_steps;
 use octoscope_core::geometry::Ray;
-use octoscope_core::paper::{Verdict, verdict};
-use octoscope_core::progress::Progress;
+use octoscope_core::paper::{Verdict, erratum_of, verdict};
+use octoscope_core::progress::{Cancelled, Progress};
 use octoscope_core::query::Query;
-use octoscope_core::scenario::{AnyScenario, Scenario, Source, StepAt};
+use octoscope_core::scenario::{Scenario, Source};
 use octoscope_core::scene::{Content, Cube, leaf_colours};
-use octoscope_core::trace::{Counters, Moment, Trace, record};
+use octoscope_core::trace::{Counters, Moment, Trace};
 use octoscope_core::traverse::Options;
 use octoscope_core::tree::{BuildError, Recipe, Tree, build};
 use std::any::Any;
 use std::path::PathBuf;
 use std::sync::Arc;
+
+pub use any::AnyDocument;
 
 /// What panels and handles change of a scenario.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -42,13 +46,13 @@ pub struct Document<const D: usize> {
     pub content: Arc<Content<D>>,
     /// The tree; of an earlier recipe while a new one is being built.
     pub tree: Arc<Tree<D>>,
-    /// Record of the query.
+    /// Record of the query; of an earlier one while a long run is being made.
     pub trace: Arc<Trace<D>>,
     /// The scenario's file, if it has one.
     pub path: Option<PathBuf>,
     /// Folder from which the data file is named.
     pub folder: PathBuf,
-    /// What the whole run costs.
+    /// What the run costs, as far as it is traced.
     pub total: Counters,
     /// Steps of the trace, from 1, in which doubles would have decided otherwise.
     pub rounded: Arc<[usize]>,
@@ -59,6 +63,8 @@ pub struct Document<const D: usize> {
     traced: (Ray<D>, Query<D>),
     /// The query along the ray before the present one, and the playhead in it.
     left_ray: Option<(Query<D>, usize)>,
+    /// A query that is gone back to, and where the playhead was in it.
+    resumed: Option<(Query<D>, usize)>,
     built: (Cube<D>, Recipe),
 }
 
@@ -76,12 +82,11 @@ impl<const D: usize> Document<D> {
         progress: &Progress,
     ) -> Result<Self, BuildError> {
         let tree = Arc::new(build(&content, scenario.grid()?, &scenario.recipe, progress)?);
-        let trace = Arc::new(record(&tree, &scenario.ray, &scenario.query));
         let Scenario { domain, recipe, ray, query, .. } = scenario;
+        let traced = Traced::within(MOST_EVENTS, &tree, ray, query, progress)?;
+        let Traced { trace, total, rounded, .. } = traced;
         let traced = (ray, query);
         let built = (domain, recipe);
-        let total = costs(&trace);
-        let rounded = rounded(&tree, &scenario.ray, &trace);
         Ok(Self {
             scenario: Question { domain, recipe, ray, query },
             opened: Arc::new(scenario),
@@ -96,6 +101,7 @@ impl<const D: usize> Document<D> {
             verdict: None,
             traced,
             left_ray: None,
+            resumed: None,
             built,
         })
     }
@@ -146,39 +152,113 @@ impl<const D: usize> Document<D> {
         self.built != (self.scenario.domain, self.scenario.recipe)
     }
 
-    /// Runs the query again if it or the ray has changed. Returns where the
-    /// playhead, now at `step`, belongs: at the end it stays at the end, and
-    /// another point, region or neighbour shows its answer at once.
+    /// Whether the trace is not yet that of the ray and the query.
+    pub fn needs_tracing(&self) -> bool {
+        self.traced != (self.scenario.ray, self.scenario.query)
+    }
+
+    /// The ray of the trace.
+    pub fn traced_ray(&self) -> &Ray<D> {
+        &self.traced.0
+    }
+
+    /// Runs the query again if it or the ray has changed and this is quick. Returns
+    /// where the playhead, now at `step`, belongs.
     pub fn refresh(&mut self, step: usize) -> usize {
-        let wanted = (self.scenario.ray, self.scenario.query);
-        if self.traced == wanted {
+        let (ray, query) = (self.scenario.ray, self.scenario.query);
+        if !self.needs_tracing() {
             return step;
         }
+        match Traced::quickly(&self.tree, ray, query) {
+            Some(traced) => self.take(traced, step),
+            None => step,
+        }
+    }
+
+    /// Runs the query of now as far as the window keeps it, however long it takes.
+    ///
+    /// # Errors
+    /// Stops with [`Cancelled`] when `progress` is cancelled.
+    pub fn trace_anew(&mut self, progress: &Progress) -> Result<(), Cancelled> {
+        let (ray, query) = (self.scenario.ray, self.scenario.query);
+        let traced = Traced::within(MOST_EVENTS, &self.tree, ray, query, progress)?;
+        self.take(traced, 0);
+        Ok(())
+    }
+
+    /// Runs the query of now and keeps the whole trace, however long it is.
+    pub fn trace_whole(&mut self) {
+        let (ray, query) = (self.scenario.ray, self.scenario.query);
+        if !self.needs_tracing() && !self.trace.is_cut() {
+            return;
+        }
+        let whole = Traced::within(usize::MAX, &self.tree, ray, query, &Progress::default());
+        self.take(whole.expect("nobody cancels it"), 0);
+    }
+
+    /// Takes over the trace of `other`, made meanwhile from an earlier state of this
+    /// document; not if that had another tree. Returns where the playhead, now at
+    /// `step`, belongs.
+    pub fn take_trace(&mut self, other: &Self, step: usize) -> usize {
+        if !Arc::ptr_eq(&self.tree, &other.tree) {
+            return step;
+        }
+        self.take(other.as_traced(), step)
+    }
+
+    fn as_traced(&self) -> Traced<D> {
+        let (ray, query) = self.traced;
+        let (trace, rounded) = (Arc::clone(&self.trace), Arc::clone(&self.rounded));
+        Traced { ray, query, trace, total: self.total.clone(), rounded }
+    }
+
+    /// Takes a trace in the present tree. Returns where the playhead, now at `step`,
+    /// belongs: at the end it stays at the end, another point, region or neighbour
+    /// shows its answer at once, and a ray that is gone back to the step where it
+    /// was left.
+    fn take(&mut self, traced: Traced<D>, step: usize) -> usize {
+        let Traced { ray, query, trace, total, rounded } = traced;
         let is_of_ray = |query: &Query<D>| matches!(query, Query::Ray { .. });
-        if is_of_ray(&self.traced.1) && !is_of_ray(&wanted.1) {
+        if is_of_ray(&self.traced.1) && !is_of_ray(&query) {
             self.left_ray = Some((self.traced.1, step));
         }
         let was_at_end = step > 0 && step >= self.trace.events.len();
-        let asked_anew = self.traced.1 != wanted.1 && !is_of_ray(&wanted.1);
-        self.run();
-        if was_at_end || asked_anew { self.trace.events.len() } else { step }
+        let asked_anew = self.traced.1 != query && !is_of_ray(&query);
+        self.trace = trace;
+        self.total = total;
+        self.rounded = rounded;
+        self.comparison = None;
+        self.verdict = None;
+        self.traced = (ray, query);
+        match self.resumed.take().filter(|(resumed, _)| *resumed == query) {
+            Some((_, left_at)) => left_at,
+            None if was_at_end || asked_anew => self.trace.events.len(),
+            None => step,
+        }
     }
 
-    /// Goes back from another query to the one along the ray that was left for
-    /// it. Returns where the playhead was.
-    pub fn back_to_ray(&mut self) -> usize {
+    /// Goes back from another query to the one along the ray that was left for it,
+    /// and to the step of it.
+    pub fn back_to_ray(&mut self) {
         let (query, step) = self.left_ray.take().unwrap_or_default();
         self.scenario.query = query;
-        self.run();
-        step
+        self.resumed = Some((query, step));
+    }
+
+    /// Goes back to the ray and the query of the trace there is, because the one
+    /// that is wanted was given up.
+    pub fn keep_trace(&mut self) {
+        (self.scenario.ray, self.scenario.query) = self.traced;
+        self.resumed = None;
     }
 
     /// Takes over the tree of `rebuilt`, made meanwhile from an earlier state of
-    /// this document; everything else stays.
-    pub fn adopt(&mut self, rebuilt: &Self) {
+    /// this document, and the trace in it; everything else stays. Returns where the
+    /// playhead, now at `step`, belongs.
+    pub fn adopt(&mut self, rebuilt: &Self, step: usize) -> usize {
         self.tree = Arc::clone(&rebuilt.tree);
         self.built = rebuilt.built;
-        self.run();
+        self.take(rebuilt.as_traced(), step)
     }
 
     /// Goes back to the recipe and domain of the tree there is, because the
@@ -196,24 +276,25 @@ impl<const D: usize> Document<D> {
         }
     }
 
-    fn run(&mut self) {
-        let (ray, query) = (self.scenario.ray, self.scenario.query);
-        self.trace = Arc::new(record(&self.tree, &ray, &query));
-        self.total = costs(&self.trace);
-        self.rounded = rounded(&self.tree, &ray, &self.trace);
-        self.comparison = None;
-        self.verdict = None;
-        self.traced = (ray, query);
-    }
-
     /// Whether the run comes to the right result, computed once for every ray and
-    /// tree; `None` where the tree is too large to ask every leaf.
+    /// tree; `None` where the tree is too large to ask every leaf, or the run was too
+    /// long to be traced to its end.
     pub fn verdict(&mut self) -> Option<Arc<Verdict>> {
-        if self.tree.n_leaves() > MOST_LEAVES {
+        if self.tree.n_leaves() > MOST_LEAVES || self.trace.is_cut() {
             return None;
         }
         let (tree, ray, trace) = (&self.tree, &self.traced.0, &self.trace);
         Some(Arc::clone(self.verdict.get_or_insert_with(|| Arc::new(verdict(tree, ray, trace)))))
+    }
+
+    /// The step at which a misprinted rule leads astray first, if one is followed,
+    /// and it does.
+    pub fn first_wrong_step(&mut self) -> Option<usize> {
+        let is_misprint = |variant| erratum_of(variant).is_some();
+        if !self.trace.query.variants().iter().any(is_misprint) {
+            return None;
+        }
+        self.verdict().and_then(|verdict| verdict.first_wrong_step)
     }
 
     /// The verdict, if it was asked for.
@@ -248,12 +329,6 @@ impl<const D: usize> Document<D> {
     }
 }
 
-fn costs<const D: usize>(trace: &Trace<D>) -> Counters {
-    let mut counters = Counters::default();
-    trace.events.iter().for_each(|event| counters.add(event));
-    counters
-}
-
 fn content_bytes<const D: usize>(content: &Content<D>) -> usize {
     match content {
         Content::Points(points) => size_of_val(&points[..]),
@@ -265,84 +340,13 @@ fn content_bytes<const D: usize>(content: &Content<D>) -> usize {
     }
 }
 
-fn rounded<const D: usize>(tree: &Tree<D>, ray: &Ray<D>, trace: &Trace<D>) -> Arc<[usize]> {
-    rounded_steps(tree, ray, trace).into_iter().map(|(step, _)| step).collect()
-}
-
-/// Document of either dimension.
-#[derive(Clone, Debug)]
-pub enum AnyDocument {
-    /// A quadtree.
-    Plane(Box<Document<2>>),
-    /// An octree.
-    Space(Box<Document<3>>),
-}
-
-/// Runs the same code on the document of either dimension.
-#[macro_export]
-macro_rules! with_document {
-    ($any:expr, $document:ident => $body:expr) => {
-        match $any {
-            $crate::document::AnyDocument::Plane($document) => $body,
-            $crate::document::AnyDocument::Space($document) => $body,
-        }
-    };
-}
-
-impl AnyDocument {
-    /// The scenario, for saving.
-    pub fn scenario(&self) -> AnyScenario {
-        match self {
-            Self::Plane(document) => AnyScenario::Quadtree(document.whole_scenario()),
-            Self::Space(document) => AnyScenario::Octree(document.whole_scenario()),
-        }
-    }
-
-    /// The scenario with the playhead after `step` events.
-    pub fn scenario_at(&self, step: usize) -> AnyScenario {
-        let mut scenario = self.scenario();
-        match &mut scenario {
-            AnyScenario::Quadtree(scenario) => scenario.step = StepAt::At(step),
-            AnyScenario::Octree(scenario) => scenario.step = StepAt::At(step),
-        }
-        scenario
-    }
-
-    /// Number of events in the trace.
-    pub fn n_events(&self) -> usize {
-        with_document!(self, document => document.trace.events.len())
-    }
-
-    /// Whether both show the same scenario of the same tree.
-    pub fn is_same_state(&self, other: &Self) -> bool {
-        match (self, other) {
-            (Self::Plane(a), Self::Plane(b)) => a.is_same_state(b),
-            (Self::Space(a), Self::Space(b)) => a.is_same_state(b),
-            (Self::Plane(_), Self::Space(_)) | (Self::Space(_), Self::Plane(_)) => false,
-        }
-    }
-
-    /// Whether both lie in the same cube of the same dimension.
-    pub fn is_same_place(&self, other: &Self) -> bool {
-        match (self, other) {
-            (Self::Plane(a), Self::Plane(b)) => a.scenario.domain == b.scenario.domain,
-            (Self::Space(a), Self::Space(b)) => a.scenario.domain == b.scenario.domain,
-            (Self::Plane(_), Self::Space(_)) | (Self::Space(_), Self::Plane(_)) => false,
-        }
-    }
-}
-
-impl Weighed for AnyDocument {
-    fn shared(&self) -> Vec<Shared> {
-        with_document!(self, document => document.shared())
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::history::Weighed;
     use crate::open::open_built_in;
-    use octoscope_core::scenario::{BUILT_IN, built_in};
+    use crate::with_document;
+    use octoscope_core::scenario::{AnyScenario, BUILT_IN, built_in};
 
     #[test]
     fn a_tree_that_cannot_be_built_is_not_wanted_any_more() {

@@ -64,7 +64,7 @@ pub fn space<const D: usize>(
     if n_primitives_shown(document, show) <= MOST_PRIMITIVES {
         all.extend(content(&document.content));
     }
-    all.extend(axes(document.tree.domain()));
+    all.extend(axes(document.tree.domain(), show));
     all.extend(marks(&document.tree, &scenario.ray, &scenario.query, &moment, event, show));
     all.sort_by_key(|mark| mark.role.layer());
     space_figure(&all, &camera, page)

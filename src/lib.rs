@@ -22,6 +22,7 @@ pub mod sidebar;
 pub mod space;
 pub mod text;
 pub mod theme;
+pub mod traced;
 pub mod view;
 pub mod widgets;
 pub mod window;

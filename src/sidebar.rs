@@ -27,8 +27,8 @@ pub enum Wish {
     Scene(&'static str),
     /// Open the counterexample of a misprint.
     Counterexample(Variant),
-    /// Look for another ray on which the query goes wrong.
-    OtherRay,
+    /// Look for another question on which the rules go wrong.
+    OtherQuestion,
     /// Move the playhead.
     Step(usize),
 }

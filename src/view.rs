@@ -1,5 +1,8 @@
 //! What the window remembers that is not part of the scenario.
 
+mod dialog;
+mod hover;
+
 use crate::arrangement::Arrangement;
 use crate::playback::Playback;
 use crate::space::Standpoint;
@@ -9,11 +12,14 @@ use octoscope_core::paper::erratum_of;
 use octoscope_core::query::Query;
 use octoscope_core::text::Language;
 use octoscope_core::traverse::Algorithm;
-use octoscope_core::tree::{NodeId, Tree};
+use octoscope_core::tree::NodeId;
 use octoscope_figure::{Camera, Lens, Show, Theme};
 use serde::{Deserialize, Serialize};
 use std::any::Any;
 use std::collections::BTreeMap;
+
+pub use dialog::{Dialog, Search};
+pub use hover::Hover;
 
 /// State of the window: neither undone nor saved with the scenario.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -67,58 +73,6 @@ pub struct View {
     /// The window that lies over everything else.
     #[serde(skip)]
     pub dialog: Option<Dialog>,
-}
-
-/// The node under the pointer: every view lights it, and the one that is pointed
-/// at offers it for the next frame.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Hover {
-    lit: Option<NodeId>,
-    offered: Option<NodeId>,
-}
-
-impl Hover {
-    /// The node to be lit, if it is one of `tree`, which may have changed.
-    pub fn lit<const D: usize>(&self, tree: &Tree<D>) -> Option<NodeId> {
-        self.lit.filter(|node| node.index() < tree.n_nodes())
-    }
-
-    /// Offers the node that is pointed at in this frame.
-    pub fn offer(&mut self, node: NodeId) {
-        self.offered = Some(node);
-    }
-
-    /// Ends the frame: what was offered is lit. Tells whether that is new.
-    pub fn turn(&mut self) -> bool {
-        let before = std::mem::replace(&mut self.lit, self.offered.take());
-        before != self.lit
-    }
-}
-
-/// Window over the window.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Dialog {
-    /// Search everything that has a name.
-    Find(Search),
-    /// All keys.
-    Keys,
-    /// What this program is.
-    About,
-    /// Something went wrong: the whole message.
-    Error(String),
-    /// Where and how to export.
-    Export,
-    /// A file is opened by typing its path.
-    Path(String),
-}
-
-/// What is searched for, and which of the hits is chosen, from 0.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct Search {
-    /// Words as typed.
-    pub wanted: String,
-    /// Number of the chosen hit.
-    pub chosen: usize,
 }
 
 /// Selection of panels beside the space view.

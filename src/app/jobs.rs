@@ -9,7 +9,7 @@ use crate::with_document;
 use anyhow::anyhow;
 use eframe::egui::Context;
 use octoscope_core::paper::{counterexample, find_other};
-use octoscope_core::progress::Progress;
+use octoscope_core::progress::{Cancelled, Progress};
 use octoscope_core::scenario::AnyScenario;
 use octoscope_core::traverse::Variant;
 use std::path::{Path, PathBuf};
@@ -23,7 +23,7 @@ pub(super) enum Purpose {
     Restore,
     /// Its tree is taken into the present document.
     Rebuild,
-    /// Its ray is taken into the present document.
+    /// Its ray and query are taken into the present document.
     Aim,
 }
 
@@ -65,15 +65,16 @@ impl App {
         self.job = Some((Job::start(title, context, work), Purpose::Open));
     }
 
-    /// Looks for another ray on which the query goes wrong; each time for another.
-    pub(super) fn find_other_ray(&mut self, context: &Context) {
+    /// Looks for another question on which the rules go wrong; each time for another.
+    pub(super) fn find_other_question(&mut self, context: &Context) {
         self.n_searches += 1;
         let (seed, mut document) = (self.n_searches, self.document.clone());
-        let (title, none) = (self.look.text("job-other-ray"), self.look.text("paper-no-other"));
+        let (title, none) = (self.look.text("job-other"), self.look.text("paper-no-other"));
         let work = move |progress: &Progress| {
             let found = with_document!(&mut document, d => {
-                let ray = find_other(&d.tree, &d.scenario.query, seed, progress);
-                ray.map(|ray| d.scenario.ray = ray).is_some()
+                let asked = (d.scenario.ray, d.scenario.query);
+                let other = find_other(&d.tree, asked, seed, progress);
+                other.map(|other| (d.scenario.ray, d.scenario.query) = other).is_some()
             });
             progress.advance(0)?;
             if found { Ok(document) } else { Err(anyhow!(none)) }
@@ -104,10 +105,69 @@ impl App {
         self.job = Some((Job::start(title, context, work), Purpose::Rebuild));
     }
 
-    /// Waits until what is being opened or built is there; without work, not at all.
+    /// Makes the trace of the present question on another thread, if it is too long
+    /// to be made at once. One after the other: what has been asked meanwhile is
+    /// traced after it, the last question only.
+    pub(super) fn trace_if_needed(&mut self, context: &Context) {
+        let needs = with_document!(&self.document, document => document.needs_tracing());
+        if !needs || self.tracing.is_some() {
+            return;
+        }
+        let mut document = self.document.clone();
+        let work = move |progress: &Progress| {
+            with_document!(&mut document, d => d.trace_anew(progress))?;
+            Ok(document)
+        };
+        self.tracing = Some(Job::start(self.look.text("job-trace"), context, work));
+    }
+
+    /// Waits until what is being opened, built or traced is there; without work, not
+    /// at all.
     pub fn finish_work(&mut self) {
         if let Some((job, purpose)) = &self.job {
             self.conclude(job.wait(), *purpose);
+        }
+        if let Some(job) = &self.tracing {
+            self.conclude_tracing(job.wait());
+        }
+    }
+
+    /// Cancels the trace that is being made, if there is one.
+    pub fn give_up_tracing(&self) {
+        if let Some(job) = &self.tracing {
+            job.progress.cancel();
+        }
+    }
+
+    pub(super) fn poll_tracing(&mut self) {
+        if let Some(job) = &self.tracing {
+            self.conclude_tracing(job.poll());
+        }
+    }
+
+    fn conclude_tracing(&mut self, poll: Poll<Result<AnyDocument, Cancelled>>) {
+        match poll {
+            Poll::Running => return,
+            Poll::Done(Ok(traced)) => {
+                let step = self.document.take_trace(&traced, self.view.playback.step);
+                self.follow(step);
+            }
+            // Given up: the question of the trace there is comes back with it.
+            Poll::Done(Err(Cancelled)) => {
+                with_document!(&mut self.document, document => document.keep_trace());
+            }
+            Poll::Broken => {
+                with_document!(&mut self.document, document => document.keep_trace());
+                self.view.dialog = Some(Dialog::Error(self.look.text("job-broken")));
+            }
+        }
+        self.tracing = None;
+    }
+
+    /// Moves the playhead to where it belongs in a new trace.
+    pub(super) fn follow(&mut self, step: usize) {
+        if step != self.view.playback.step {
+            self.go_to(step);
         }
     }
 
@@ -130,28 +190,31 @@ impl App {
                 self.settle_now();
                 self.history.record(self.shown());
                 self.document = document;
+                self.tracing = None;
                 self.status.clear();
                 self.go_to_start();
                 self.settled = self.shown();
             }
             (Ok(document), Purpose::Restore) => {
                 self.document = document;
+                self.tracing = None;
                 self.go_to_start();
                 self.settled = self.shown();
             }
             (Err(_), Purpose::Restore) => {}
-            (Ok(rebuilt), Purpose::Rebuild) => match (&mut self.document, rebuilt) {
-                (AnyDocument::Plane(now), AnyDocument::Plane(rebuilt)) => now.adopt(&rebuilt),
-                (AnyDocument::Space(now), AnyDocument::Space(rebuilt)) => now.adopt(&rebuilt),
-                (AnyDocument::Plane(_), AnyDocument::Space(_))
-                | (AnyDocument::Space(_), AnyDocument::Plane(_)) => {}
-            },
+            (Ok(rebuilt), Purpose::Rebuild) => {
+                let step = self.document.adopt(&rebuilt, self.view.playback.step);
+                self.follow(step);
+                self.tracing = None;
+            }
             (Ok(aimed), Purpose::Aim) => match (&mut self.document, aimed) {
                 (AnyDocument::Plane(now), AnyDocument::Plane(aimed)) => {
                     now.scenario.ray = aimed.scenario.ray;
+                    now.scenario.query = aimed.scenario.query;
                 }
                 (AnyDocument::Space(now), AnyDocument::Space(aimed)) => {
                     now.scenario.ray = aimed.scenario.ray;
+                    now.scenario.query = aimed.scenario.query;
                 }
                 (AnyDocument::Plane(_), AnyDocument::Space(_))
                 | (AnyDocument::Space(_), AnyDocument::Plane(_)) => {}

@@ -82,6 +82,7 @@ impl App {
             Command::Redo => self.history.can_redo(),
             Command::StepForward | Command::NextLeaf | Command::Last => step < length,
             Command::StepBack | Command::PreviousLeaf | Command::First => step > 0,
+            Command::FirstWrong => self.first_wrong_step().is_some(),
             Command::ReverseRay | Command::SnapRay | Command::NextDegenerate => {
                 self.is_about_a_ray()
             }
@@ -139,6 +140,11 @@ impl App {
             Command::PreviousLeaf => {
                 self.go_to(with_document!(&self.document, d => d.trace.previous_leaf(step)));
             }
+            Command::FirstWrong => {
+                if let Some(step) = self.first_wrong_step() {
+                    self.go_to(step);
+                }
+            }
             Command::Play => self.view.playback.toggle(length),
             Command::Faster => self.view.playback.change_speed(2.0),
             Command::Slower => self.view.playback.change_speed(0.5),
@@ -154,8 +160,7 @@ impl App {
             Command::ReverseRay => with_document!(&mut self.document, d => d.reverse_ray()),
             Command::BackToRay => {
                 if self.is_enabled(command) {
-                    let step = with_document!(&mut self.document, d => d.back_to_ray());
-                    self.go_to(step);
+                    with_document!(&mut self.document, d => d.back_to_ray());
                 }
             }
             Command::SnapRay if self.is_enabled(command) => self.snap_ray(),
@@ -215,8 +220,7 @@ impl App {
     /// Follows the ray with an algorithm.
     fn run(&mut self, algorithm: Algorithm) {
         if !self.is_about_a_ray() {
-            let step = with_document!(&mut self.document, d => d.back_to_ray());
-            self.go_to(step);
+            with_document!(&mut self.document, d => d.back_to_ray());
         }
         with_document!(&mut self.document, d => {
             if let Query::Ray { algorithm: present, options, .. } = &mut d.scenario.query {
@@ -226,6 +230,11 @@ impl App {
                 options.variants = own.collect();
             }
         });
+    }
+
+    /// Where a misprint leads astray first, as the timeline shows it.
+    fn first_wrong_step(&self) -> Option<usize> {
+        with_document!(&self.document, d => d.known_verdict()?.first_wrong_step)
     }
 
     fn is_about_a_ray(&self) -> bool {
@@ -298,6 +307,7 @@ impl App {
                 (self.view.plane_camera, self.view.orbit_camera) = (None, None);
             }
             self.document = shown.document;
+            self.tracing = None;
             self.go_to(shown.step);
             self.settled = self.shown();
         }

@@ -29,12 +29,20 @@ impl App {
             ui.allocate_ui(vec2(ui.available_width(), height), |ui| {
                 ui.set_min_height(height);
                 let text = with_document!(&self.document, d => {
-                    sentence_of(&d.tree, &d.scenario.ray, &d.trace, step, self.view.language)
+                    sentence_of(&d.tree, d.traced_ray(), &d.trace, step, self.view.language)
                 });
                 sentence::ui(ui, &self.look, text, step);
             });
-            with_document!(&self.document, d => {
-                timeline::ui(ui, &self.look, &d.trace, &d.rounded, &mut self.view.playback, commands);
+            with_document!(&mut self.document, d => {
+                let marked = timeline::Marked {
+                    first_wrong: d.first_wrong_step(),
+                    rounded: &d.rounded,
+                    lit: self.view.hover.lit(&d.tree),
+                };
+                let pointed = timeline::ui(
+                    ui, &self.look, &d.trace, marked, &mut self.view.playback, commands,
+                );
+                pointed.into_iter().for_each(|node| self.view.hover.offer(node));
             });
         });
         let layers = self.layers.as_mut();
@@ -46,7 +54,7 @@ impl App {
             None => {}
             Some(Wish::Scene(id)) => self.open_scene(&context, id),
             Some(Wish::Counterexample(variant)) => self.open_counterexample(&context, variant),
-            Some(Wish::OtherRay) => self.find_other_ray(&context),
+            Some(Wish::OtherQuestion) => self.find_other_question(&context),
             Some(Wish::Step(step)) => self.go_to(step),
         }
         self.show_dialogs(ui, commands);
@@ -69,6 +77,13 @@ impl App {
             && dialogs::progress(&context, &self.look, &job.title, job.progress.fraction())
         {
             job.progress.cancel();
+        }
+        if let Some(job) = &self.tracing
+            && self.job.is_none()
+            && job.is_shown()
+            && dialogs::progress(&context, &self.look, &job.title, job.progress.fraction())
+        {
+            self.give_up_tracing();
         }
         let answer = dialogs::ui(&context, &self.look, &mut self.view.dialog, commands);
         match answer {

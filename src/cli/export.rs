@@ -187,9 +187,9 @@ pub fn export(arguments: &Export) -> anyhow::Result<Answer> {
     if let Some(choice) = &arguments.ray {
         with_document!(&mut document, document => {
             choice.aim(document)?;
-            document.refresh(0);
         });
     }
+    with_document!(&mut document, document => document.trace_whole());
     let n_steps = document.n_events();
     if let Some(StepAt::At(step)) = arguments.step
         && step > n_steps

@@ -88,7 +88,7 @@ fn traced<const D: usize>(mut document: Document<D>, arguments: &Trace) -> anyho
     if arguments.algorithm.is_some() || arguments.end.is_some() || arguments.exact {
         scenario.query = along_ray(scenario.query, arguments);
     }
-    document.refresh(0);
+    document.trace_whole();
     let Document { tree, trace, scenario, .. } = &document;
     Ok(match arguments.format {
         Format::Text => trace_text(tree, &scenario.ray, trace, arguments.lang),

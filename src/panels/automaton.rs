@@ -1,7 +1,7 @@
 //! The automaton that leads from child to child.
 
 use crate::look::Look;
-use crate::widgets::cell_text;
+use crate::widgets::{Lit, lit};
 use eframe::egui::{
     Align, Align2, Color32, FontId, Grid, Layout, Painter, Pos2, RichText, Sense, Stroke, Ui, Vec2,
     WidgetInfo, accesskit::Role, pos2, vec2,
@@ -152,7 +152,7 @@ fn exit_table<const D: usize>(
     ui: &mut Ui,
     look: &Look,
     state: Option<Child<D>>,
-    lit: Option<(Axes<D>, Option<Child<D>>)>,
+    step: Option<(Axes<D>, Option<Child<D>>)>,
 ) {
     let key = if D == 2 { "automaton-table-1" } else { "automaton-table-3" };
     ui.label(RichText::new(look.text(key)).size(13.0).color(look.palette.quiet));
@@ -170,12 +170,18 @@ fn exit_table<const D: usize>(
             ui.end_row();
             for row in Child::<D>::all() {
                 let in_row = state == Some(row);
-                ui.label(cell_text(look, row.0.to_string(), in_row, in_row));
+                let tone = if in_row { Lit::Used } else { Lit::No };
+                ui.label(lit(look, row.0.to_string(), tone));
                 for axis in 0..D {
-                    let used = in_row && lit.is_some_and(|(axes, _)| axes.contains(axis));
+                    let used = in_row && step.is_some_and(|(axes, _)| axes.contains(axis));
                     let text = transition(row, axis)
                         .map_or_else(|| look.text("automaton-end"), |next| next.0.to_string());
-                    ui.label(cell_text(look, text, in_row, used));
+                    let tone = match (in_row, used) {
+                        (_, true) => Lit::Used,
+                        (true, false) => Lit::Line,
+                        (false, false) => Lit::No,
+                    };
+                    ui.label(lit(look, text, tone));
                 }
                 ui.end_row();
             }
@@ -194,11 +200,12 @@ fn entry_table<const D: usize>(ui: &mut Ui, look: &Look, event: Option<&Event<D>
                 let plane: String =
                     (0..D).filter(|&e| e != axis).map(|e| AXIS_NAMES[e].to_uppercase()).collect();
                 let used = entered == Some(axis);
-                ui.label(cell_text(look, plane, used, used));
+                ui.label(lit(look, plane, if used { Lit::Used } else { Lit::No }));
                 for other in entry_axes::<D>(axis).iter() {
                     let bit = Axes::<D>::one(other).0;
                     let [o, e] = [AXIS_NAMES[other], AXIS_NAMES[axis]];
-                    ui.label(cell_text(look, format!("t{o}m < t{e}0 → {bit}"), used, false));
+                    let tone = if used { Lit::Line } else { Lit::No };
+                    ui.label(lit(look, format!("t{o}m < t{e}0 → {bit}"), tone));
                 }
                 ui.end_row();
             }

@@ -2,7 +2,9 @@
 
 use crate::comparison::Run;
 use crate::look::Look;
-use eframe::egui::{Align, Grid, Layout, RichText, Ui, WidgetInfo, accesskit::Role};
+use eframe::egui::{
+    Align, Grid, Id, Label, Layout, RichText, Sense, Ui, WidgetInfo, accesskit::Role,
+};
 use octoscope_core::explain::algorithm_name;
 use octoscope_core::trace::Counter;
 use octoscope_core::traverse::Algorithm;
@@ -14,38 +16,114 @@ const NARROW: f32 = 330.0;
 const HEADS: [&str; 5] =
     ["compare-leaves", "compare-steps", "compare-nodes", "compare-tests", "compare-quotients"];
 
-/// Costs of every algorithm and whether it finds the right leaves, a row each;
-/// a click on a name chooses the algorithm. Returns the chosen one.
+/// Costs of every algorithm and whether it finds the right leaves, a row each; a click
+/// on a head orders the rows, one on a name chooses the algorithm. Returns the chosen one.
 pub fn ui(ui: &mut Ui, look: &Look, runs: &[Run], shown: Option<Algorithm>) -> Option<Algorithm> {
     if runs.is_empty() {
         ui.label(RichText::new(look.text("compare-none")).color(look.palette.quiet));
         return None;
     }
     let mut chosen = None;
+    let mut order: Order = ui.data(|data| data.get_temp(Order::id())).unwrap_or_default();
     // In a narrow side there is no room for all of them.
     let n_numbers = if ui.available_width() < NARROW { 3 } else { HEADS.len() };
     let quiet = |text: String| RichText::new(text).size(12.0).color(look.palette.quiet);
     let grid = Grid::new("compare").num_columns(7).striped(true).min_row_height(22.0);
     grid.spacing([10.0, 2.0]).min_col_width(16.0).show(ui, |ui| {
-        ui.label("");
-        for key in &HEADS[..n_numbers] {
-            let head = ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-                ui.label(quiet(look.text(key)))
+        if head(ui, look, "compare-algorithm", order.sign(None)) {
+            order = Order::default();
+        }
+        for (column, key) in HEADS.iter().enumerate().take(n_numbers) {
+            let clicked = ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+                head(ui, look, key, order.sign(Some(column)))
             });
-            head.inner.on_hover_text(look.text(&format!("{key}-why")));
+            if clicked.inner {
+                order = order.by(column);
+            }
         }
         ui.end_row();
-        for run in runs {
+        for run in order.of(runs) {
             if row(ui, look, run, shown == Some(run.algorithm), n_numbers) {
                 chosen = Some(run.algorithm);
             }
             ui.end_row();
         }
     });
+    ui.data_mut(|data| data.insert_temp(Order::id(), order));
     if runs.len() < Algorithm::ALL.len() {
         ui.label(quiet(look.text("compare-too-many")));
     }
     chosen
+}
+
+/// Head of a column with the sign of its order; true if it is clicked.
+fn head(ui: &mut Ui, look: &Look, key: &str, sign: &str) -> bool {
+    let name = look.text(key);
+    let text = RichText::new(format!("{name}{sign}")).size(12.0).color(look.palette.quiet);
+    let label = ui.add(Label::new(text).selectable(false).sense(Sense::click()));
+    let sort = look.texts.format("compare-sort", &[("column", name.into())]);
+    label.widget_info(|| WidgetInfo::labeled(Role::Button, true, sort.as_str()));
+    label.on_hover_text(look.text(&format!("{key}-why"))).clicked()
+}
+
+/// In which order the rows stand: that of the menu, or that of a column's numbers.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+struct Order(Option<(usize, Direction)>);
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Direction {
+    SmallestFirst,
+    LargestFirst,
+}
+
+impl Order {
+    /// Where it is remembered.
+    fn id() -> Id {
+        Id::unique("order-of-comparison")
+    }
+
+    /// The order after a click on the head of a column.
+    fn by(self, column: usize) -> Self {
+        let direction = if self.0 == Some((column, Direction::SmallestFirst)) {
+            Direction::LargestFirst
+        } else {
+            Direction::SmallestFirst
+        };
+        Self(Some((column, direction)))
+    }
+
+    /// What stands after the head of a column, or of the names.
+    fn sign(self, column: Option<usize>) -> &'static str {
+        match self.0 {
+            Some((by, Direction::SmallestFirst)) if column == Some(by) => " ↑",
+            Some((by, Direction::LargestFirst)) if column == Some(by) => " ↓",
+            Some(_) | None => "",
+        }
+    }
+
+    /// The runs in this order; equal ones in that of the menu.
+    fn of(self, runs: &[Run]) -> Vec<&Run> {
+        let mut rows: Vec<&Run> = runs.iter().collect();
+        match self.0 {
+            None => {}
+            Some((column, Direction::SmallestFirst)) => rows.sort_by_key(|r| numbers(r)[column]),
+            Some((column, Direction::LargestFirst)) => {
+                rows.sort_by_key(|run| std::cmp::Reverse(numbers(run)[column]));
+            }
+        }
+        rows
+    }
+}
+
+/// Numbers of the columns.
+fn numbers(run: &Run) -> [u64; HEADS.len()] {
+    [
+        run.counters.get(Counter::Leaves),
+        run.n_steps as u64,
+        run.counters.get(Counter::NodeTouches),
+        run.counters.comparisons(),
+        run.counters.get(Counter::Divisions),
+    ]
 }
 
 /// Row of one algorithm, with the first few of its numbers; true if its name is
@@ -57,20 +135,15 @@ fn row(ui: &mut Ui, look: &Look, run: &Run, is_shown: bool, n_numbers: usize) ->
     response.widget_info(|| WidgetInfo::selected(Role::RadioButton, true, is_shown, &name));
     let clicked = response.on_hover_text(&name).clicked();
 
-    let n_leaves = run.counters.get(Counter::Leaves);
+    let [n_leaves, others @ ..] = numbers(run);
     let key = if run.agrees { "compare-agrees" } else { "compare-differs" };
     let verdict = look.texts.format(key, &[("leaves", n_leaves.into())]);
     let (sign, color) =
         if run.agrees { ("=", look.palette.ink) } else { ("≠", look.palette.ray) };
     let leaves = format!("{sign} {n_leaves}");
-    let numbers = [
-        (leaves, color, verdict),
-        (run.n_steps.to_string(), look.palette.ink, String::new()),
-        (run.counters.get(Counter::NodeTouches).to_string(), look.palette.ink, String::new()),
-        (run.counters.comparisons().to_string(), look.palette.ink, String::new()),
-        (run.counters.get(Counter::Divisions).to_string(), look.palette.ink, String::new()),
-    ];
-    for (number, color, spoken) in numbers.into_iter().take(n_numbers) {
+    let others = others.map(|number| (number.to_string(), look.palette.ink, String::new()));
+    let cells = std::iter::once((leaves, color, verdict)).chain(others);
+    for (number, color, spoken) in cells.take(n_numbers) {
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             let label = ui.label(RichText::new(number).monospace().size(13.0).color(color));
             if !spoken.is_empty() {

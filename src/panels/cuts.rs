@@ -1,7 +1,7 @@
 //! Mid planes sorted along the ray, and the pieces that they cut it into.
 
 use crate::look::Look;
-use crate::widgets::{Lit, caption, child_bits, lit, rich_job};
+use crate::widgets::{Lit, beside_or_below, caption, child_bits, lit, rich_job};
 use eframe::egui::{Grid, Label, Ui};
 use octoscope_core::event::Event;
 use octoscope_core::explain::{RichText, Span, approx};
@@ -46,7 +46,7 @@ pub fn ui<const D: usize>(
         caption(ui, look, look.text("cuts-mask"));
         child_bits(ui, look, Child::<D>(mask.0), Axes::NONE);
     });
-    ui.horizontal_top(|ui| {
+    beside_or_below(ui, |ui| {
         ui.vertical(|ui| planes(ui, look, frame, mid));
         ui.add_space(12.0);
         ui.vertical(|ui| {

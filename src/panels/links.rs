@@ -54,7 +54,9 @@ pub fn ui<const D: usize>(
     let arguments = [("level", tree.level(from).into()), ("codes", codes.into())];
     caption(ui, look, look.texts.format("links-of", &arguments));
     let grid = Grid::new("links").num_columns(4);
-    grid.spacing([14.0, 0.0]).min_col_width(24.0).min_row_height(18.0).show(ui, |ui| {
+    // The longest words of all columns take about 260 points.
+    let gap = ((ui.available_width() - 260.0) / 3.0).clamp(4.0, 14.0);
+    grid.spacing([gap, 0.0]).min_col_width(24.0).min_row_height(18.0).show(ui, |ui| {
         for key in ["links-side", "stack-level", "stack-codes", "links-size"] {
             caption(ui, look, look.text(key));
         }

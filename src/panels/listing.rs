@@ -2,12 +2,14 @@
 
 use crate::look::Look;
 use eframe::egui::{
-    CornerRadius, FontId, Frame, Margin, RichText, Ui, WidgetInfo, accesskit::Role,
+    CornerRadius, FontId, Frame, Margin, Rect, RichText, Ui, WidgetInfo, accesskit::Role,
 };
 use octoscope_core::explain::Listing;
 
-/// The listing; the lines of `label`, those of the last step, are lit.
-pub fn ui(ui: &mut Ui, look: &Look, listing: &Listing, label: Option<&str>) {
+/// The listing; the lines of `label`, those of the last step, are lit. Returns where
+/// these are.
+pub fn ui(ui: &mut Ui, look: &Look, listing: &Listing, label: Option<&str>) -> Vec<Rect> {
+    let mut places = Vec::new();
     ui.spacing_mut().item_spacing.y = 0.0;
     for line in &listing.lines {
         let lit = label.is_some_and(|label| label == line.label);
@@ -25,8 +27,11 @@ pub fn ui(ui: &mut Ui, look: &Look, listing: &Listing, label: Option<&str>) {
         });
         let text = format!("{}{}", if lit { "▶ " } else { "" }, line.code);
         shown.inner.widget_info(|| WidgetInfo::labeled(Role::Label, true, text.as_str()));
-        if !lit && !line.comment.is_empty() {
+        if lit {
+            places.push(shown.response.rect);
+        } else if !line.comment.is_empty() {
             shown.response.on_hover_text(&line.comment);
         }
     }
+    places
 }

@@ -57,7 +57,7 @@ pub fn ui<const D: usize>(
     wish
 }
 
-/// Whether the run goes wrong, where, and a search for another ray that does.
+/// Whether the run goes wrong, where, and a search for another question that does.
 fn judged<const D: usize>(
     ui: &mut Ui,
     look: &Look,
@@ -81,8 +81,14 @@ fn judged<const D: usize>(
             }
         }
     }
-    if matches!(query, Query::Ray { .. }) && ui.button(look.text("paper-other")).clicked() {
-        wish = Some(Wish::OtherRay);
+    let other = match query {
+        Query::Ray { .. } => "paper-other",
+        Query::Point { .. } => "paper-other-point",
+        Query::Region { .. } => "paper-other-region",
+        Query::Neighbour { .. } => "paper-other-cell",
+    };
+    if ui.button(look.text(other)).clicked() {
+        wish = Some(Wish::OtherQuestion);
     }
     wish
 }

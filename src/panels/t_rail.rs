@@ -3,13 +3,14 @@
 use crate::look::Look;
 use eframe::egui::text::{LayoutJob, TextFormat};
 use eframe::egui::{
-    Align, Align2, Color32, FontId, Label, Painter, Rect, RichText, Sense, Stroke, Ui, WidgetInfo,
-    accesskit::Role, pos2, vec2,
+    Align, Align2, Color32, FontId, Label, Painter, Pos2, Rect, RichText, Sense, Shape, Stroke, Ui,
+    WidgetInfo, accesskit::Role, pos2, vec2,
 };
 use octoscope_core::event::Event;
 use octoscope_core::explain::approx;
 use octoscope_core::geometry::AXIS_NAMES;
 use octoscope_core::trace::{Moment, Trace};
+use octoscope_core::tree::NodeId;
 
 /// What the rail shows of a node.
 struct Rail<const D: usize> {
@@ -20,6 +21,9 @@ struct Rail<const D: usize> {
     mid: Option<[f64; D]>,
     far: [f64; D],
 }
+
+/// Planes are shown in their place up to so many lengths of an interval outside it.
+const NEAR: f64 = 3.0;
 
 /// Names of the near and the far plane.
 const PLANES: [Option<&str>; 2] = [Some("0"), Some("1")];
@@ -43,9 +47,9 @@ impl<const D: usize> Rail<D> {
             return Some(Self::interval(interval, None));
         }
         if let Some(grid) = moment.grid {
-            // From where the ray was last to the planes ahead.
-            let left = moment.leaves.last().map(|leaf| leaf.exit);
-            let near = [left.unwrap_or_else(|| entered(moment)); D];
+            // From where the ray came into the leaf to the planes ahead.
+            let into = moment.leaves.last().map(|leaf| leaf.enter);
+            let near = [into.unwrap_or_else(|| entered(moment)); D];
             return Some(Self { ends: [None, Some("max")], near, mid: None, far: grid.next });
         }
         if let Some(exits) = moment.exits {
@@ -70,11 +74,21 @@ impl<const D: usize> Rail<D> {
         self.far.into_iter().fold(f64::INFINITY, f64::min)
     }
 
-    /// Range of t that is shown: all finite parameters and the origin, with a margin.
+    /// Range of t that is shown: all finite parameters, with a margin. Where all
+    /// begins at once, in an interval, planes far outside would leave no room for
+    /// it: they are left out, and lie beyond the ends.
     fn range(&self) -> [f64; 2] {
         let mids = self.mid.into_iter().flatten();
         let all = self.near.into_iter().chain(self.far).chain(mids);
-        let finite: Vec<f64> = all.filter(|t| t.is_finite()).collect();
+        let (enter, exit) = (self.enter(), self.exit());
+        let length = exit - enter;
+        let is_interval = self.near.iter().all(|&t| t == enter);
+        let cuts = is_interval && length > 0.0 && length.is_finite();
+        let is_near = |t: f64| {
+            let reach = NEAR * length;
+            !cuts || (enter - reach <= t && t <= exit + reach)
+        };
+        let finite: Vec<f64> = all.filter(|&t| t.is_finite() && is_near(t)).collect();
         let low = finite.iter().copied().fold(f64::INFINITY, f64::min);
         let high = finite.iter().copied().fold(f64::NEG_INFINITY, f64::max);
         if low > high {
@@ -98,14 +112,14 @@ fn at_share(share: f64, [low, high]: [f64; 2]) -> f64 {
 }
 
 /// One bar per axis from t0 to t1 with tm, in rows of height `row`; dragging goes to the leaf at that t.
-/// Returns the step to go to.
+/// Returns what is pointed at.
 pub fn ui<const D: usize>(
     ui: &mut Ui,
     look: &Look,
     trace: &Trace<D>,
     moment: &Moment<D>,
     row: f32,
-) -> Option<usize> {
+) -> Pointed {
     let title = look.text("panel-t-rail");
     let size = vec2(ui.available_width(), row * D as f32 + 34.0);
     let (rect, response) = ui.allocate_exact_size(size, Sense::click_and_drag());
@@ -113,7 +127,7 @@ pub fn ui<const D: usize>(
         let hint = RichText::new(look.text("t-rail-none")).color(look.palette.quiet);
         ui.put(rect, Label::new(hint).wrap());
         response.widget_info(|| WidgetInfo::labeled(Role::Canvas, true, title.as_str()));
-        return None;
+        return Pointed::default();
     };
     let range = rail.range();
     let [low, high] = range;
@@ -161,7 +175,7 @@ pub fn ui<const D: usize>(
     // After the dashed lines, which would cross the labels.
     for axis in 0..D {
         let y = rect.top() + row * (axis as f32 + 0.5) - 8.0;
-        paint_axis(&painter, look, &rail, axis, y, &x_of, rect.left());
+        paint_axis(&painter, look, &rail, axis, (y, rect.left()), range, &x_of);
     }
     let ground = bars.bottom() + 3.0;
     painter.hline(track.x_range(), ground, Stroke::new(1.0, look.palette.grid));
@@ -177,9 +191,28 @@ pub fn ui<const D: usize>(
         );
     }
 
-    let pointer = response.interact_pointer_pos()?;
-    let share = f64::from((pointer.x - track.left()) / track.width()).clamp(0.0, 1.0);
-    Some(step_at(trace, at_share(share, range)))
+    let t_at = |pointer: Pos2| {
+        let share = f64::from((pointer.x - track.left()) / track.width()).clamp(0.0, 1.0);
+        at_share(share, range)
+    };
+    Pointed {
+        step: response.interact_pointer_pos().map(|pointer| step_at(trace, t_at(pointer))),
+        node: response.hover_pos().and_then(|pointer| leaf_at(trace, t_at(pointer))),
+    }
+}
+
+/// What is pointed at on the rail.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Pointed {
+    /// The step to go to, while it is dragged.
+    pub step: Option<usize>,
+    /// The leaf in which the ray is at this parameter.
+    pub node: Option<NodeId>,
+}
+
+fn leaf_at<const D: usize>(trace: &Trace<D>, t: f64) -> Option<NodeId> {
+    let mut leaves = trace.leaves();
+    leaves.find(|(_, [enter, exit])| (*enter..*exit).contains(&t)).map(|(node, _)| node)
 }
 
 fn paint_axis<const D: usize>(
@@ -187,9 +220,9 @@ fn paint_axis<const D: usize>(
     look: &Look,
     rail: &Rail<D>,
     axis: usize,
-    y: f32,
+    (y, left): (f32, f32),
+    [low, high]: [f64; 2],
     x_of: &impl Fn(f64) -> f32,
-    left: f32,
 ) {
     let color = look.palette.axes[axis];
     let font = FontId::new(14.0, look.strong_family());
@@ -207,11 +240,14 @@ fn paint_axis<const D: usize>(
             continue;
         }
         let x = x_of(t);
-        if t.is_finite() {
+        if (low..=high).contains(&t) {
             painter.vline(x, y - 8.0..=y + 8.0, Stroke::new(2.0, color));
         } else {
-            let tip = if t > 0.0 { 7.0 } else { -7.0 };
-            painter.arrow(pos2(x - tip, y), vec2(tip, 0.0), Stroke::new(2.0, color));
+            // Beyond the end: a head that is higher than the bar.
+            let tip = if t > high { 9.0 } else { -9.0 };
+            let head = [vec2(0.0, 0.0), vec2(-tip, 7.0), vec2(-tip, -7.0)];
+            let head = head.map(|corner| pos2(x, y) + corner).to_vec();
+            painter.add(Shape::convex_polygon(head, color, Stroke::NONE));
         }
         // t with its subscript, and the value where there is room.
         let name = format!("{}{which}", AXIS_NAMES[axis]);
@@ -271,6 +307,19 @@ mod tests {
             );
             assert!(at_share(0.75, range) > at_share(0.25, range));
         }
+    }
+
+    #[test]
+    fn planes_far_outside_leave_room_for_the_interval() {
+        let near_by = Rail { mid: Some([1.5, 4.5]), ..rail(1.0, 2.0) };
+        let [low, high] = near_by.range();
+        assert!(low < 1.0 && 4.5 < high && high < 5.0, "{low} {high}");
+        let far_off = Rail { mid: Some([-50.0, 1e9]), ..rail(1.0, 2.0) };
+        let [low, high] = far_off.range();
+        assert!(0.9 < low && low < 1.0 && 2.0 < high && high < 2.1, "{low} {high}");
+        let ahead = Rail { far: [1.5, 80.0], ..rail(1.0, 1.0) };
+        let [low, high] = ahead.range();
+        assert!(0.9 < low && high < 1.6, "{low} {high}");
     }
 
     #[test]

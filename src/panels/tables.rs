@@ -1,7 +1,7 @@
 //! Tables of neighbours, and the way up and down by them.
 
 use crate::look::Look;
-use crate::widgets::{Lit, caption, lit, segments};
+use crate::widgets::{Lit, beside_or_below, caption, lit, segments};
 use eframe::egui::{CollapsingHeader, Grid, Id, Response, RichText, Ui};
 use octoscope_core::event::{Event, Lookup};
 use octoscope_core::geometry::AXIS_NAMES;
@@ -103,13 +103,13 @@ pub fn ui<const D: usize>(ui: &mut Ui, look: &Look, tree: &Tree<D>, past: &[Even
     }
     if used.is_some() {
         ui.add_space(4.0);
-        ui.horizontal_top(|ui| {
+        beside_or_below(ui, |ui| {
             for (key, steps) in [("tables-up", &way.up), ("tables-down", &way.down)] {
                 ui.vertical(|ui| {
                     caption(ui, look, look.text(key));
                     list(ui, look, tree, steps);
                 });
-                ui.add_space(20.0);
+                ui.add_space(12.0);
             }
         });
     }
@@ -117,10 +117,21 @@ pub fn ui<const D: usize>(ui: &mut Ui, look: &Look, tree: &Tree<D>, past: &[Even
     CollapsingHeader::new(title).id_salt("all-directions").show(ui, |ui| all(ui, look, used));
 }
 
+/// Width of the column of a child, and of the captions before them.
+const COLUMN: f32 = 22.0;
+const CAPTIONS: f32 = 58.0;
+
+/// Distance between columns: less where there is no room.
+fn gap<const D: usize>(ui: &Ui) -> f32 {
+    let columns = Child::<D>::COUNT as f32;
+    ((ui.available_width() - CAPTIONS) / columns - COLUMN).clamp(2.0, 10.0)
+}
+
 /// The three tables for one direction.
 fn children<const D: usize>(ui: &mut Ui, look: &Look, used: Used<D>) {
     let grid = Grid::new("children").num_columns(1 + Child::<D>::COUNT);
-    grid.spacing([10.0, 0.0]).min_col_width(22.0).min_row_height(18.0).show(ui, |ui| {
+    let spacing = [gap::<D>(ui), 0.0];
+    grid.spacing(spacing).min_col_width(COLUMN).min_row_height(18.0).show(ui, |ui| {
         caption(ui, look, look.text("tables-child"));
         for child in Child::<D>::all() {
             let tone = if child == used.child { Lit::Line } else { Lit::No };
@@ -201,7 +212,8 @@ fn all<const D: usize>(ui: &mut Ui, look: &Look, used: Option<Used<D>>) {
     segments(ui, &mut table, &Table::ALL.map(|table| (table, table.name().to_owned())));
     ui.data_mut(|data| data.insert_temp(id, table));
     let grid = Grid::new("directions").num_columns(1 + Child::<D>::COUNT);
-    grid.spacing([10.0, 0.0]).min_col_width(22.0).min_row_height(17.0).show(ui, |ui| {
+    let spacing = [gap::<D>(ui), 0.0];
+    grid.spacing(spacing).min_col_width(COLUMN).min_row_height(17.0).show(ui, |ui| {
         caption(ui, look, AXIS_NAMES[..D].join(""));
         for child in Child::<D>::all() {
             let tone =

@@ -9,18 +9,31 @@ use eframe::egui::{
 };
 use octoscope_core::event::Event;
 use octoscope_core::trace::Trace;
+use octoscope_core::tree::NodeId;
 
-/// Buttons and ruler; dragging the ruler moves the playhead. Steps that doubles
-/// would have made otherwise, `rounded`, carry a badge.
+/// What is marked on the ruler.
+#[derive(Clone, Copy, Debug)]
+pub struct Marked<'a> {
+    /// The first step at which a misprint leads astray: a cross; a click goes there.
+    pub first_wrong: Option<usize>,
+    /// Steps that doubles would have made otherwise: a badge each.
+    pub rounded: &'a [usize],
+    /// The node that is pointed at somewhere: the events about it are lit.
+    pub lit: Option<NodeId>,
+}
+
+/// Buttons and ruler; dragging the ruler moves the playhead. Returns the node of the
+/// event that is pointed at.
 pub fn ui<const D: usize>(
     ui: &mut Ui,
     look: &Look,
     trace: &Trace<D>,
-    rounded: &[usize],
+    marked: Marked<'_>,
     playback: &mut Playback,
     commands: &mut Vec<Command>,
-) {
+) -> Option<NodeId> {
     let length = trace.events.len();
+    let mut pointed = None;
     ui.horizontal(|ui| {
         let play = if playback.playing { Icon::Pause } else { Icon::Play };
         for (icon, command) in [
@@ -46,23 +59,29 @@ pub fn ui<const D: usize>(
         if faster.clicked() {
             commands.push(Command::Faster);
         }
-        let count = format!("{} / {length}", playback.step);
+        let more = if trace.is_cut() { " …" } else { "" };
+        let count = format!("{} / {length}{more}", playback.step);
         let font = FontId::new(16.0, look.strong_family());
         let galley = ui.painter().layout_no_wrap(count.clone(), font, look.palette.ink);
         let width = ui.available_width() - galley.size().x.max(84.0) - 16.0;
-        ruler(ui, look, trace, rounded, playback, width.max(60.0));
-        ui.label(RichText::new(count).size(16.0).strong());
+        pointed = ruler(ui, look, trace, marked, playback, width.max(60.0));
+        let label = ui.label(RichText::new(count).size(16.0).strong());
+        if trace.is_cut() {
+            label.on_hover_text(look.text("timeline-cut"));
+        }
     });
+    pointed
 }
 
 fn ruler<const D: usize>(
     ui: &mut Ui,
     look: &Look,
     trace: &Trace<D>,
-    rounded: &[usize],
+    marked: Marked<'_>,
     playback: &mut Playback,
     width: f32,
-) {
+) -> Option<NodeId> {
+    let Marked { first_wrong, rounded, lit } = marked;
     let length = trace.events.len();
     let (rect, response) = ui.allocate_exact_size(vec2(width, 36.0), Sense::click_and_drag());
     let track = rect.shrink2(vec2(8.0, 4.0));
@@ -80,6 +99,7 @@ fn ruler<const D: usize>(
     let painter = ui.painter_at(rect.expand(2.0));
     painter.hline(track.x_range(), track.center().y, Stroke::new(1.0, look.palette.grid));
     paint_ticks(&painter, look, trace, playback.step, track);
+    paint_lit(&painter, look, trace, lit, track);
     for &step in rounded {
         let x = lerp(track.x_range(), step as f32 / length.max(1) as f32);
         paint_badge(&painter, look, pos2(x, track.bottom()));
@@ -87,8 +107,58 @@ fn ruler<const D: usize>(
     let x = lerp(track.x_range(), playback.step as f32 / length.max(1) as f32);
     painter.vline(x, track.y_range(), Stroke::new(2.0, look.palette.ray));
     painter.circle_filled(pos2(x, track.top()), 5.5, look.palette.ray);
+    if let Some(step) = first_wrong {
+        let x = lerp(track.x_range(), step as f32 / length.max(1) as f32);
+        if cross(ui, look, step, pos2(x, track.bottom() - 1.0)).clicked() {
+            playback.playing = false;
+            playback.go_to(step, length);
+        }
+    }
+    let pointed = response.hover_pos().and_then(|pointer| {
+        let step = remap_clamp(pointer.x, track.x_range(), 0.0..=length as f32).round() as usize;
+        trace.events.get(step.checked_sub(1)?)?.node()
+    });
     if !rounded.is_empty() {
         response.on_hover_text(look.text("timeline-rounded"));
+    }
+    pointed
+}
+
+/// A cross below the tick of the first wrong step.
+fn cross(ui: &Ui, look: &Look, step: usize, centre: Pos2) -> Response {
+    let rect = Rect::from_center_size(centre, vec2(14.0, 14.0));
+    let response = ui.interact(rect, ui.scope_id().with("first-wrong"), Sense::click());
+    let name = look.texts.format("timeline-wrong", &[("step", step.into())]);
+    response.widget_info(|| WidgetInfo::labeled(Role::Button, true, name.as_str()));
+    let painter = ui.painter();
+    painter.circle_filled(centre, 7.0, look.palette.background);
+    let wide = if response.hovered() || response.has_focus() { 3.0 } else { 2.0 };
+    for arm in [vec2(4.0, 4.0), vec2(4.0, -4.0)] {
+        let stroke = Stroke::new(wide, look.palette.rejected);
+        painter.line_segment([centre - arm, centre + arm], stroke);
+    }
+    response.on_hover_text(name)
+}
+
+/// Dots above the events about a node.
+fn paint_lit<const D: usize>(
+    painter: &Painter,
+    look: &Look,
+    trace: &Trace<D>,
+    node: Option<NodeId>,
+    track: Rect,
+) {
+    let length = trace.events.len().max(1);
+    let about = |event: &Event<D>| node.is_some() && event.node() == node;
+    let mut last = f32::NEG_INFINITY;
+    for (index, _) in trace.events.iter().enumerate().filter(|(_, event)| about(event)) {
+        let x = lerp(track.x_range(), (index + 1) as f32 / length as f32);
+        if x - last >= 2.0 {
+            last = x;
+            let stroke = Stroke::new(1.6, look.palette.quiet);
+            painter.circle_stroke(pos2(x, track.top() + 1.0), 3.0, stroke);
+            painter.vline(x, track.y_range(), stroke);
+        }
     }
 }
 

@@ -10,9 +10,11 @@ use crate::sidebar::Wish;
 use crate::view::{PanelKind, Preset, View};
 use crate::widgets::{Place, panel_heading};
 use eframe::egui::{Rect, Ui, UiBuilder, vec2};
+use octoscope_core::event::Event;
 use octoscope_core::explain::{label, listing as listing_of, variables as variables_of};
 use octoscope_core::query::Query;
 use octoscope_core::trace::{Counters, Moment};
+use octoscope_core::tree::NodeId;
 use std::sync::Arc;
 
 /// Sides of at least this width, in points, have two columns of panels.
@@ -112,22 +114,29 @@ fn body<const D: usize>(
     let past = &trace.events[..moment.step.min(trace.events.len())];
     let event = past.last();
     match kind {
-        PanelKind::Codes => codes::ui(ui, look, &tree, moment),
+        PanelKind::Codes => {
+            let shown = ui.scope(|ui| codes::ui(ui, look, &tree, moment)).response;
+            offer_if_pointed(ui, shown.rect, moment.current, view);
+        }
         PanelKind::Region => region::ui(ui, look, &tree, moment),
         PanelKind::Neighbour => neighbour::ui(ui, look, &tree, moment),
         PanelKind::Rail => {
             // A lecture in space has no other panel, one in the plane the codes.
             let lecture = if D == 3 { 80.0 } else { 34.0 };
             let row = if view.preset == Preset::Lecture { lecture } else { 40.0 };
-            if let Some(step) = t_rail::ui(ui, look, &trace, moment, row) {
+            let pointed = t_rail::ui(ui, look, &trace, moment, row);
+            if let Some(step) = pointed.step {
                 view.playback.playing = false;
                 view.playback.go_to(step, trace.events.len());
             }
+            pointed.node.into_iter().for_each(|node| view.hover.offer(node));
         }
         PanelKind::Automaton => automaton::ui(ui, look, moment, event),
         PanelKind::Listing => {
-            let listing = listing_of(&document.scenario.query, view.language);
-            listing::ui(ui, look, &listing, event.map(label));
+            let listing = listing_of(&trace.query, view.language);
+            let lit = listing::ui(ui, look, &listing, event.map(label));
+            let node = event.and_then(Event::node).or(moment.current);
+            lit.into_iter().for_each(|rect| offer_if_pointed(ui, rect, node, view));
         }
         PanelKind::Variables => {
             let now = variables_of(&tree, moment);
@@ -135,16 +144,17 @@ fn body<const D: usize>(
                 Some(step) => variables_of(&tree, &document.moment(step)),
                 None => now.clone(),
             };
-            variables::ui(ui, look, &now, &before);
+            let pointed = variables::ui(ui, look, &now, &before);
+            pointed.into_iter().for_each(|node| view.hover.offer(node));
         }
         PanelKind::Tables => tables::ui(ui, look, &tree, past),
         PanelKind::Cuts => cuts::ui(ui, look, &tree, moment, event),
         PanelKind::Children => children::ui(ui, look, &tree, moment, past),
         PanelKind::WayDown => {
-            way_down::ui(ui, look, &tree, &document.scenario.ray, moment, past);
+            way_down::ui(ui, look, &tree, document.traced_ray(), moment, past);
         }
         PanelKind::Links => {
-            let ray = &document.scenario.ray;
+            let ray = document.traced_ray();
             links::ui(ui, look, links::Net { tree: &tree, ray }, &trace, moment);
         }
         PanelKind::Halves => halves::ui(ui, look, past),
@@ -155,7 +165,10 @@ fn body<const D: usize>(
             let query = &mut document.scenario.query;
             return paper::ui(ui, look, query, verdict.as_deref());
         }
-        PanelKind::Stack => stack::ui(ui, look, &tree, moment),
+        PanelKind::Stack => {
+            let pointed = stack::ui(ui, look, &tree, moment);
+            pointed.into_iter().for_each(|node| view.hover.offer(node));
+        }
         PanelKind::Counters => {
             let mut step = Counters::default();
             if let Some(event) = event {
@@ -171,6 +184,15 @@ fn body<const D: usize>(
         }
     }
     None
+}
+
+/// Lights `node` in all views if the pointer is over what shows it.
+fn offer_if_pointed(ui: &Ui, rect: Rect, node: Option<NodeId>, view: &mut View) {
+    if let Some(node) = node
+        && ui.rect_contains_pointer(rect)
+    {
+        view.hover.offer(node);
+    }
 }
 
 fn comparison<const D: usize>(ui: &mut Ui, look: &Look, document: &mut Document<D>) {

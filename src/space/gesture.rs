@@ -6,23 +6,23 @@
 //! click picks what the present query asks for.
 
 use super::PageInWindow;
+use super::ask::{ask_point, ask_region, click};
+use super::pick::{leaf_at, side_at};
 use crate::document::Document;
 use crate::look::Look;
 use eframe::egui::{
     CursorIcon, Id, Painter, PointerButton, Pos2, Rect, Response, Stroke, StrokeKind, Ui, pos2,
 };
-use octoscope_core::geometry::{Aabb, Ray};
-use octoscope_core::locate::{Direction, NeighbourMethod, Reach, locate_by_codes};
-use octoscope_core::query::{Arithmetic, PointMethod, Query};
-use octoscope_core::trace::record;
-use octoscope_core::traverse::{Algorithm, Options, StopAt, Variants};
-use octoscope_core::tree::{NodeId, Tree};
+use octoscope_core::geometry::Ray;
+use octoscope_core::locate::Direction;
+use octoscope_core::query::Query;
+use octoscope_core::tree::NodeId;
 use octoscope_figure::{Camera, far_end};
 
 /// Points within which a handle, the shaft or a side is hit.
 const REACH: f32 = 14.0;
 const SHAFT_REACH: f32 = 8.0;
-const SIDE_REACH: f32 = 8.0;
+pub(super) const SIDE_REACH: f32 = 8.0;
 
 /// What is being dragged.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -105,12 +105,25 @@ pub fn handle<const D: usize>(
             (Grip::Camera, _) => CursorIcon::Default,
         });
         let is_free = grip.is_none() && matches!(over, Grip::Camera | Grip::Region(_));
+        let is_free = is_free && has_moved(ui, response, at);
         return is_free.then(|| under(frame, camera, document, at)).flatten();
     }
     None
 }
 
-fn under<const D: usize>(
+/// Whether the pointer has been moved since it was first seen over the view: where the
+/// window opened beneath it, nothing is pointed at.
+fn has_moved(ui: &Ui, response: &Response, at: Pos2) -> bool {
+    let memory = response.id.with("first-seen");
+    let first = ui.data_mut(|data| *data.get_temp_mut_or(memory, Some(at)));
+    if first.is_some_and(|first| first != at) {
+        ui.data_mut(|data| data.insert_temp(memory, None::<Pos2>));
+    }
+    first != Some(at)
+}
+
+/// What lies at a place of the view.
+pub(super) fn under<const D: usize>(
     frame: PageInWindow,
     camera: &Camera<D>,
     document: &Document<D>,
@@ -269,7 +282,7 @@ fn drag<const D: usize>(
 }
 
 /// `x` to a power of ten below `resolution`, so that numbers stay short.
-fn rounded(x: f64, resolution: f64) -> f64 {
+pub(super) fn rounded(x: f64, resolution: f64) -> f64 {
     let digits = (-(resolution * 0.5).log10().floor()).clamp(0.0, 320.0) as usize;
     format!("{x:.digits$}").parse().unwrap_or(x)
 }
@@ -304,166 +317,6 @@ fn zoom<const D: usize>(
     camera.zoom(frame.page, frame.on_page(at), factor);
     let side = document.tree.domain().side();
     camera.height = camera.height.clamp(side * 1e-6, side * 100.0);
-}
-
-fn click<const D: usize>(
-    frame: PageInWindow,
-    camera: &Camera<D>,
-    document: &mut Document<D>,
-    at: Pos2,
-) {
-    let Some(Under { leaf, click, .. }) = under(frame, camera, document, at) else { return };
-    match click {
-        None => {}
-        Some(Click::Point) => ask_point(frame, camera, document, at),
-        Some(Click::Neighbour(direction)) => {
-            let reach = match document.scenario.query {
-                Query::Neighbour { reach, .. } => reach,
-                Query::Ray { .. } | Query::Point { .. } | Query::Region { .. } => Reach::default(),
-            };
-            ask_neighbour(document, leaf, direction, reach);
-        }
-    }
-}
-
-fn ask_neighbour<const D: usize>(
-    document: &mut Document<D>,
-    leaf: NodeId,
-    direction: Direction<D>,
-    reach: Reach,
-) {
-    let (level, code) = (document.tree.level(leaf), document.tree.code(leaf));
-    let (method, variants) = method_of(&document.scenario.query);
-    document.scenario.query = Query::Neighbour { level, code, direction, reach, method, variants };
-}
-
-/// How neighbours are looked for already, or by codes and right rules.
-fn method_of<const D: usize>(query: &Query<D>) -> (NeighbourMethod, Variants) {
-    match *query {
-        Query::Neighbour { method, variants, .. } => (method, variants),
-        Query::Ray { .. } | Query::Point { .. } | Query::Region { .. } => {
-            (NeighbourMethod::default(), Variants::NONE)
-        }
-    }
-}
-
-fn ask_point<const D: usize>(
-    frame: PageInWindow,
-    camera: &Camera<D>,
-    document: &mut Document<D>,
-    at: Pos2,
-) {
-    let Some((_, point)) = leaf_at(frame, camera, &document.tree, at) else { return };
-    let (method, variants) = match document.scenario.query {
-        Query::Point { method, variants, .. } => (method, variants),
-        Query::Ray { .. } | Query::Region { .. } | Query::Neighbour { .. } => {
-            (PointMethod::default(), Variants::NONE)
-        }
-    };
-    let resolution = camera.unit(frame.page);
-    let at = point.map(|x| rounded(x, resolution));
-    document.scenario.query = Query::Point { at, method, variants };
-}
-
-fn ask_region<const D: usize>(
-    frame: PageInWindow,
-    camera: &Camera<D>,
-    document: &mut Document<D>,
-    from: Pos2,
-    to: Pos2,
-) {
-    let corners = if D == 2 {
-        Some([from, to].map(|place| frame.world(camera, place, camera.target)))
-    } else {
-        let picked = [from, to].map(|place| leaf_at(frame, camera, &document.tree, place));
-        match picked {
-            [Some((_, a)), Some((_, b))] => Some([a, b]),
-            _ => None,
-        }
-    };
-    let Some(corners) = corners else { return };
-    let Some(bounds) = Aabb::around(corners) else { return };
-    let resolution = camera.unit(frame.page);
-    let root = document.tree.domain().root_box();
-    // A box that reaches beyond the root is cut there, just inside its upper faces.
-    let smallest = document.tree.domain().cell_side(0);
-    let inside = |p: [f64; D]| {
-        std::array::from_fn(|e| {
-            rounded(p[e], resolution).clamp(root.min[e], root.max[e] - 0.5 * smallest)
-        })
-    };
-    let variants = match document.scenario.query {
-        Query::Region { variants, .. } => variants,
-        Query::Ray { .. } | Query::Point { .. } | Query::Neighbour { .. } => Variants::NONE,
-    };
-    let (min, max) = (inside(bounds.min), inside(bounds.max));
-    document.scenario.query = Query::Region { min, max, variants };
-}
-
-/// Leaf under the pointer with a point of it: in the plane the one that owns
-/// the point, in space the first full one on the line of sight, else the first.
-fn leaf_at<const D: usize>(
-    frame: PageInWindow,
-    camera: &Camera<D>,
-    tree: &Tree<D>,
-    at: Pos2,
-) -> Option<(NodeId, [f64; D])> {
-    if D == 2 {
-        let point = frame.world(camera, at, camera.target);
-        let leaf = locate_by_codes(tree, point, &mut ()).node?;
-        return Some((leaf, point));
-    }
-    let sight = line_of_sight(frame, camera, at)?;
-    let query = Query::Ray {
-        algorithm: Algorithm::Parametric,
-        options: Options { stop_at: StopAt::FirstFull, ..Options::default() },
-        arithmetic: Arithmetic::Doubles,
-    };
-    let leaves: Vec<_> = record(tree, &sight, &query).leaves().collect();
-    let full = leaves.last().filter(|(leaf, _)| tree.node(*leaf).is_full());
-    let (leaf, [enter, exit]) = full.or_else(|| leaves.first())?;
-    Some((*leaf, sight.at(0.5 * (enter + exit))))
-}
-
-/// Ray from the eye through a place in the window.
-fn line_of_sight<const D: usize>(
-    frame: PageInWindow,
-    camera: &Camera<D>,
-    at: Pos2,
-) -> Option<Ray<D>> {
-    camera.sight(frame.page, frame.on_page(at))
-}
-
-/// Leaf and outward direction of the side that the pointer is near.
-fn side_at<const D: usize>(
-    frame: PageInWindow,
-    camera: &Camera<D>,
-    tree: &Tree<D>,
-    at: Pos2,
-) -> Option<(NodeId, Direction<D>)> {
-    let (leaf, point) = leaf_at(frame, camera, tree, at)?;
-    let bounds = tree.node_box(leaf);
-    if D == 2 {
-        // Small cells keep a middle that is near none of their sides.
-        let reach = (camera.unit(frame.page) * f64::from(SIDE_REACH)).min(0.25 * bounds.size()[0]);
-        let distances = (0..D).flat_map(|e| {
-            [(e, -1i8, point[e] - bounds.min[e]), (e, 1i8, bounds.max[e] - point[e])]
-        });
-        let (axis, sign, distance) = distances.min_by(|a, b| a.2.total_cmp(&b.2))?;
-        let towards = Direction::new(std::array::from_fn(|e| if e == axis { sign } else { 0 }));
-        return towards.ok().filter(|_| distance < reach).map(|direction| (leaf, direction));
-    }
-    // In space the face through which the line of sight enters the leaf.
-    let sight = line_of_sight(frame, camera, at)?;
-    let (origin, along) = (sight.origin(), sight.direction());
-    let entries = (0..D).filter(|&e| along[e] != 0.0).map(|e| {
-        let near = if along[e] > 0.0 { bounds.min[e] } else { bounds.max[e] };
-        (e, (near - origin[e]) / along[e])
-    });
-    let (axis, _) = entries.max_by(|a, b| a.1.total_cmp(&b.1))?;
-    let sign = if along[axis] > 0.0 { -1 } else { 1 };
-    let towards = Direction::new(std::array::from_fn(|e| if e == axis { sign } else { 0 }));
-    towards.ok().map(|direction| (leaf, direction))
 }
 
 fn distance_to_segment(at: Pos2, from: Pos2, to: Pos2) -> f32 {

@@ -4,7 +4,7 @@
 use super::PageInWindow;
 use super::gesture::{Click, Under};
 use crate::look::Look;
-use eframe::egui::{Align2, FontId, Label, Pos2, Rect, RichText, Ui, vec2};
+use eframe::egui::{Align2, FontId, Label, Pos2, Rect, RichText, Ui, Vec2, pos2, vec2};
 use octoscope_core::locate::Direction;
 use octoscope_core::tree::{NodeId, Tree};
 use octoscope_figure::{Mark, Role, Shape};
@@ -53,22 +53,71 @@ pub fn labels<const D: usize>(
     let codes = tree.code(node).map(|code| code.to_string()).join(", ");
     let arguments = [("level", tree.level(node).into()), ("codes", codes.into())];
     let note = look.texts.format("node-note", &arguments);
-    label(ui, look, rect, rect.left_bottom() + vec2(10.0, -10.0), Align2::LEFT_BOTTOM, note);
-    if let Some(Under { at, click: Some(Click::Neighbour(_)), .. }) = under {
+    let corner = rect.left_bottom() + vec2(10.0, -10.0);
+    label(ui, look, note, |size| Align2::LEFT_BOTTOM.anchor_size(corner, size));
+    if let Some(Under { at, click: Some(Click::Neighbour(direction)), .. }) = under {
         let hint = look.text("space-click-neighbour");
-        label(ui, look, rect, frame.on_screen(*at) + vec2(14.0, 18.0), Align2::LEFT_TOP, hint);
+        let pointer = frame.on_screen(*at);
+        let room = rect.shrink(8.0);
+        label(ui, look, hint, |size| beside(pointer, direction.components(), size, room));
     }
 }
 
-/// A line of quiet text on its own ground, within `rect`.
-fn label(ui: &mut Ui, look: &Look, rect: Rect, at: Pos2, anchor: Align2, text: String) {
+/// Place of a hint of this size at the pointer, within `room`: on the inner side of the
+/// cell where there is room, else on the other one. It does not cover the side in this
+/// direction, upwards being positive, as that is nearer to the pointer than the hint.
+fn beside<const D: usize>(pointer: Pos2, direction: [i8; D], size: Vec2, room: Rect) -> Rect {
+    // From the pointer to the right, and to the left; downwards, and upwards.
+    let right = [pointer.x + 14.0, pointer.x - 14.0 - size.x];
+    let down = [pointer.y + 18.0, pointer.y - 14.0 - size.y];
+    let chosen = |[first, second]: [f32; 2], fits: &dyn Fn(f32) -> bool, turned: bool| {
+        let [wanted, other] = if turned { [second, first] } else { [first, second] };
+        if fits(wanted) || !fits(other) { wanted } else { other }
+    };
+    let fits_across = |x: f32| room.left() <= x && x + size.x <= room.right();
+    let fits_along = |y: f32| room.top() <= y && y + size.y <= room.bottom();
+    let x = chosen(right, &fits_across, direction[0] > 0);
+    let y = chosen(down, &fits_along, direction[1] < 0);
+    Rect::from_min_size(pos2(x, y), size)
+}
+
+/// A line of quiet text on its own ground, which `place` lays out by its size.
+fn label(ui: &mut Ui, look: &Look, text: String, place: impl FnOnce(Vec2) -> Rect) {
     let font = FontId::proportional(13.0);
     let color = look.palette.quiet;
     let size = ui.painter().layout_no_wrap(text.clone(), font.clone(), color).size();
-    let ground = anchor.anchor_size(at, size + vec2(12.0, 6.0));
-    let overhang = (ground.max - rect.shrink(8.0).max).max(vec2(0.0, 0.0));
-    let ground = ground.translate(-overhang);
+    let ground = place(size + vec2(12.0, 6.0));
     ui.painter().rect_filled(ground, 4.0, look.palette.panel);
     let text = RichText::new(text).font(font).color(color);
     ui.put(ground, Label::new(text).selectable(false));
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_hint_lies_on_the_side_of_the_pointer_that_the_click_does_not_cross() {
+        let (size, room) =
+            (vec2(60.0, 20.0), Rect::from_min_max(pos2(0.0, 0.0), pos2(200.0, 200.0)));
+        let placed = |direction| beside(pos2(100.0, 100.0), direction, size, room);
+        assert!(placed([1, 0]).right() < 92.0);
+        assert!(placed([-1, 0]).left() > 108.0);
+        assert!(placed([0, 1]).top() > 108.0);
+        assert!(placed([0, -1]).bottom() < 92.0);
+    }
+
+    #[test]
+    fn at_the_edge_of_the_view_the_hint_does_not_slide_over_the_side() {
+        let (size, room) =
+            (vec2(60.0, 20.0), Rect::from_min_max(pos2(0.0, 0.0), pos2(200.0, 200.0)));
+        for pointer in [pos2(180.0, 100.0), pos2(20.0, 100.0), pos2(100.0, 190.0)] {
+            for direction in [[1, 0], [-1, 0], [0, 1], [0, -1]] {
+                let placed = beside(pointer, direction, size, room);
+                assert!(room.contains_rect(placed), "{pointer} {direction:?}");
+                let near = Rect::from_center_size(pointer, vec2(16.0, 16.0));
+                assert!(!near.intersects(placed), "{pointer} {direction:?}");
+            }
+        }
+    }
 }

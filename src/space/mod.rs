@@ -1,9 +1,11 @@
 //! The view of the tree and the ray, and what the mouse does in it.
 
+mod ask;
 mod base;
 mod gesture;
 mod hover;
 mod paint;
+mod pick;
 mod standpoint;
 
 use crate::document::Document;
@@ -66,7 +68,7 @@ pub fn ui<const D: usize>(ui: &mut Ui, look: &Look, space: Space<'_, D>) {
         marks(&document.tree, &scenario.ray, &scenario.query, moment, event, view.show::<D>());
     let painter = ui.painter_at(rect);
     painter.rect_filled(rect, 0.0, look.palette.background);
-    let mut painted = axes(document.tree.domain());
+    let mut painted = axes(document.tree.domain(), view.show::<D>());
     if D == 2 && view.show::<D>().content && document.content.len() <= MOST_PAINTED {
         painted.extend(content(&document.content));
     }

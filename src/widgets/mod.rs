@@ -1,7 +1,7 @@
 //! Controls and drawings that several panels share.
 
+mod beside;
 mod bits;
-mod cell_text;
 mod child_bits;
 mod heading;
 mod lit;
@@ -10,8 +10,8 @@ mod panel_heading;
 mod rich;
 mod segments;
 
+pub use beside::beside_or_below;
 pub use bits::{BitRow, BitTable, bit_table};
-pub use cell_text::cell_text;
 pub use child_bits::child_bits;
 pub use heading::heading;
 pub use lit::{Lit, caption, lit, per_axis};

@@ -1,6 +1,6 @@
 //! The program with a user before it.
 
-use eframe::egui::{Event, Key, Modifiers, PointerButton, Pos2, accesskit::Role};
+use eframe::egui::{Event, Key, Modifiers, PointerButton, Pos2, accesskit::Role, vec2};
 use egui_kittest::kittest::{NodeT, Queryable};
 use egui_kittest::{Harness, HarnessBuilder, Node};
 use octoscope::app::App;
@@ -107,6 +107,14 @@ impl Desk {
         }
         self.button(to, modifiers, Button::Up);
         self.event(Event::ModifiersChanged(Modifiers::NONE));
+        self.run();
+    }
+
+    /// Moves the pointer to a place, as a hand does: not in one jump.
+    pub fn point_at(&mut self, place: Pos2) {
+        self.hover_at(place + vec2(3.0, 3.0));
+        self.step();
+        self.hover_at(place);
         self.run();
     }
 

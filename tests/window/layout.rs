@@ -6,7 +6,10 @@ use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT, Queryable};
 use octoscope::text::texts;
 use octoscope::view::{Preset, View};
+use octoscope::with_document;
+use octoscope_core::query::Query;
 use octoscope_core::text::Language;
+use octoscope_core::traverse::Algorithm;
 
 /// Higher than anything that is shown, so that nothing scrolls.
 const TALL: f32 = 3000.0;
@@ -109,6 +112,40 @@ fn the_picture_keeps_its_width_from_step_to_step() {
     }
 }
 
+impl Desk {
+    /// What is cut off beside the picture, and what lies on another text.
+    fn faults(&self) -> Vec<String> {
+        let [window, space] = [self.ctx.content_rect(), self.space_view()];
+        let beside = self.beside();
+        let is_inside = |rect: &Rect| {
+            (rect.left() >= space.right() && rect.right() <= window.right())
+                || (rect.left() >= window.left() && rect.right() <= space.left())
+        };
+        let cut = beside.iter().filter(|(_, _, rect)| !is_inside(rect));
+        let mut faults: Vec<_> = cut.map(|(name, _, rect)| format!("{name} {rect:?}")).collect();
+        let labels: Vec<_> = beside.iter().filter(|(_, role, _)| *role == Role::Label).collect();
+        assert!(!labels.is_empty());
+        for (n, (name, _, rect)) in labels.iter().enumerate() {
+            for (other, _, place) in &labels[n + 1..] {
+                let both = rect.intersect(*place);
+                if both.width() >= 1.0 && both.height() >= 1.0 {
+                    faults.push(format!("{name} on {other}"));
+                }
+            }
+        }
+        faults
+    }
+
+    fn ask(&mut self, algorithm: Algorithm) {
+        with_document!(self.state_mut().document_mut(), document => {
+            if let Query::Ray { algorithm: asked, .. } = &mut document.scenario.query {
+                *asked = algorithm;
+            }
+        });
+        self.run();
+    }
+}
+
 #[test]
 fn the_largest_type_in_a_small_window_cuts_nothing_off_and_overlaps_nothing() {
     for (scene, language) in
@@ -120,25 +157,43 @@ fn the_largest_type_in_a_small_window_cuts_nothing_off_and_overlaps_nothing() {
         for preset in Preset::ALL {
             desk.state_mut().view.preset = preset;
             desk.go_to_share(0.4);
-            let [window, space] = [desk.ctx.content_rect(), desk.space_view()];
-            assert!(window.width() < 650.0, "{window:?}");
-            let beside = desk.beside();
-            for (name, _, rect) in &beside {
-                let inside = rect.left() >= space.right() && rect.right() <= window.right();
-                assert!(inside, "{scene} {language:?} {preset:?}: {name} {rect:?} in {window:?}");
-            }
-            let labels: Vec<_> =
-                beside.iter().filter(|(_, role, _)| *role == Role::Label).collect();
-            assert!(!labels.is_empty());
-            for (n, (name, _, rect)) in labels.iter().enumerate() {
-                for (other, _, place) in &labels[n + 1..] {
-                    let both = rect.intersect(*place);
-                    let apart = both.width() < 1.0 || both.height() < 1.0;
-                    assert!(apart, "{scene} {language:?} {preset:?}: {name} on {other}");
+            assert!(desk.ctx.content_rect().width() < 650.0);
+            assert_eq!(desk.faults(), [""; 0], "{scene} {language:?} {preset:?}");
+        }
+    }
+}
+
+/// Checks the panels of every algorithm in German, whose words are the longer ones.
+fn check_every_algorithm(size: [f32; 2], scale: f32) {
+    let mut all = Vec::new();
+    for scene in SCENES {
+        let mut desk = desk(size, scene, Language::German, Preset::Bits);
+        desk.state_mut().view.scale = scale;
+        for algorithm in Algorithm::ALL {
+            desk.ask(algorithm);
+            // The presets that give the algorithm's own panel its different widths.
+            for preset in [Preset::Rail, Preset::Debug, Preset::Lecture] {
+                desk.state_mut().view.preset = preset;
+                for share in [0.3, 0.8] {
+                    desk.go_to_share(share);
+                    let faults = desk.faults().into_iter();
+                    let place = format!("{scene} {algorithm:?} {preset:?} {share}");
+                    all.extend(faults.map(|fault| format!("{place}: {fault}")));
                 }
             }
         }
     }
+    assert!(all.is_empty(), "{}", all.join("\n"));
+}
+
+#[test]
+fn the_panels_of_every_algorithm_fit_into_1280_points() {
+    check_every_algorithm([1280.0, TALL], 1.0);
+}
+
+#[test]
+fn the_panels_of_every_algorithm_fit_into_1024_points_with_large_type() {
+    check_every_algorithm([1024.0, TALL], 1.6);
 }
 
 #[test]

@@ -11,6 +11,8 @@ mod files;
 mod find;
 mod hall;
 mod layout;
+mod limits;
+mod links;
 mod panels;
 mod paper;
 mod pictures;

@@ -3,8 +3,11 @@
 use crate::desk::{Desk, spoken};
 use eframe::egui::{Key, Modifiers, accesskit::Role, pos2};
 use egui_kittest::kittest::{NodeT, Queryable};
+use octoscope::document::AnyDocument;
 use octoscope::view::View;
+use octoscope_core::explain::algorithm_name;
 use octoscope_core::text::Language;
+use octoscope_core::traverse::Algorithm;
 
 impl Desk {
     /// Titles of the panels beside the space view, in their order.
@@ -163,4 +166,37 @@ fn panels_have_their_menus_in_german_too() {
     for entry in ["Einklappen", "Nach oben", "Nach unten", "Schließen"] {
         assert!(desk.query_by_role_and_label(Role::Button, entry).is_some(), "{entry}");
     }
+}
+
+#[test]
+fn a_click_on_a_head_orders_the_comparison() {
+    let mut desk = Desk::new();
+    desk.press(Key::Num5);
+    // The names of the algorithms from top to bottom.
+    let order = |desk: &Desk| -> Vec<Algorithm> {
+        let nodes = desk.nodes();
+        let rows = nodes.iter().filter(|n| n.accesskit_node().role() == Role::RadioButton);
+        let mut rows: Vec<_> = rows
+            .filter_map(|node| {
+                let name = spoken(node);
+                let named = |a: &Algorithm| algorithm_name(*a, Language::English) == name;
+                let algorithm = Algorithm::ALL.into_iter().find(named)?;
+                Some((node.rect().top(), algorithm))
+            })
+            .collect();
+        rows.sort_by(|a, b| a.0.total_cmp(&b.0));
+        rows.into_iter().map(|(_, algorithm)| algorithm).collect()
+    };
+    assert_eq!(order(&desk), Algorithm::ALL);
+    let AnyDocument::Plane(document) = desk.state_mut().document_mut() else { panic!() };
+    let runs = document.comparison();
+    let steps = |algorithm: &Algorithm| {
+        runs.iter().find(|run| run.algorithm == *algorithm).unwrap().n_steps
+    };
+    desk.click(Role::Button, "Sort by steps");
+    assert!(order(&desk).iter().is_sorted_by_key(steps));
+    desk.click(Role::Button, "Sort by steps");
+    assert!(order(&desk).iter().rev().is_sorted_by_key(steps));
+    desk.click(Role::Button, "Sort by algorithm");
+    assert_eq!(order(&desk), Algorithm::ALL);
 }

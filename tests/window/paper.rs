@@ -55,3 +55,40 @@ fn the_counterexample_of_a_misprint_is_loaded_by_a_click() {
     let shown = &desk.space().scenario;
     assert_eq!((shown.ray, shown.query), (expected.ray, expected.query));
 }
+
+#[test]
+fn the_first_wrong_step_is_marked_and_reached_by_a_click_or_a_key() {
+    let mut desk = Desk::new();
+    desk.open_scenario(&counterexample(Variant::B3));
+    desk.press(Key::W);
+    let wrong = desk.step_number();
+    assert!(wrong > 0 && desk.says(&format!("Goes wrong at step {wrong}.")));
+    desk.press(Key::Home);
+    desk.click(Role::Button, &format!("Step {wrong} is the first one that goes wrong"));
+    assert_eq!(desk.step_number(), wrong);
+
+    // With the right rule nothing goes wrong, and nothing is marked.
+    let AnyDocument::Plane(document) = desk.state_mut().document_mut() else { panic!() };
+    document.scenario.query = document.scenario.query.corrected();
+    desk.run();
+    assert!(!desk.says("is the first one that goes wrong"));
+    desk.press(Key::Home);
+    desk.press(Key::W);
+    assert_eq!(desk.step_number(), 0);
+}
+
+#[test]
+fn another_point_region_and_cell_are_found_as_well() {
+    for (variant, name) in
+        [(Variant::B19, "point"), (Variant::B24c, "region"), (Variant::B28, "cell")]
+    {
+        let mut desk = Desk::new();
+        desk.open_scenario(&counterexample(variant));
+        let before = desk.plane().scenario.query;
+        desk.click(Role::Button, &format!("Find another {name} where they differ"));
+        desk.state_mut().finish_work();
+        desk.run();
+        assert_ne!(desk.plane().scenario.query, before);
+        assert!(desk.texts().iter().any(|text| text.starts_with("Goes wrong at step ")));
+    }
+}

@@ -177,8 +177,7 @@ fn a_side_that_is_pointed_at() {
     compare("hover-side", |desk| {
         desk.open_scenario(&plane("quadtree-82", |_| ()));
         desk.press(Key::End);
-        desk.hover_at(desk.place([0.756, 0.4]));
-        desk.run();
+        desk.point_at(desk.place([0.756, 0.4]));
     });
 }
 

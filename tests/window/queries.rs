@@ -98,17 +98,14 @@ fn pointing_at_a_cell_tells_its_level_and_codes_and_what_a_click_does() {
     let (tree, hint) = (desk.plane().tree.clone(), "Click: the neighbour across this side");
     let [x, y] = tree.code(leaf.id);
     let note = format!("level {}, codes {x}, {y}", tree.level(leaf.id));
-    desk.hover_at(desk.place(tree.node_box(leaf.id).centre()));
-    desk.run();
+    desk.point_at(desk.place(tree.node_box(leaf.id).centre()));
     assert!(desk.says(&note), "{note} in {:?}", desk.texts());
     assert!(!desk.says(hint), "a click in the middle does nothing");
 
-    desk.hover_at(desk.place(inside_the_right_side(&desk, leaf)));
-    desk.run();
+    desk.point_at(desk.place(inside_the_right_side(&desk, leaf)));
     assert!(desk.says(&note) && desk.says(hint), "{:?}", desk.texts());
 
-    desk.hover_at(desk.place(desk.plane().scenario.ray.at(0.5)));
-    desk.run();
+    desk.point_at(desk.place(desk.plane().scenario.ray.at(0.5)));
     assert!(!desk.says(hint), "the ray is in the way");
     desk.remove_cursor();
     desk.run();

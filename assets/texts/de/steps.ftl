@@ -163,6 +163,7 @@ end-segment = Der Strahl endet hier: Die Traversierung endet nach { $n ->
     [one] einem Blatt
    *[other] { $n } Blättern
 }.
+end-cut = Hier endet die Aufzeichnung, nicht der Lauf: Er hat mehr als { $n } Schritte, und mehr werden nicht aufgehoben.
 end-looped = Der Strahl kommt nicht weiter: Dieselben Blätter würden einander endlos folgen, daher wird abgebrochen.
 end-first-full = Das erste belegte Blatt ist erreicht, mehr war nicht verlangt: Die Traversierung endet.
 end-found-leaf = Die Suche endet: Gefunden ist { $node }, ein Blatt.
@@ -207,6 +208,7 @@ ended-missed = Wurzel verfehlt
 ended-left-root = Wurzel verlassen
 ended-first-full = Erstes belegtes Blatt
 ended-segment-end = Ende der Strecke
+ended-cut = Abgebrochen: zu viele Schritte
 ended-looped = Läuft im Kreis
 ended-found = Gefunden
 ended-outside = Außerhalb des Gebiets

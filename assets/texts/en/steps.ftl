@@ -154,6 +154,7 @@ end-segment = The ray ends here: the traversal ends after { $n ->
     [one] one leaf
    *[other] { $n } leaves
 }.
+end-cut = The trace ends here, but not the run: it has more than { $n } steps, and no more are kept.
 end-looped = The ray gets no further: the same leaves would follow one another for ever, so the traversal is stopped.
 end-first-full = The first occupied leaf is reached, and no more was asked for: the traversal ends.
 end-found-leaf = The search ends: it has found { $node }, a leaf.
@@ -198,6 +199,7 @@ ended-missed = Missed the root
 ended-left-root = Left the root
 ended-first-full = First occupied leaf
 ended-segment-end = End of the segment
+ended-cut = Cut off: too many steps
 ended-looped = Going round in circles
 ended-found = Found
 ended-outside = Outside the domain

@@ -1,6 +1,7 @@
 //! Marks of what is in the tree, and of its axes.
 
-use crate::{Mark, Role, Shape};
+use crate::{Mark, Role, Shape, Show};
+use octoscope_core::explain::distinct;
 use octoscope_core::geometry::AXIS_NAMES;
 use octoscope_core::scene::Content;
 use octoscope_core::tree::Domain;
@@ -25,9 +26,10 @@ pub fn content<const D: usize>(content: &Content<D>) -> Vec<Mark<D>> {
     }
 }
 
-/// Marks of the axes: codes along the sides of a plane domain, names at the
-/// edges of a space domain.
-pub fn axes<const D: usize>(domain: &Domain<D>) -> Vec<Mark<D>> {
+/// Marks of the axes: numbers along the sides of a plane domain, names at the edges of
+/// a space domain. The numbers are coordinates, as those of the ray are; where codes
+/// are shown, they are codes.
+pub fn axes<const D: usize>(domain: &Domain<D>, show: &Show) -> Vec<Mark<D>> {
     let bounds = domain.root_box();
     let gap = 0.03 * domain.side();
     let label = |axis: usize, at: [f64; D], text: String| {
@@ -41,10 +43,16 @@ pub fn axes<const D: usize>(domain: &Domain<D>) -> Vec<Mark<D>> {
     for axis in 0..D {
         if D == 2 {
             let n_ticks = domain.grid_size().min(4);
-            for tick in 0..=n_ticks {
-                let code = domain.grid_size() / n_ticks * tick;
-                let at = beside(axis, domain.plane(axis, code));
-                marks.push(label(axis, at, code.to_string()));
+            let codes: Vec<u32> =
+                (0..=n_ticks).map(|tick| domain.grid_size() / n_ticks * tick).collect();
+            let places: Vec<f64> = codes.iter().map(|&code| domain.plane(axis, code)).collect();
+            let texts = if show.codes {
+                codes.iter().map(u32::to_string).collect()
+            } else {
+                distinct(&places)
+            };
+            for (place, text) in places.into_iter().zip(texts) {
+                marks.push(label(axis, beside(axis, place), text));
             }
         } else {
             let edge = [bounds.min[axis], bounds.max[axis]].map(|x| beside(axis, x));

@@ -234,7 +234,7 @@ impl<const D: usize> Scene<'_, D> {
             Some(End::LeftRoot | End::Missed | End::Outside | End::SegmentEnd | End::Looped) => {
                 true
             }
-            Some(End::FirstFull | End::Found) | None => false,
+            Some(End::FirstFull | End::Found | End::Cut) | None => false,
         };
         let Some(node) = self.moment.current.filter(|_| !ended) else {
             return;

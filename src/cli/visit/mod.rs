@@ -78,7 +78,8 @@ pub struct Visit {
     threads: NonZeroUsize,
     /// Prints for each algorithm the number of rays, of leaves and of occupied
     /// leaves, a checksum of the output (FNV-1a, 64 bits) and the time that the
-    /// traversals alone take.
+    /// traversals alone take. In that of dda every cell is looked up in the
+    /// tree, which stands in for the array of a grid.
     #[arg(long)]
     summary: bool,
     /// How often the summary measures.

@@ -1,5 +1,6 @@
 //! What algorithms tell of themselves: events, who watches them, how they end.
 
+mod about;
 mod observer;
 mod outcome;
 mod steps;

@@ -1,5 +1,7 @@
 //! How an algorithm is watched.
 
+#[cfg(doc)]
+use super::End;
 use super::Event;
 
 /// Watches an algorithm. An observer that does nothing costs nothing: the
@@ -7,6 +9,13 @@ use super::Event;
 pub trait Observer<const D: usize> {
     /// Called once for every step, in order.
     fn observe(&mut self, event: Event<D>);
+
+    /// Whether the algorithm is to go on. It asks now and then, at least once a
+    /// leaf and once a cell of the grid, and ends with [`End::Cut`] if not.
+    #[inline(always)]
+    fn wants_more(&self) -> bool {
+        true
+    }
 }
 
 /// Watches nothing.

@@ -16,6 +16,8 @@ pub enum End {
     SegmentEnd,
     /// The ray does not get any further: the algorithm goes round in circles.
     Looped,
+    /// Whoever watches wants no more: the run has become too long.
+    Cut,
     /// A node was found.
     Found,
     /// The asked-for place lies outside the domain.

@@ -136,6 +136,8 @@ pub fn label<const D: usize>(event: &Event<D>) -> &'static str {
         Event::End(End::FirstFull) => "stop",
         Event::End(End::SegmentEnd) => "segment-end",
         Event::End(End::Looped) => "looped",
+        // No line of the algorithm's own.
+        Event::End(End::Cut) => "cut",
         Event::End(End::Found) => "done",
         Event::End(End::Outside) => "outside",
     }

@@ -40,6 +40,7 @@ pub fn end_name(end: End, language: Language) -> String {
         End::FirstFull => "ended-first-full",
         End::SegmentEnd => "ended-segment-end",
         End::Looped => "ended-looped",
+        End::Cut => "ended-cut",
         End::Found => "ended-found",
         End::Outside => "ended-outside",
     })

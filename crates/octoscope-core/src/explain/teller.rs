@@ -285,6 +285,10 @@ impl<const D: usize> Teller<'_, D> {
                 words.texts.format("end-segment", &[("n", n.into())])
             }
             Event::End(End::Looped) => words.texts.get("end-looped"),
+            Event::End(End::Cut) => {
+                let n = self.before.step as u64;
+                words.texts.format("end-cut", &[("n", n.into())])
+            }
             Event::End(End::Found) => {
                 // A search that ends so has found a node before.
                 let node = self.before.found.unwrap_or(words.tree.root().id);

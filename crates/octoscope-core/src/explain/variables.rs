@@ -5,7 +5,7 @@ use super::rich::{RichText, on_axis, strong};
 use super::words::{binary, t, tuple, typographic};
 use crate::geometry::{AXIS_NAMES, Axes};
 use crate::trace::{Cuts, Moment};
-use crate::tree::{Code, Tree};
+use crate::tree::{Code, NodeId, Tree};
 
 /// Variable of an algorithm at some moment.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -14,6 +14,8 @@ pub struct Variable {
     pub name: RichText,
     /// Its value.
     pub value: RichText,
+    /// The node that it is, if it is one.
+    pub node: Option<NodeId>,
 }
 
 /// The variables that have a value at `moment`: first where the algorithm is,
@@ -26,7 +28,7 @@ pub fn variables<const D: usize>(tree: &Tree<D>, moment: &Moment<D>) -> Vec<Vari
 
     // Where it is.
     if let Some(node) = moment.current {
-        list.push("node", &tuple(tree.code(node).map(|c| c.to_string())));
+        list.node("node", tree, node);
         list.push("level", &tree.level(node).to_string());
     }
 
@@ -107,7 +109,7 @@ pub fn variables<const D: usize>(tree: &Tree<D>, moment: &Moment<D>) -> Vec<Vari
         list.push("leaves", &moment.leaves.len().to_string());
     }
     if let Some(found) = moment.found {
-        list.push("found", &tuple(tree.code(found).map(|c| c.to_string())));
+        list.node("found", tree, found);
     }
     list.0
 }
@@ -129,7 +131,16 @@ struct List(Vec<Variable>);
 
 impl List {
     fn push(&mut self, name: &str, value: &str) {
-        self.0.push(Variable { name: RichText::parse(name), value: RichText::parse(value) });
+        let (name, value) = (RichText::parse(name), RichText::parse(value));
+        self.0.push(Variable { name, value, node: None });
+    }
+
+    /// A node, by its codes.
+    fn node<const D: usize>(&mut self, name: &str, tree: &Tree<D>, node: NodeId) {
+        self.push(name, &tuple(tree.code(node).map(|c| c.to_string())));
+        if let Some(variable) = self.0.last_mut() {
+            variable.node = Some(node);
+        }
     }
 
     /// Where the ray is in a node.

@@ -266,6 +266,7 @@ fn reason(end: End) -> &'static str {
         End::FirstFull => "first-full",
         End::SegmentEnd => "segment-end",
         End::Looped => "looped",
+        End::Cut => "cut",
         End::Found => "found",
         End::Outside => "outside",
     }

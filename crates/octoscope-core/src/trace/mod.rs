@@ -8,7 +8,7 @@ mod state;
 
 pub use counters::{Counter, Counters};
 pub use moment::Moment;
-pub use record::{Trace, record};
+pub use record::{Trace, record, record_within};
 pub use state::{
     Codes, Cuts, Detour, Difference, Exits, Extent, Frame, GridCell, LeafOnRay, RootClip, Target,
 };

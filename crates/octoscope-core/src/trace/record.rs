@@ -1,8 +1,10 @@
 //! The record of one run.
 
-use crate::event::{Event, Outcome};
+use crate::event::{End, Event, Observer, Outcome};
 use crate::geometry::Ray;
+use crate::progress::{Cancelled, Progress};
 use crate::query::Query;
+use crate::traverse::Algorithm;
 use crate::tree::{NodeId, Tree};
 
 /// Immutable record of one run of one algorithm.
@@ -24,6 +26,11 @@ impl<const D: usize> Trace<D> {
             Event::Leaf { node, enter, exit, .. } => Some((node, [enter, exit])),
             _ => None,
         })
+    }
+
+    /// Whether the run was longer than what is kept of it.
+    pub fn is_cut(&self) -> bool {
+        self.outcome.end == End::Cut
     }
 
     /// Number of events up to and with the next visited leaf or result after
@@ -49,4 +56,72 @@ pub fn record<const D: usize>(tree: &Tree<D>, ray: &Ray<D>, query: &Query<D>) ->
     let mut events = Vec::new();
     let outcome = query.run(tree, ray, &mut events);
     Trace { query: *query, events, outcome }
+}
+
+/// The same with at most `most_events` events and the end: a run of more is cut
+/// off, and its outcome is [`End::Cut`]. What the query needs of the tree is made
+/// first.
+///
+/// # Errors
+/// Stops with [`Cancelled`] when `progress` is cancelled.
+pub fn record_within<const D: usize>(
+    tree: &Tree<D>,
+    ray: &Ray<D>,
+    query: &Query<D>,
+    most_events: usize,
+    progress: &Progress,
+) -> Result<Trace<D>, Cancelled> {
+    if matches!(query, Query::Ray { algorithm: Algorithm::SametNet, .. }) {
+        tree.link(progress)?;
+    }
+    progress.start(most_events as u64);
+    let mut beginning =
+        Beginning { events: Vec::new(), most_events, progress, state: State::Watching };
+    let mut outcome = query.run(tree, ray, &mut beginning);
+    let Beginning { mut events, state, .. } = beginning;
+    match state {
+        State::Watching => {}
+        State::Full => {
+            outcome = Outcome::without_node(End::Cut);
+            events.push(Event::End(End::Cut));
+        }
+        State::Cancelled => return Err(Cancelled),
+    }
+    Ok(Trace { query: *query, events, outcome })
+}
+
+/// Keeps the first events of a run.
+struct Beginning<'a, const D: usize> {
+    events: Vec<Event<D>>,
+    most_events: usize,
+    progress: &'a Progress,
+    state: State,
+}
+
+/// Whether a run is still watched.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum State {
+    Watching,
+    /// There was an event too many.
+    Full,
+    Cancelled,
+}
+
+impl<const D: usize> Observer<D> for Beginning<'_, D> {
+    fn observe(&mut self, event: Event<D>) {
+        if self.state != State::Watching {
+            return;
+        }
+        if self.progress.advance(1).is_err() {
+            self.state = State::Cancelled;
+        } else if self.events.len() == self.most_events && !matches!(event, Event::End(_)) {
+            self.state = State::Full;
+        } else {
+            self.events.push(event);
+        }
+    }
+
+    fn wants_more(&self) -> bool {
+        self.state == State::Watching
+    }
 }

@@ -10,22 +10,25 @@
 //! crossed at once, so that no cell is merely touched (the variant `one-by-one`
 //! crosses one); the parameter of a plane is computed from the plane and not by
 //! adding up steps, whose rounding adds up as well; the first cell is the one into
-//! which the ray moves.
+//! which the ray moves. A leaf is reported in its first cell, with the parameter of
+//! its own far planes, not in its last: whoever looks for the first full one need
+//! not cross it.
 
 use super::algorithm::Options;
-use super::beyond::code_of_entry;
+use super::beyond::{code_of_entry, exit_of};
 use super::clip::{Clip, at_planes, clip_root, earliest};
-use super::report::{Report, finish, missed};
+use super::report::{Report, finish, go_on, missed};
 use super::variant::Variant;
 use crate::event::{Event, Observer, Outcome};
 use crate::geometry::{Axes, Parameter, Ray};
 use crate::locate::descend;
 use crate::tree::{Code, Node, Tree};
+use std::ops::ControlFlow;
 
 /// Leaves of `tree` along `ray`, in order, by walking through its finest grid.
 ///
-/// A grid knows what is in its cells; here the tree stands in for that array,
-/// which is not counted as work.
+/// A grid knows what is in its cells; here the tree stands in for that array. The
+/// look-ups are not counted as work, but whoever takes the time takes it with them.
 pub fn on_grid<const D: usize, P: Parameter>(
     tree: &Tree<D>,
     ray: &Ray<D>,
@@ -76,7 +79,11 @@ fn walk<const D: usize, P: Parameter, O: Observer<D>>(
     next = std::array::from_fn(|e| if still[e] { P::BEYOND_ALL } else { next[e] });
     observe.observe(Event::Grid { cell, next: next.map(P::value), search });
     let mut leaf = look_up(cell, observe);
-    let (mut entry, mut now) = (enter, enter);
+    let mut now = enter;
+    let first = report_leaf(tree, ray, leaf, enter, &report, observe);
+    if first.is_break() {
+        return finish(first, observe);
+    }
 
     loop {
         // Smallest tMax: the plane that is met next.
@@ -94,7 +101,7 @@ fn walk<const D: usize, P: Parameter, O: Observer<D>>(
         let outside = domain.outside(beyond, axes);
         observe.observe(Event::Cross { next: next.map(P::value), axes, cell: beyond, outside });
         if !outside.is_empty() {
-            return finish(report.leaf(leaf, entry, exit, observe), observe);
+            return finish(ControlFlow::Continue(()), observe);
         }
         cell = beyond.map(|c| c as u32);
         let ahead = planes_ahead(cell, rising);
@@ -103,17 +110,32 @@ fn walk<const D: usize, P: Parameter, O: Observer<D>>(
             next[axis] = P::at_plane(plane, ray.origin()[axis], ray.direction()[axis]);
         }
 
-        // A new leaf? Then the one before is left.
+        // A new leaf? Then the ray comes into it.
         now = now.later(exit);
         let found = look_up(cell, observe);
-        if found != leaf {
-            let reported = report.leaf(leaf, entry, now, observe);
-            if reported.is_break() {
-                return finish(reported, observe);
-            }
-            (leaf, entry) = (found, now);
+        let walked = if found == leaf {
+            go_on(observe)
+        } else {
+            leaf = found;
+            report_leaf(tree, ray, leaf, now, &report, observe)
+        };
+        if walked.is_break() {
+            return finish(walked, observe);
         }
     }
+}
+
+/// Reports that the ray comes into `leaf` at `entry`.
+fn report_leaf<const D: usize, P: Parameter>(
+    tree: &Tree<D>,
+    ray: &Ray<D>,
+    leaf: Node,
+    entry: P,
+    report: &Report<P>,
+    observe: &mut impl Observer<D>,
+) -> ControlFlow<Outcome> {
+    let exit = exit_of::<D, P>(tree.domain(), ray, tree.level(leaf.id), tree.code(leaf.id));
+    report.leaf(leaf, entry, entry.later(exit.at), observe)
 }
 
 /// Grid indices of the planes that a ray meets next from a cell.

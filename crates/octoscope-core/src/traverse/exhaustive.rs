@@ -24,21 +24,24 @@ pub fn traverse<const D: usize>(
     observe: &mut impl Observer<D>,
 ) -> Outcome {
     // The longest numbers decide over the arithmetic.
-    let boxes: Vec<(Node, Aabb<D>)> =
-        tree.leaves().map(|leaf| (leaf, tree.node_box(leaf.id))).collect();
-    let corners = boxes.iter().flat_map(|(_, bounds)| bounds.min.into_iter().chain(bounds.max));
+    let boxes = || tree.leaves().map(|leaf| (leaf, tree.node_box(leaf.id)));
+    let corners = boxes().flat_map(|(_, bounds)| bounds.min.into_iter().chain(bounds.max));
     let position = Unit::common(corners.chain(ray.origin()));
     let direction = Unit::common(ray.direction());
     let short = position.bits + direction.bits + 2 < i128::BITS;
     let met = if short && options.segment_end.is_none() {
         let integer = |x: f64, unit: Unit| unit.count(x);
-        test_all::<D, i128>(&boxes, ray, [position, direction], integer, None, observe)
+        test_all::<D, i128>(boxes(), ray, [position, direction], integer, None, observe)
     } else {
         let integer = |x: f64, unit: Unit| unit.count_at_any_length(x);
         let end = options.segment_end.map(|t| parameter(t, position, direction));
-        test_all::<D, BigInt>(&boxes, ray, [position, direction], integer, end, observe)
+        test_all::<D, BigInt>(boxes(), ray, [position, direction], integer, end, observe)
     };
 
+    if !observe.wants_more() {
+        observe.observe(Event::End(End::Cut));
+        return Outcome::without_node(End::Cut);
+    }
     observe.observe(Event::Sort { n_leaves: met.len() as u32 });
     let mut outcome = Outcome::without_node(End::Missed);
     for Met { leaf, interval: [enter, exit], kind } in met {
@@ -83,7 +86,7 @@ enum Kind {
 /// Tests all leaves; those that the ray meets, in the order of their entry,
 /// touches before the leaf that begins at the same point.
 fn test_all<const D: usize, I: Integer>(
-    boxes: &[(Node, Aabb<D>)],
+    boxes: impl Iterator<Item = (Node, Aabb<D>)>,
     ray: &Ray<D>,
     [position, direction]: [Unit; 2],
     integer: impl Fn(f64, Unit) -> I,
@@ -96,6 +99,9 @@ fn test_all<const D: usize, I: Integer>(
 
     let mut met = Vec::new();
     'leaves: for (leaf, bounds) in boxes {
+        if !observe.wants_more() {
+            break;
+        }
         let mut enter =
             Fraction { numerator: nothing.clone(), denominator: one.clone(), value: 0.0 };
         let mut exit: Option<Fraction<I>> = None;
@@ -145,7 +151,7 @@ fn test_all<const D: usize, I: Integer>(
                 (_, Some(_)) => Kind::Cut,
                 (_, None) => Kind::Whole,
             };
-            met.push((enter, Met { leaf: *leaf, interval, kind }));
+            met.push((enter, Met { leaf, interval, kind }));
         }
     }
     let last_touch = |met: &Met| met.kind != Kind::Touch;

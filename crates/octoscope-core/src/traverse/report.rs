@@ -31,7 +31,7 @@ impl<P: Parameter> Report<P> {
     ) -> ControlFlow<Outcome> {
         if !enter.before(exit) {
             observe.observe(Event::Touch { node: node.id, at: exit.value() });
-            return ControlFlow::Continue(());
+            return go_on(observe);
         }
         self.crossed(node, enter, exit, observe)
     }
@@ -55,8 +55,18 @@ impl<P: Parameter> Report<P> {
         } else if ends.is_some() {
             ControlFlow::Break(Outcome::without_node(End::SegmentEnd))
         } else {
-            ControlFlow::Continue(())
+            go_on(observe)
         }
+    }
+}
+
+/// Breaks if whoever watches wants no more.
+#[inline]
+pub fn go_on<const D: usize>(observe: &impl Observer<D>) -> ControlFlow<Outcome> {
+    if observe.wants_more() {
+        ControlFlow::Continue(())
+    } else {
+        ControlFlow::Break(Outcome::without_node(End::Cut))
     }
 }
 

@@ -2,14 +2,15 @@
 
 use crate::rays::{Class, random_ray};
 use crate::trees::{domain, random_tree};
-use octoscope_core::event::Event;
+use octoscope_core::event::{End, Event, Observer};
 use octoscope_core::geometry::Ray;
 use octoscope_core::locate::{Direction, NeighbourMethod, Reach};
+use octoscope_core::progress::{Cancelled, Progress};
 use octoscope_core::query::{Arithmetic, PointMethod, Query};
 use octoscope_core::random::Random;
-use octoscope_core::trace::{Counter, Moment, Trace, record};
+use octoscope_core::trace::{Counter, Moment, Trace, record, record_within};
 use octoscope_core::traverse::{Algorithm, Options, StopAt, Variant, Variants};
-use octoscope_core::tree::{NodeId, Tree};
+use octoscope_core::tree::{Domain, NodeId, Split, Tree, grow};
 
 /// Every kind of query, with random arguments.
 fn queries<const D: usize>(tree: &Tree<D>, random: &mut Random) -> Vec<Query<D>> {
@@ -60,7 +61,7 @@ fn queries<const D: usize>(tree: &Tree<D>, random: &mut Random) -> Vec<Query<D>>
     queries
 }
 
-fn for_random_traces(check: impl Fn(&Tree<3>, &Ray<3>, &Query<3>, &Trace<3>)) {
+fn for_random_traces(mut check: impl FnMut(&Tree<3>, &Ray<3>, &Query<3>, &Trace<3>)) {
     let mut random = Random::new(4);
     for n in 0..10 {
         let tree = random_tree(domain(1 + n as u8, n), 15, &mut random);
@@ -81,6 +82,68 @@ fn watching_does_not_change_what_happens() {
         let ends = trace.events.iter().filter(|event| matches!(event, Event::End(_))).count();
         assert_eq!(ends, 1);
     });
+}
+
+#[test]
+fn a_trace_within_a_limit_is_the_beginning_of_the_whole_one() {
+    let within = |tree: &Tree<3>, ray: &Ray<3>, query: &Query<3>, most| {
+        record_within(tree, ray, query, most, &Progress::default()).unwrap()
+    };
+    for_random_traces(|tree, ray, query, trace| {
+        // What is no number is not equal to itself.
+        if *trace != trace.clone() {
+            return;
+        }
+        let n = trace.events.len();
+        // The end is not counted.
+        assert_eq!(within(tree, ray, query, n - 1), *trace);
+        for most in [0, 1, n / 2, n.saturating_sub(2)].into_iter().filter(|most| *most < n - 1) {
+            let cut = within(tree, ray, query, most);
+            assert_eq!(cut.outcome.end, End::Cut);
+            assert_eq!(cut.events[..most], trace.events[..most]);
+            assert_eq!(cut.events[most..], [Event::End(End::Cut)]);
+        }
+    });
+}
+
+/// A tree of one empty leaf over a grid of 2^20 cells along every axis.
+fn finest_grid() -> Tree<3> {
+    let tree = grow(Domain::unit(20), (), &Progress::default(), |_, ()| Split::Empty);
+    tree.expect("nobody cancels it")
+}
+
+#[test]
+fn a_long_run_ends_soon_after_its_limit_or_a_cancel() {
+    let (tree, ray) = (finest_grid(), Ray::new([-1.0, 0.1, 0.2], [2.0, 0.5, 0.25]).unwrap());
+    for algorithm in [Algorithm::Dda, Algorithm::DdaOctree] {
+        let options = Options::default();
+        let query = Query::Ray { algorithm, options, arithmetic: Arithmetic::Doubles };
+        let mut asked = Asked { left: 1000, more: 0 };
+        assert_eq!(query.run(&tree, &ray, &mut asked).end, End::Cut);
+        assert!(asked.more < 10, "{algorithm:?}: {} events too many", asked.more);
+
+        let cancelled = Progress::default();
+        cancelled.cancel();
+        let trace = record_within(&tree, &ray, &query, usize::MAX, &cancelled);
+        assert_eq!(trace, Err(Cancelled));
+    }
+}
+
+/// Wants so many events, and counts those that come all the same.
+struct Asked {
+    left: usize,
+    more: usize,
+}
+
+impl Observer<3> for Asked {
+    fn observe(&mut self, _: Event<3>) {
+        self.more += usize::from(self.left == 0);
+        self.left = self.left.saturating_sub(1);
+    }
+
+    fn wants_more(&self) -> bool {
+        self.left > 0
+    }
 }
 
 #[test]
@@ -168,6 +231,29 @@ fn stepping_from_leaf_to_leaf_stops_at_each() {
             assert_eq!(trace.previous_leaf(step), previous.unwrap_or(0));
         }
     });
+}
+
+#[test]
+fn a_walk_through_the_grid_reports_a_leaf_in_its_first_cell() {
+    let mut n_reported = 0;
+    for_random_traces(|tree, _, query, trace| {
+        let Query::Ray { algorithm: Algorithm::Dda | Algorithm::DdaOctree, .. } = query else {
+            return;
+        };
+        let mut moment = Moment::default();
+        for event in &trace.events {
+            moment.apply(tree, event);
+            match *event {
+                Event::Leaf { node, .. } | Event::Touch { node, .. } => {
+                    let cell = moment.grid.and_then(|grid| grid.cell).unwrap();
+                    assert_eq!(tree.node_at(0, cell).map(|node| node.id), Some(node));
+                    n_reported += 1;
+                }
+                _ => {}
+            }
+        }
+    });
+    assert!(n_reported > 1000, "{n_reported}");
 }
 
 #[test]

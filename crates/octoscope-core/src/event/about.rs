@@ -1,0 +1,49 @@
+//! Which node an event is about.
+
+use super::Event;
+use crate::tree::NodeId;
+
+impl<const D: usize> Event<D> {
+    /// The node at which the algorithm looks or to which it goes, if it is one.
+    pub fn node(&self) -> Option<NodeId> {
+        match *self {
+            Self::Test { node, .. }
+            | Self::Visit { node, .. }
+            | Self::Enter { node, .. }
+            | Self::Parent { node, .. }
+            | Self::Mirror { node, .. }
+            | Self::Facing { node, .. }
+            | Self::Begin { node }
+            | Self::Compare { node, .. }
+            | Self::Follow { node, .. }
+            | Self::Resume { node, .. }
+            | Self::Climb { node, .. }
+            | Self::Leaf { node, .. }
+            | Self::Touch { node, .. }
+            | Self::Found { node } => Some(node),
+            Self::Up { node } | Self::Rope { node, .. } => node,
+            Self::Split { taken, .. } => Some(taken.node),
+            Self::Pop { part, .. } => Some(part.node),
+            Self::Clip { .. }
+            | Self::Sort { .. }
+            | Self::Skip { .. }
+            | Self::Halve { .. }
+            | Self::First { .. }
+            | Self::Step { .. }
+            | Self::Cuts { .. }
+            | Self::Classify { .. }
+            | Self::Flip { .. }
+            | Self::Grid { .. }
+            | Self::Cross { .. }
+            | Self::Push { .. }
+            | Self::Encode { .. }
+            | Self::Exits { .. }
+            | Self::Target { .. }
+            | Self::Border { .. }
+            | Self::Difference { .. }
+            | Self::Leave { .. }
+            | Self::Corners { .. }
+            | Self::End(_) => None,
+        }
+    }
+}

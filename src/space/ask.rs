@@ -1,0 +1,108 @@
+//! What the mouse asks of the tree: a point, a region, a neighbour.
+
+use super::PageInWindow;
+use super::gesture::{Click, Under, rounded, under};
+use super::pick::leaf_at;
+use crate::document::Document;
+use eframe::egui::Pos2;
+use octoscope_core::geometry::Aabb;
+use octoscope_core::locate::{Direction, NeighbourMethod, Reach};
+use octoscope_core::query::{PointMethod, Query};
+use octoscope_core::traverse::Variants;
+use octoscope_core::tree::NodeId;
+use octoscope_figure::Camera;
+
+/// Asks what a click at `at` asks for.
+pub(super) fn click<const D: usize>(
+    frame: PageInWindow,
+    camera: &Camera<D>,
+    document: &mut Document<D>,
+    at: Pos2,
+) {
+    let Some(Under { leaf, click, .. }) = under(frame, camera, document, at) else { return };
+    match click {
+        None => {}
+        Some(Click::Point) => ask_point(frame, camera, document, at),
+        Some(Click::Neighbour(direction)) => {
+            let reach = match document.scenario.query {
+                Query::Neighbour { reach, .. } => reach,
+                Query::Ray { .. } | Query::Point { .. } | Query::Region { .. } => Reach::default(),
+            };
+            ask_neighbour(document, leaf, direction, reach);
+        }
+    }
+}
+
+fn ask_neighbour<const D: usize>(
+    document: &mut Document<D>,
+    leaf: NodeId,
+    direction: Direction<D>,
+    reach: Reach,
+) {
+    let (level, code) = (document.tree.level(leaf), document.tree.code(leaf));
+    let (method, variants) = method_of(&document.scenario.query);
+    document.scenario.query = Query::Neighbour { level, code, direction, reach, method, variants };
+}
+
+/// How neighbours are looked for already, or by codes and right rules.
+fn method_of<const D: usize>(query: &Query<D>) -> (NeighbourMethod, Variants) {
+    match *query {
+        Query::Neighbour { method, variants, .. } => (method, variants),
+        Query::Ray { .. } | Query::Point { .. } | Query::Region { .. } => {
+            (NeighbourMethod::default(), Variants::NONE)
+        }
+    }
+}
+
+pub(super) fn ask_point<const D: usize>(
+    frame: PageInWindow,
+    camera: &Camera<D>,
+    document: &mut Document<D>,
+    at: Pos2,
+) {
+    let Some((_, point)) = leaf_at(frame, camera, &document.tree, at) else { return };
+    let (method, variants) = match document.scenario.query {
+        Query::Point { method, variants, .. } => (method, variants),
+        Query::Ray { .. } | Query::Region { .. } | Query::Neighbour { .. } => {
+            (PointMethod::default(), Variants::NONE)
+        }
+    };
+    let resolution = camera.unit(frame.page);
+    let at = point.map(|x| rounded(x, resolution));
+    document.scenario.query = Query::Point { at, method, variants };
+}
+
+pub(super) fn ask_region<const D: usize>(
+    frame: PageInWindow,
+    camera: &Camera<D>,
+    document: &mut Document<D>,
+    from: Pos2,
+    to: Pos2,
+) {
+    let corners = if D == 2 {
+        Some([from, to].map(|place| frame.world(camera, place, camera.target)))
+    } else {
+        let picked = [from, to].map(|place| leaf_at(frame, camera, &document.tree, place));
+        match picked {
+            [Some((_, a)), Some((_, b))] => Some([a, b]),
+            _ => None,
+        }
+    };
+    let Some(corners) = corners else { return };
+    let Some(bounds) = Aabb::around(corners) else { return };
+    let resolution = camera.unit(frame.page);
+    let root = document.tree.domain().root_box();
+    // A box that reaches beyond the root is cut there, just inside its upper faces.
+    let smallest = document.tree.domain().cell_side(0);
+    let inside = |p: [f64; D]| {
+        std::array::from_fn(|e| {
+            rounded(p[e], resolution).clamp(root.min[e], root.max[e] - 0.5 * smallest)
+        })
+    };
+    let variants = match document.scenario.query {
+        Query::Region { variants, .. } => variants,
+        Query::Ray { .. } | Query::Point { .. } | Query::Neighbour { .. } => Variants::NONE,
+    };
+    let (min, max) = (inside(bounds.min), inside(bounds.max));
+    document.scenario.query = Query::Region { min, max, variants };
+}
