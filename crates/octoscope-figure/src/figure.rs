@@ -1,6 +1,7 @@
 //! Figures: what is drawn on a page, in the order in which it is drawn.
 
-use crate::{Page, Role, Style, Theme};
+use crate::{Page, Role, Style, Theme, metrics};
+use octoscope_core::explain::RichText;
 use octoscope_core::tree::NodeId;
 
 /// Shapes on a page, the lowest first.
@@ -39,13 +40,38 @@ pub enum Form {
         /// Its radius.
         radius: f64,
     },
-    /// One line of text whose middle is at a point.
+    /// One line of text.
     Text {
-        /// Middle of the text.
+        /// The point of it that `anchor` says, at half the height of its capitals.
         at: [f64; 2],
+        /// Which point of the text that is.
+        anchor: Anchor,
         /// What is written.
-        text: String,
+        text: RichText,
     },
+}
+
+/// Point of a line of text.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Anchor {
+    /// Where it begins.
+    Start,
+    /// Its middle.
+    #[default]
+    Middle,
+    /// Where it ends.
+    End,
+}
+
+impl Anchor {
+    /// Share of the text's width that lies before the point.
+    pub fn share(self) -> f64 {
+        match self {
+            Self::Start => 0.0,
+            Self::Middle => 0.5,
+            Self::End => 1.0,
+        }
+    }
 }
 
 /// Part of a mark.
@@ -125,7 +151,11 @@ impl Drawn {
                 points.iter().map(|&p| (p, [half; 2])).collect()
             }
             Form::Circle { centre, radius } => vec![(*centre, [radius + half; 2])],
-            Form::Text { at, text } => vec![(*at, text_reach(self.role, text))],
+            Form::Text { at, anchor, text } => {
+                let [left, right] = text_span(self.role, *anchor, text).map(|x| at[0] + x);
+                let reach = [0.0, 0.6 * metrics::size(self.role)];
+                vec![([left, at[1]], reach), ([right, at[1]], reach)]
+            }
         }
     }
 }
@@ -139,6 +169,12 @@ impl Form {
             Self::Text { at, .. } => shift(at),
         }
     }
+}
+
+/// How far a text reaches to the left and to the right of its point.
+pub(crate) fn text_span(role: Role, anchor: Anchor, text: &RichText) -> [f64; 2] {
+    let width = metrics::width(role, text);
+    [-anchor.share() * width, (1.0 - anchor.share()) * width]
 }
 
 /// Half width and half height of a text, estimated from its number of letters.

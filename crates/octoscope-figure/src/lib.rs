@@ -14,6 +14,7 @@ mod ground;
 mod handle;
 mod mark;
 mod marks;
+pub mod metrics;
 mod numbers;
 mod painter;
 mod palette;
@@ -27,7 +28,7 @@ mod ways;
 
 pub use camera::{Camera, Lens, Page, Projected};
 pub use content::{axes, content};
-pub use figure::{Drawn, Figure, Form, Part};
+pub use figure::{Anchor, Drawn, Figure, Form, Part};
 pub use handle::HANDLE_DISTANCE;
 pub use mark::{Mark, Shape};
 pub use marks::{Show, far_end, leaves, marks};

@@ -6,7 +6,9 @@ use crate::ground::{bounds_of, ground, is_ground};
 use crate::numbers::{Number, Stand, stands};
 use crate::painter::{Half, back_to_front};
 use crate::sides::sides_to_eye;
-use crate::{Camera, Drawn, Figure, Form, Mark, Page, Part, Projected, Role, Shape, Style, Theme};
+use crate::{
+    Anchor, Camera, Drawn, Figure, Form, Mark, Page, Part, Projected, Role, Shape, Style, Theme,
+};
 use octoscope_core::geometry::Aabb;
 
 /// Figure of `marks` as `camera` shows them on `page`. In space, boxes of one
@@ -398,7 +400,7 @@ impl<const D: usize> Canvas<'_, D> {
     }
 
     fn text(&mut self, mark: &Mark<D>, at: [f64; 2], text: &str) {
-        let form = Form::Text { at, text: text.to_string() };
+        let form = Form::Text { at, anchor: Anchor::Middle, text: text.into() };
         self.push_at(above_space(mark.role), mark, Part::Whole, form);
     }
 
