@@ -10,9 +10,10 @@ use crate::sidebar::Wish;
 use crate::view::{PanelKind, Preset, View};
 use crate::widgets::{Place, panel_heading};
 use eframe::egui::{Rect, Ui, UiBuilder, vec2};
-use octoscope_core::explain::{label, listing as listing_of, variables as variables_of};
+use octoscope_core::explain::{label, listing as listing_of};
 use octoscope_core::query::Query;
 use octoscope_core::trace::{Counters, Moment};
+use octoscope_figure::views::changed_variables;
 use std::sync::Arc;
 
 /// Sides of at least this width, in points, have two columns of panels.
@@ -130,12 +131,7 @@ fn body<const D: usize>(
             listing::ui(ui, look, &listing, event.map(label));
         }
         PanelKind::Variables => {
-            let now = variables_of(&tree, moment);
-            let before = match moment.step.checked_sub(1) {
-                Some(step) => variables_of(&tree, &document.moment(step)),
-                None => now.clone(),
-            };
-            variables::ui(ui, look, &now, &before);
+            variables::ui(ui, look, &changed_variables(&tree, &trace, moment));
         }
         PanelKind::Tables => tables::ui(ui, look, &tree, past),
         PanelKind::Cuts => cuts::ui(ui, look, &tree, moment, event),

@@ -3,7 +3,7 @@
 mod base;
 mod gesture;
 mod hover;
-mod paint;
+pub(crate) mod paint;
 
 use crate::document::Document;
 use crate::look::Look;

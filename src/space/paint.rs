@@ -60,6 +60,8 @@ fn paint(painter: &Painter, look: &Look, theme: Theme, frame: PageInWindow, draw
 /// A line of text, piece by piece.
 fn job(look: &Look, theme: Theme, lettering: Lettering, text: &RichText) -> LayoutJob {
     let mut job = LayoutJob::default();
+    // Text of one height stands as the font has it.
+    let is_even = !text.0.iter().any(|span| span.sub);
     for span in &text.0 {
         let Lettering { colour, size, weight } = lettering.of_span(theme, span);
         let family = match weight {
@@ -68,7 +70,7 @@ fn job(look: &Look, theme: Theme, lettering: Lettering, text: &RichText) -> Layo
             Weight::Mono => FontFamily::Monospace,
             Weight::MonoStrong => look.mono_strong_family(),
         };
-        let valign = if span.sub { Align::BOTTOM } else { Align::Center };
+        let valign = if span.sub || is_even { Align::BOTTOM } else { Align::Center };
         let (font_id, color) = (FontId::new(size as f32, family), color32(colour));
         job.append(&span.text, 0.0, TextFormat { font_id, color, valign, ..TextFormat::default() });
     }

@@ -24,11 +24,12 @@ mod sides;
 mod space;
 mod style;
 mod svg;
+pub mod views;
 mod ways;
 
 pub use camera::{Camera, Lens, Page, Projected};
 pub use content::{axes, content};
-pub use figure::{Anchor, Drawn, Figure, Form, Part};
+pub use figure::{Anchor, Drawn, Extent, Figure, Form, Part};
 pub use handle::HANDLE_DISTANCE;
 pub use mark::{Mark, Shape};
 pub use marks::{Show, far_end, leaves, marks};

@@ -187,11 +187,11 @@ impl Style {
             Role::AxisLabel(axis) => {
                 line(p.axes[axis], 1.5).lettered(p.axes[axis], 11.0, Weight::Mono)
             }
-            Role::Heading => Self::default().lettered(p.ink, 12.5, Weight::Strong),
-            Role::Words => Self::default().lettered(p.ink, 12.0, Weight::Regular),
-            Role::Note => Self::default().lettered(p.quiet_ink, 11.0, Weight::Regular),
-            Role::Code => Self::default().lettered(p.ink, 11.0, Weight::Mono),
-            Role::Bit => Self::default().lettered(p.ink, 13.0, Weight::MonoStrong),
+            Role::Heading => Self::default().lettered(p.ink, 13.5, Weight::Strong),
+            Role::Words => Self::default().lettered(p.ink, 12.5, Weight::Regular),
+            Role::Note => Self::default().lettered(p.quiet_ink, 12.0, Weight::Regular),
+            Role::Code => Self::default().lettered(p.ink, 11.5, Weight::Mono),
+            Role::Bit => Self::default().lettered(p.ink, 14.0, Weight::MonoStrong),
             Role::Entry => Self { fill: Some(p.field), ..line(p.grid, 0.8) },
             Role::LitEntry => Self {
                 fill: Some(p.current.faded(2.2 * p.current_fill)),
@@ -205,7 +205,7 @@ impl Style {
                 Self { fill: Some(p.current.faded(1.2 * p.current_fill)), ..Self::default() }
             }
             Role::Limit => Self { dash: Dash::Dashed, ..line(p.ink, 1.3) },
-            Role::Scale => line(p.grid, 1.0).lettered(p.quiet_ink, 11.0, Weight::Regular),
+            Role::Scale => line(p.grid, 1.0).lettered(p.quiet_ink, 12.0, Weight::Regular),
             Role::Zero => Self { fill: Some(p.ray), radius: 3.5, ..Self::default() }.lettered(
                 p.ray,
                 11.0,
