@@ -1,12 +1,15 @@
 //! Exporting what the space view shows.
 
 use crate::document::{AnyDocument, Document};
+use crate::figures::{Moments, Wanted, figure_of};
 use crate::files;
 use crate::space::interesting;
 use crate::view::View;
+use crate::with_document;
 use anyhow::bail;
 use octoscope_core::scenario::AnyScenario;
 use octoscope_core::scene::Content;
+use octoscope_figure::views::Fields;
 use octoscope_figure::{
     Background, Camera, Figure, Mark, Page, Role, Shape, Show, SvgOptions, Theme, axes, content,
     leaves, marks, png, space_figure, svg, svg_scaled,
@@ -149,18 +152,18 @@ pub fn bytes(figure: &Figure, style: Style, scenario: &AnyScenario) -> anyhow::R
     })
 }
 
-/// Writes the space view as the window shows it to `path`, whose ending tells
-/// the format.
+/// Writes the view that is to be exported, as the window shows it, to `path`, whose
+/// ending tells the format.
 ///
 /// # Errors
-/// Refuses endings without a format; says why the file cannot be written.
-pub fn space_view(
+/// Refuses endings without a format and views that do not fit; says why the file
+/// cannot be written.
+pub fn shown_view(
     document: &AnyDocument,
     scenario: &AnyScenario,
     view: &View,
     path: &Path,
 ) -> anyhow::Result<()> {
-    const PAGE: Page = Page { width: 960.0, height: 720.0 };
     let ending = path.extension().unwrap_or_default().to_string_lossy().into_owned();
     let Some(format) = Format::of_ending(&ending) else {
         bail!(
@@ -168,19 +171,27 @@ pub fn space_view(
             path.display()
         );
     };
-    let step = view.playback.step;
-    let figure = match document {
-        AnyDocument::Plane(document) => {
-            space(document, view.camera(), PAGE, &view.plane_show, step)
-        }
-        AnyDocument::Space(document) => {
-            space(document, view.camera(), PAGE, &view.space_show, step)
-        }
-    };
+    let figure = with_document!(document, document => shown(document, view)?);
     let scale = match format {
         Format::Svg => 1.0,
         Format::Png => 2.0,
     };
     let style = Style { format, theme: view.theme, scale, title: "Octoscope" };
     files::write(path, &bytes(&figure.cropped(MARGIN), style, scenario)?)
+}
+
+/// Figure of the view that is to be exported.
+fn shown<const D: usize>(document: &Document<D>, view: &View) -> anyhow::Result<Figure> {
+    const PAGE: Page = Page { width: 960.0, height: 720.0 };
+    let wanted = Wanted {
+        view: view.exported,
+        step: view.playback.step,
+        moments: Moments::default(),
+        exercise: (None, Fields::Empty),
+        page: PAGE,
+        camera: view.camera(),
+        show: *view.show::<D>(),
+        language: view.language,
+    };
+    figure_of(document, &wanted)
 }

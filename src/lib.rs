@@ -8,6 +8,7 @@ pub mod command;
 pub mod comparison;
 pub mod document;
 pub mod export;
+pub mod figures;
 pub mod files;
 pub mod finder;
 pub mod history;

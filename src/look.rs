@@ -2,6 +2,7 @@
 
 use eframe::egui::{Color32, FontFamily};
 use octoscope_core::text::Texts;
+use octoscope_figure::Theme;
 
 /// Texts of the chosen language and colours of the chosen theme.
 pub struct Look {
@@ -9,6 +10,8 @@ pub struct Look {
     pub texts: Texts,
     /// Colours.
     pub palette: Palette,
+    /// The theme, for what figures look like.
+    pub theme: Theme,
 }
 
 /// Colours of the theme, as the window paints them.

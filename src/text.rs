@@ -1,17 +1,20 @@
 //! Texts of the window.
 
 use octoscope_core::text::{Language, Texts};
+use octoscope_figure::views::figure_texts;
 
 /// Texts of the window in `language`.
 pub fn texts(language: Language) -> Texts {
     let sources = match language {
         Language::English => [
             include_str!("../assets/texts/en/window.ftl"),
+            figure_texts(language),
             include_str!("../assets/texts/en/gallery.ftl"),
             include_str!("../assets/texts/en/algorithms.ftl"),
         ],
         Language::German => [
             include_str!("../assets/texts/de/window.ftl"),
+            figure_texts(language),
             include_str!("../assets/texts/de/gallery.ftl"),
             include_str!("../assets/texts/de/algorithms.ftl"),
         ],
@@ -26,6 +29,7 @@ mod tests {
     use octoscope_core::paper::erratum_of;
     use octoscope_core::scenario::BUILT_IN;
     use octoscope_core::traverse::Variant;
+    use octoscope_figure::views::FigureView;
 
     fn keys(source: &str) -> Vec<&str> {
         let named = source.lines().filter(|line| !line.starts_with(['#', ' ', '}', '\t']));
@@ -34,14 +38,17 @@ mod tests {
 
     #[test]
     fn both_languages_have_the_same_keys() {
-        let of = |window, algorithms| [keys(window), keys(algorithms)].concat();
+        let of =
+            |window, algorithms, figures| [keys(window), keys(algorithms), keys(figures)].concat();
         let english = of(
             include_str!("../assets/texts/en/window.ftl"),
             include_str!("../assets/texts/en/algorithms.ftl"),
+            figure_texts(Language::English),
         );
         let german = of(
             include_str!("../assets/texts/de/window.ftl"),
             include_str!("../assets/texts/de/algorithms.ftl"),
+            figure_texts(Language::German),
         );
         assert_eq!(english, german);
         assert!(english.len() > 100);
@@ -63,7 +70,8 @@ mod tests {
             let variants = choices.flat_map(|variant| {
                 ["", "-why"].map(|end| format!("variant-{}{end}", variant.id()))
             });
-            for key in commands.chain(menus).chain(scenes).chain(variants) {
+            let views = FigureView::ALL.map(|view| format!("figure-{}", view.id()));
+            for key in commands.chain(menus).chain(views).chain(scenes).chain(variants) {
                 assert!(texts.has(&key), "{key} in {language:?}");
             }
         }
@@ -72,9 +80,9 @@ mod tests {
     #[test]
     fn every_key_that_the_sources_name_exists() {
         let texts = texts(Language::English);
-        let root = concat!(env!("CARGO_MANIFEST_DIR"), "/src");
+        let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR"));
         let mut named = 0;
-        let mut folders = vec![std::path::PathBuf::from(root)];
+        let mut folders = vec![root.join("src"), root.join("crates/octoscope-figure/src")];
         while let Some(folder) = folders.pop() {
             for entry in std::fs::read_dir(folder).unwrap() {
                 let path = entry.unwrap().path();

@@ -13,7 +13,7 @@ use std::sync::Arc;
 
 /// Texts and colours for the panels.
 pub fn look(language: Language, theme: Theme) -> Look {
-    Look { texts: texts(language), palette: palette(theme) }
+    Look { texts: texts(language), palette: palette(theme), theme }
 }
 
 /// A colour of the stylesheet, as egui paints it.

@@ -13,6 +13,7 @@ use octoscope_core::query::Query;
 use octoscope_core::text::Language;
 use octoscope_core::traverse::Algorithm;
 use octoscope_core::tree::NodeId;
+use octoscope_figure::views::FigureView;
 use octoscope_figure::{Camera, Lens, Show, Theme};
 use serde::{Deserialize, Serialize};
 use std::any::Any;
@@ -39,6 +40,9 @@ pub struct View {
     pub plane_show: Show,
     /// What it shows of octrees.
     pub space_show: Show,
+    /// What is exported.
+    #[serde(skip)]
+    pub exported: FigureView,
     /// The playhead.
     pub playback: Playback,
     /// Camera of quadtrees; `None` fits everything.
@@ -372,6 +376,7 @@ impl Default for View {
             scale: 1.0,
             plane_show: Show::at_first::<2>(),
             space_show: Show::at_first::<3>(),
+            exported: FigureView::default(),
             playback: Playback::default(),
             plane_camera: None,
             orbit_camera: None,

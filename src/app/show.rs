@@ -2,6 +2,7 @@
 
 use super::App;
 use crate::command::Command;
+use crate::figures::views_of;
 use crate::panels::menu::Entry;
 use crate::panels::{dialogs, menu, sentence, timeline};
 use crate::sidebar::{self, Wish};
@@ -85,7 +86,9 @@ impl App {
         {
             self.give_up_tracing();
         }
-        let answer = dialogs::ui(&context, &self.look, &mut self.view.dialog, commands);
+        let views = with_document!(&self.document, d => views_of(&d.scenario.query));
+        let exported = (&views[..], &mut self.view.exported);
+        let answer = dialogs::ui(&context, &self.look, &mut self.view.dialog, exported, commands);
         match answer {
             None => {}
             Some(dialogs::Answer::Export(format)) => self.chosen.ask_export(&context, format),

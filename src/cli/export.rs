@@ -4,7 +4,8 @@ use super::ray::RayChoice;
 use super::values::{Numbers, language};
 use super::{Answer, tell};
 use crate::document::Document;
-use crate::export::{Format, MARGIN, Style, bytes, left_out, space};
+use crate::export::{Format, MARGIN, Style, bytes, left_out};
+use crate::figures::{Moments, Wanted, figure_of, fitted, take_exercise};
 use crate::files::Output;
 use crate::open::open;
 use crate::space::interesting;
@@ -15,6 +16,8 @@ use octoscope_core::explain::sentence;
 use octoscope_core::progress::Progress;
 use octoscope_core::scenario::StepAt;
 use octoscope_core::text::Language;
+use octoscope_core::traverse::Method;
+use octoscope_figure::views::{Fields, FigureView};
 use octoscope_figure::{Camera, Figure, Page, Show, Theme};
 use std::io::Write;
 use std::path::PathBuf;
@@ -29,13 +32,19 @@ use std::str::FromStr;
     octoscope export scene:quadtree-82 --view space --step last -o figure.svg\n  \
     octoscope export lecture.octo --view space --format png --step 12 \\\n    \
         --size 1280x720 --scale 2 --theme projector -o step-12.png\n  \
+    octoscope export scene:quadtree-82 --view t-rail --step 12 -o rail.svg\n  \
+    octoscope export scene:figure-7 --view storyboard --steps leaves:6 -o story.svg\n  \
+    octoscope export scene:figure-1 --view worksheet --seed 17 --lang de -o sheet.svg\n  \
     octoscope export scene:cloud --step last --camera=-30,20,1.5 --theme dark -o cloud.png")]
 pub struct Export {
     /// Scenario (.octo), data file, or built-in scene as scene:NAME.
     file: PathBuf,
-    /// What is drawn: space (the tree, the ray and the state of the algorithm).
+    /// What is drawn: space (the tree, the ray and the state of the algorithm),
+    /// automaton, t-rail, codes, region, neighbour, listing (with variables),
+    /// table (of the steps), chart (of the costs), storyboard (several steps with
+    /// their sentences) or worksheet (an exercise to be solved on paper).
     #[arg(long, value_name = "VIEW", default_value = "space")]
-    view: View,
+    view: FigureView,
     /// svg or png; without it, the ending of the output tells.
     #[arg(long, value_name = "FORMAT", value_parser = format)]
     format: Option<Format>,
@@ -47,6 +56,20 @@ pub struct Export {
     /// it, where the scenario says.
     #[arg(long, value_name = "N|first|last", value_parser = step, allow_negative_numbers = true)]
     step: Option<StepAt>,
+    /// Steps of a storyboard: even:N of all, leaves:N of those that report a leaf,
+    /// or a list as 3,7,12.
+    #[arg(long, value_name = "even:N|leaves:N|LIST", default_value = "even:6", value_parser = moments)]
+    steps: Moments,
+    /// Number of the exercise on a worksheet: each has another ray through the
+    /// tree; without it, the ray of the scenario is the exercise.
+    #[arg(long, value_name = "N")]
+    seed: Option<u64>,
+    /// Fills the worksheet in.
+    #[arg(long)]
+    solution: bool,
+    /// Traverses by this algorithm, as octoscope trace takes it.
+    #[arg(long, value_name = "ID")]
+    algorithm: Option<Method>,
     /// Draws this ray, as octoscope trace takes it.
     #[arg(long, value_name = "OX,OY,OZ,DX,DY,DZ|gallery:ID", allow_hyphen_values = true)]
     ray: Option<RayChoice>,
@@ -65,27 +88,9 @@ pub struct Export {
     /// quadtree only the factor counts.
     #[arg(long, value_name = "YAW,PITCH,ZOOM", allow_hyphen_values = true)]
     camera: Option<Eye>,
-    /// Language of the title inside an SVG: en or de.
+    /// Language of all words, and of the title inside an SVG: en or de.
     #[arg(long, value_name = "LANGUAGE", default_value = "en", value_parser = language)]
     lang: Language,
-}
-
-/// What can be drawn.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum View {
-    /// The tree, the ray and the state of the algorithm.
-    Space,
-}
-
-impl FromStr for View {
-    type Err = String;
-
-    fn from_str(id: &str) -> Result<Self, String> {
-        if id == "space" {
-            return Ok(Self::Space);
-        }
-        Err(format!("there is no view ‘{id}’ to export; there is space"))
-    }
 }
 
 /// Page in points.
@@ -93,6 +98,12 @@ impl FromStr for View {
 struct Size {
     width: u16,
     height: u16,
+}
+
+impl Size {
+    fn page(self) -> Page {
+        Page { width: f64::from(self.width), height: f64::from(self.height) }
+    }
 }
 
 impl FromStr for Size {
@@ -165,6 +176,22 @@ fn step(text: &str) -> Result<StepAt, String> {
     }
 }
 
+fn moments(text: &str) -> Result<Moments, String> {
+    let few = |n: &str| n.parse().ok().filter(|n| (1..=Moments::MOST).contains(n));
+    let parsed = match text.split_once(':') {
+        Some(("even", n)) => few(n).map(Moments::Even),
+        Some(("leaves", n)) => few(n).map(Moments::Leaves),
+        Some(_) => None,
+        None => {
+            let steps: Result<Vec<usize>, _> = text.split(',').map(|n| n.trim().parse()).collect();
+            steps.ok().filter(|steps| steps.len() <= Moments::MOST).map(Moments::At)
+        }
+    };
+    parsed.ok_or_else(|| {
+        format!("give even:N, leaves:N or a list as 3,7,12, of at most {} steps", Moments::MOST)
+    })
+}
+
 fn scale(text: &str) -> Result<f64, String> {
     let scale = text.parse().ok().filter(|scale| (0.01..=100.0).contains(scale));
     scale.ok_or_else(|| "give a factor from 0.01 to 100, such as 2".to_owned())
@@ -184,11 +211,7 @@ fn theme(id: &str) -> Result<Theme, String> {
 pub fn export(arguments: &Export) -> anyhow::Result<Answer> {
     let format = chosen_format(arguments)?;
     let mut document = open(&arguments.file, &Progress::default())?;
-    if let Some(choice) = &arguments.ray {
-        with_document!(&mut document, document => {
-            choice.aim(document)?;
-        });
-    }
+    with_document!(&mut document, document => aim(document, arguments)?);
     with_document!(&mut document, document => document.trace_whole());
     let n_steps = document.n_events();
     if let Some(StepAt::At(step)) = arguments.step
@@ -196,18 +219,28 @@ pub fn export(arguments: &Export) -> anyhow::Result<Answer> {
     {
         bail!("there is no step {step}; give one from 0 to {n_steps}, first or last");
     }
+    if let Moments::At(steps) = &arguments.steps
+        && let Some(step) = steps.iter().find(|step| **step > n_steps)
+    {
+        bail!("there is no step {step}; give steps from 0 to {n_steps}");
+    }
     let saved = with_document!(&document, document => document.opened().step);
     let step = arguments.step.unwrap_or(saved).position(n_steps);
     let (figure, title) = with_document!(&document, document => {
         let title = sentence(
             &document.tree, &document.scenario.ray, &document.trace, step, arguments.lang,
         );
-        (figure(document, arguments, step), title.plain())
+        (figure(document, arguments, step)?, title.plain())
     });
-    if let Some(note) = with_document!(&document, d => left_out_of(d)) {
+    let (figure, fit) = match arguments.size {
+        Some(size) if arguments.view != FigureView::Space => fitted(figure, size.page()),
+        Some(_) | None => (figure, 1.0),
+    };
+    if let Some(note) = with_document!(&document, d => left_out_of(d, arguments)) {
         tell(&note);
     }
-    let style = Style { format, theme: arguments.theme, scale: arguments.scale, title: &title };
+    let style =
+        Style { format, theme: arguments.theme, scale: arguments.scale * fit, title: &title };
     let bytes = bytes(&figure, style, &document.scenario_at(step))?;
     let mut output = Output::open(arguments.output.as_deref())?;
     output.write_all(&bytes)?;
@@ -231,19 +264,57 @@ fn chosen_format(arguments: &Export) -> anyhow::Result<Format> {
     })
 }
 
-fn left_out_of<const D: usize>(document: &Document<D>) -> Option<String> {
-    left_out(document, &Show::at_first::<D>())
+/// Takes the ray and the algorithm of the command line.
+fn aim<const D: usize>(document: &mut Document<D>, arguments: &Export) -> anyhow::Result<()> {
+    if let Some(choice) = &arguments.ray {
+        choice.aim(document)?;
+    }
+    if let Some(method) = arguments.algorithm {
+        document.scenario.query = document.scenario.query.along_the_ray_by(method);
+    }
+    document.refresh(0);
+    if let (FigureView::Worksheet, Some(number)) = (arguments.view, arguments.seed) {
+        take_exercise(document, number)?;
+    }
+    Ok(())
 }
 
-fn figure<const D: usize>(document: &Document<D>, arguments: &Export, step: usize) -> Figure {
+fn left_out_of<const D: usize>(document: &Document<D>, arguments: &Export) -> Option<String> {
+    match arguments.view {
+        FigureView::Space | FigureView::Storyboard | FigureView::Worksheet => {
+            left_out(document, &Show::at_first::<D>())
+        }
+        FigureView::Automaton
+        | FigureView::TRail
+        | FigureView::Codes
+        | FigureView::Region
+        | FigureView::Neighbour
+        | FigureView::Listing
+        | FigureView::Table
+        | FigureView::Chart => None,
+    }
+}
+
+fn figure<const D: usize>(
+    document: &Document<D>,
+    arguments: &Export,
+    step: usize,
+) -> anyhow::Result<Figure> {
     const PAGE: Page = Page { width: 960.0, height: 720.0 };
-    let page = arguments
-        .size
-        .map_or(PAGE, |size| Page { width: f64::from(size.width), height: f64::from(size.height) });
-    let View::Space = arguments.view;
-    let camera = arguments.camera.map(|eye| eye.camera(document, page));
-    let figure = space(document, camera, page, &Show::at_first::<D>(), step);
-    if arguments.size.is_some() { figure } else { figure.cropped(MARGIN) }
+    let page = arguments.size.map_or(PAGE, Size::page);
+    let wanted = Wanted {
+        view: arguments.view,
+        step,
+        moments: arguments.steps.clone(),
+        exercise: (arguments.seed, if arguments.solution { Fields::Solved } else { Fields::Empty }),
+        page,
+        camera: arguments.camera.map(|eye| eye.camera(document, page)),
+        show: Show::at_first::<D>(),
+        language: arguments.lang,
+    };
+    let figure = figure_of(document, &wanted)?;
+    let is_whole = arguments.view != FigureView::Space || arguments.size.is_some();
+    Ok(if is_whole { figure } else { figure.cropped(MARGIN) })
 }
 
 #[cfg(test)]

@@ -6,9 +6,10 @@ use crate::look::Look;
 use crate::panels::find;
 use crate::view::Dialog;
 use eframe::egui::{
-    Align2, Area, Context, Frame, Grid, Id, Key, Label, Modal, Order, ProgressBar, RichText,
-    ScrollArea, Spinner, Ui, vec2,
+    Align2, Area, ComboBox, Context, Frame, Grid, Id, Key, Label, Modal, Order, ProgressBar,
+    RichText, ScrollArea, Spinner, Ui, vec2,
 };
+use octoscope_figure::views::FigureView;
 use std::path::PathBuf;
 
 /// What the user asks for in a dialog.
@@ -28,6 +29,7 @@ pub fn ui(
     context: &Context,
     look: &Look,
     dialog: &mut Option<Dialog>,
+    (views, exported): (&[FigureView], &mut FigureView),
     commands: &mut Vec<Command>,
 ) -> Option<Answer> {
     let shown = dialog.as_mut()?;
@@ -55,6 +57,8 @@ pub fn ui(
             Dialog::Export => {
                 title(ui, &look.text("dialog-export"));
                 ui.label(look.text("dialog-export-text"));
+                choice_of_views(ui, look, views, exported);
+                ui.add_space(4.0);
                 ui.horizontal(|ui| {
                     for (key, ending) in
                         [("dialog-export-svg", "svg"), ("dialog-export-png", "png")]
@@ -86,6 +90,20 @@ pub fn ui(
     // Keys belong to the dialog while it is open.
     commands.clear();
     answer
+}
+
+/// Which of `views` is exported.
+fn choice_of_views(ui: &mut Ui, look: &Look, views: &[FigureView], exported: &mut FigureView) {
+    if !views.contains(exported) {
+        *exported = FigureView::default();
+    }
+    let name = |view: FigureView| look.text(&format!("figure-{}", view.id()));
+    let choice = ComboBox::from_label(look.text("dialog-export-view"));
+    choice.width(260.0).height(400.0).selected_text(name(*exported)).show_ui(ui, |ui| {
+        for &view in views {
+            ui.selectable_value(exported, view, name(view));
+        }
+    });
 }
 
 /// Shows how far the work is; true if it is to be cancelled.

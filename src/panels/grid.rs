@@ -26,6 +26,7 @@ pub fn ui<const D: usize>(ui: &mut Ui, look: &Look, moment: &Moment<D>, past: &[
     let palette = &look.palette;
     let now = reached(past);
     let ahead = grid.next.into_iter().filter(|t| t.is_finite()).fold(now, f64::max);
+    let nearest = grid.next.into_iter().fold(f64::INFINITY, f64::min);
     let row = 26.0;
     let size = vec2(ui.available_width(), row * D as f32);
     let (rect, response) = ui.allocate_exact_size(size, Sense::hover());
@@ -39,7 +40,7 @@ pub fn ui<const D: usize>(ui: &mut Ui, look: &Look, moment: &Moment<D>, past: &[
         let y = rect.top() + row * (axis as f32 + 0.5);
         let t = grid.next[axis];
         let color = palette.axes[axis];
-        let wins = grid.crossed.contains(axis);
+        let wins = t == nearest;
         let strong = FontId::new(14.0, look.strong_family());
         painter.text(pos2(rect.left(), y), Align2::LEFT_CENTER, AXIS_NAMES[axis], strong, color);
         painter.hline(track.clone(), y, Stroke::new(1.0, palette.grid));
@@ -84,7 +85,7 @@ pub fn ui<const D: usize>(ui: &mut Ui, look: &Look, moment: &Moment<D>, past: &[
     });
 }
 
-/// Parameter at which the cell before the playhead's last step was entered.
+/// Parameter at which the cell was entered.
 fn reached<const D: usize>(past: &[Event<D>]) -> f64 {
     let mut steps = past.iter().rev().filter_map(|event| {
         if let Event::Cross { next, axes, .. } = event {
@@ -93,11 +94,10 @@ fn reached<const D: usize>(past: &[Event<D>]) -> f64 {
             None
         }
     });
-    // The last step is the one whose planes are shown.
     let clipped = past.iter().find_map(|event| {
         if let Event::Clip { enter, .. } = event { Some(enter.max(0.0)) } else { None }
     });
-    steps.nth(1).or(clipped).unwrap_or(0.0)
+    steps.next().or(clipped).unwrap_or(0.0)
 }
 
 #[cfg(test)]
@@ -112,8 +112,9 @@ mod tests {
             axes: Axes::one(0),
             cell: [0; 2],
             outside: Axes::NONE,
+            ahead: [t + 1.0, 9.0],
         };
-        assert_eq!(reached(&[cross(1.0)]), 0.0);
-        assert_eq!(reached(&[cross(1.0), cross(2.0), cross(3.0)]), 2.0);
+        assert_eq!(reached::<2>(&[]), 0.0);
+        assert_eq!(reached(&[cross(1.0), cross(2.0), cross(3.0)]), 3.0);
     }
 }

@@ -3,23 +3,21 @@
 use crate::look::Look;
 use crate::widgets::rich_job;
 use eframe::egui::{CornerRadius, Frame, Grid, Label, Margin, Ui};
-use octoscope_core::explain::Variable;
 use octoscope_core::tree::NodeId;
+use octoscope_figure::views::Changed;
 
 /// Names longer than this are broken.
 const NAMES_WIDTH: f32 = 72.0;
 
-/// Variables `now`; those that differ from `before` are lit. Returns the node that is
+/// The variables; what the last step has changed is lit. Returns the node that is
 /// pointed at.
-pub fn ui(ui: &mut Ui, look: &Look, now: &[Variable], before: &[Variable]) -> Option<NodeId> {
+pub fn ui(ui: &mut Ui, look: &Look, variables: &[Changed]) -> Option<NodeId> {
     let mut pointed = None;
     let most_width = (ui.available_width() - NAMES_WIDTH - 24.0).max(80.0);
     Grid::new("variables").num_columns(2).spacing([8.0, 0.0]).min_row_height(18.0).show(ui, |ui| {
-        for variable in now {
-            let was = before.iter().find(|v| v.name == variable.name);
-            let changed = was.is_none_or(|was| was.value != variable.value);
+        for Changed { variable, is_changed } in variables {
             ui.add(Label::new(rich_job(&variable.name, look, 13.0, NAMES_WIDTH)));
-            let fill = if changed { look.palette.current_fill } else { look.palette.panel };
+            let fill = if *is_changed { look.palette.current_fill } else { look.palette.panel };
             let frame = Frame::new().fill(fill).corner_radius(CornerRadius::same(3));
             let shown = frame.inner_margin(Margin::symmetric(5, 0)).show(ui, |ui| {
                 ui.add(Label::new(rich_job(&variable.value, look, 13.0, most_width)));

@@ -11,10 +11,11 @@ use crate::view::{PanelKind, Preset, View};
 use crate::widgets::{Place, panel_heading};
 use eframe::egui::{Rect, Ui, UiBuilder, vec2};
 use octoscope_core::event::Event;
-use octoscope_core::explain::{label, listing as listing_of, variables as variables_of};
+use octoscope_core::explain::{label, listing as listing_of};
 use octoscope_core::query::Query;
 use octoscope_core::trace::{Counters, Moment};
 use octoscope_core::tree::NodeId;
+use octoscope_figure::views::changed_variables;
 use std::sync::Arc;
 
 /// Sides of at least this width, in points, have two columns of panels.
@@ -77,11 +78,7 @@ fn note<const D: usize>(
 ) -> String {
     match kind {
         PanelKind::Codes => codes::note::<D>(look),
-        PanelKind::Rail => moment.current.map_or_else(String::new, |node| {
-            let codes = document.tree.code(node).map(|c| c.to_string()).join(", ");
-            let level = document.tree.level(node);
-            look.texts.format("node-note", &[("level", level.into()), ("codes", codes.into())])
-        }),
+        PanelKind::Rail => t_rail::note(look, &document.tree, moment),
         PanelKind::Automaton => automaton::note(look, moment),
         PanelKind::Stack => stack::note(moment),
         PanelKind::WayDown => way_down::note(look, moment),
@@ -139,12 +136,8 @@ fn body<const D: usize>(
             lit.into_iter().for_each(|rect| offer_if_pointed(ui, rect, node, view));
         }
         PanelKind::Variables => {
-            let now = variables_of(&tree, moment);
-            let before = match moment.step.checked_sub(1) {
-                Some(step) => variables_of(&tree, &document.moment(step)),
-                None => now.clone(),
-            };
-            let pointed = variables::ui(ui, look, &now, &before);
+            let variables = changed_variables(&tree, &trace, moment);
+            let pointed = variables::ui(ui, look, &variables);
             pointed.into_iter().for_each(|node| view.hover.offer(node));
         }
         PanelKind::Tables => tables::ui(ui, look, &tree, past),

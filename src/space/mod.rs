@@ -4,7 +4,7 @@ mod ask;
 mod base;
 mod gesture;
 mod hover;
-mod paint;
+pub(crate) mod paint;
 mod pick;
 mod standpoint;
 

@@ -3,8 +3,10 @@
 use super::PageInWindow;
 use crate::look::Look;
 use crate::theme::color32;
-use eframe::egui::{Align2, Color32, FontFamily, FontId, Painter, Pos2, Shape, Stroke};
-use octoscope_figure::{Colour, Drawn, Figure, Form, Part, Style, Theme, Weight};
+use eframe::egui::text::{LayoutJob, TextFormat};
+use eframe::egui::{Align, Color32, FontFamily, FontId, Painter, Pos2, Shape, Stroke, vec2};
+use octoscope_core::explain::RichText;
+use octoscope_figure::{Colour, Drawn, Figure, Form, Lettering, Part, Style, Theme, Weight};
 
 /// Paints `figure` where `frame` says its page lies.
 pub fn figure(painter: &Painter, look: &Look, theme: Theme, frame: PageInWindow, figure: &Figure) {
@@ -46,18 +48,33 @@ fn paint(painter: &Painter, look: &Look, theme: Theme, frame: PageInWindow, draw
         Form::Circle { centre, radius } => {
             painter.circle(frame.on_screen(*centre), *radius as f32, fill, stroke);
         }
-        Form::Text { at, text } => {
+        Form::Text { at, anchor, text } => {
             let Some(lettering) = style.text else { return };
-            let family = match lettering.weight {
-                Weight::Regular => FontFamily::Proportional,
-                Weight::Strong => look.strong_family(),
-                Weight::Mono => FontFamily::Monospace,
-            };
-            let font = FontId::new(lettering.size as f32, family);
-            let at = frame.on_screen(*at);
-            painter.text(at, Align2::CENTER_CENTER, text, font, color32(lettering.colour));
+            let galley = painter.layout_job(job(look, theme, lettering, text));
+            let before = vec2(anchor.share() as f32, 0.5) * galley.size();
+            painter.galley(frame.on_screen(*at) - before, galley, color32(lettering.colour));
         }
     }
+}
+
+/// A line of text, piece by piece.
+fn job(look: &Look, theme: Theme, lettering: Lettering, text: &RichText) -> LayoutJob {
+    let mut job = LayoutJob::default();
+    // Text of one height stands as the font has it.
+    let is_even = !text.0.iter().any(|span| span.sub);
+    for span in &text.0 {
+        let Lettering { colour, size, weight } = lettering.of_span(theme, span);
+        let family = match weight {
+            Weight::Regular => FontFamily::Proportional,
+            Weight::Strong => look.strong_family(),
+            Weight::Mono => FontFamily::Monospace,
+            Weight::MonoStrong => look.mono_strong_family(),
+        };
+        let valign = if span.sub || is_even { Align::BOTTOM } else { Align::Center };
+        let (font_id, color) = (FontId::new(size as f32, family), color32(colour));
+        job.append(&span.text, 0.0, TextFormat { font_id, color, valign, ..TextFormat::default() });
+    }
+    job
 }
 
 fn paint_line(painter: &Painter, points: &[Pos2], stroke: Stroke, dashes: &[f64]) {

@@ -3,19 +3,23 @@
 mod beside;
 mod bits;
 mod child_bits;
+mod figure;
 mod heading;
 mod lit;
 mod number_field;
 mod panel_heading;
 mod rich;
 mod segments;
+mod table;
 
 pub use beside::beside_or_below;
-pub use bits::{BitRow, BitTable, bit_table};
+pub use bits::bit_table;
 pub use child_bits::child_bits;
+pub use figure::{paint_figure, room};
 pub use heading::heading;
 pub use lit::{Lit, caption, lit, per_axis};
 pub use number_field::number_field;
 pub use panel_heading::{Place, panel_heading};
 pub use rich::rich_job;
 pub use segments::segments;
+pub use table::{Setting, table};

@@ -128,7 +128,9 @@ fn in_german_no_english_is_left() {
 /// Texts that are said in another way in German.
 fn only_english() -> HashSet<String> {
     let source = include_str!("../../assets/texts/en/window.ftl");
-    let keys = source.lines().filter_map(|line| line.split_once(" = ")).map(|(key, _)| key);
+    let figures = octoscope_figure::views::figure_texts(Language::English);
+    let lines = source.lines().chain(figures.lines());
+    let keys = lines.filter_map(|line| line.split_once(" = ")).map(|(key, _)| key);
     // Listings say “end” in every language.
     let keys = keys.filter(|key| !key.starts_with([' ', '#']) && *key != "automaton-end");
     let both = keys.map(|key| Language::ALL.map(|language| texts(language).get(key)));

@@ -138,8 +138,6 @@ scene-counts-triangles = { $items ->
    *[other] { $leaves } Blätter
 }
 
-ray-origin = Startpunkt
-ray-direction = Richtung
 ray-refused = Ein Strahl braucht eine Richtung ungleich null; die letzte bleibt.
 
 query-ray = Strahl
@@ -186,42 +184,12 @@ show-empty-leaves = leere Blätter
 show-ancestors = Vorfahren
 show-children = Kinder
 
-codes-child-rule = Kind = { $rule }
-codes-child = Bit { $bit } jedes Codes: { $bits }, also Kind { $child } ({ $morton } in Morton-Reihenfolge).
-codes-morton = Morton-Code { $code }
-region-none = Zeigt die Codes der Ecken, sobald ein Bereich lokalisiert wird.
-region-same = Alle Bits stimmen überein: eine Zelle der Ebene 0.
-region-level = Höchste Eins: Bit { $bit }. Plus 1: Ebene { $level }.
-neighbour-none = Zeigt, wie die Codes jenseits einer Zelle entstehen, sobald sie verlassen wird.
-neighbour-new = neu
-neighbour-carry = Überträge markiert
-neighbour-borrow = Überträge markiert
-neighbour-climb = Ebene { $level }
-neighbour-inside = Innerhalb des Gebiets: die Suche geht weiter.
-neighbour-outside = Außerhalb des Gebiets auf { $axes }: dahinter ist nichts.
-neighbour-ancestor = Aufgestiegen zu Ebene { $climbed } von { $level }.
-node-note = Ebene { $level }, Codes { $codes }
-t-rail-none = Zeigt die Parameter t, sobald der Strahl geschnitten ist.
-t-rail-enter = Eintritt
-t-rail-exit = Austritt
-automaton-mask = a = { $mask }: Zustand i ist Kind i xor { $mask }
-automaton-state = Zustand { $state }
-automaton-state-column = Zustand
-automaton-end = Ende
-automaton-table-1 = Tabelle 1: Austrittsebene
-automaton-table-3 = Tabelle 3: Austrittsebene
-automaton-table-2 = Tabelle 2: Eintrittsebene, und was ein Bit setzt
 stack-empty = Auf dem Stapel liegt nichts.
 stack-level = Ebene
 stack-codes = Codes
 stack-state = Zust.
 stack-half = Hälfte
 stack-interval = t
-counters-step = Schritt
-counters-so-far = bisher
-counters-total = gesamt
-counters-comparisons = Vergleiche
-counters-all = Alle Zähler
 compare-sort = Nach { $column } ordnen
 compare-algorithm = Verfahren
 compare-algorithm-why = In der Reihenfolge des Menüs
@@ -271,9 +239,10 @@ dialog-export = Ansicht exportieren
 dialog-path = Eine Datei öffnen
 dialog-path-hint = Es ließ sich kein Dateidialog öffnen. Geben Sie einen Pfad ein oder ziehen Sie eine Datei auf das Fenster.
 dialog-path-open = Öffnen
+dialog-export-view = Was
 dialog-export-svg = SVG …
 dialog-export-png = PNG …
-dialog-export-text = Die Raumansicht, wie sie ist, ohne die Tafeln.
+dialog-export-text = Die Ansicht im Zustand des jetzigen Schritts, als Abbildung.
 about-text = Octoscope zeigt geordnete Durchläufe von Quadtrees und Octrees Schritt für Schritt. Gegenstand ist die Seminararbeit „Ray Tracing mit Octrees“ von M. Kirschmann, Ulm, mit den Verfahren, die sie nennt.
 about-licence = Version { $version }, unter der MIT- oder der Apache-Lizenz 2.0.
 drop-here = Datei loslassen, um sie zu öffnen

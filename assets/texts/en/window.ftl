@@ -138,8 +138,6 @@ scene-counts-triangles = { $items ->
    *[other] { $leaves } leaves
 }
 
-ray-origin = origin
-ray-direction = direction
 ray-refused = A ray needs a direction other than zero; the last one stays.
 
 query-ray = Ray
@@ -186,42 +184,12 @@ show-empty-leaves = empty leaves
 show-ancestors = ancestors
 show-children = children
 
-codes-child-rule = child = { $rule }
-codes-child = Bit { $bit } of every code: { $bits }, so child { $child } ({ $morton } in Morton order).
-codes-morton = Morton code { $code }
-region-none = Shows the codes of a region’s corners once a region is located.
-region-same = All bits agree: one cell of level 0.
-region-level = Highest one: bit { $bit }. Plus 1: level { $level }.
-neighbour-none = Shows how the codes beyond a cell come about, once it is left.
-neighbour-new = new
-neighbour-carry = carries marked
-neighbour-borrow = borrows marked
-neighbour-climb = level { $level }
-neighbour-inside = Inside the domain: the search goes on.
-neighbour-outside = Outside the domain on { $axes }: there is nothing beyond.
-neighbour-ancestor = Climbed to level { $climbed } of { $level }.
-node-note = level { $level }, codes { $codes }
-t-rail-none = Shows the parameters t once the ray is clipped.
-t-rail-enter = enter
-t-rail-exit = exit
-automaton-mask = a = { $mask }: state i is child i xor { $mask }
-automaton-state = State { $state }
-automaton-state-column = state
-automaton-end = end
-automaton-table-1 = Table 1: exit plane
-automaton-table-3 = Table 3: exit plane
-automaton-table-2 = Table 2: entry plane, and what sets a bit
 stack-empty = Nothing is on the stack.
 stack-level = level
 stack-codes = codes
 stack-state = state
 stack-half = half
 stack-interval = t
-counters-step = step
-counters-so-far = so far
-counters-total = total
-counters-comparisons = Comparisons
-counters-all = All counters
 compare-sort = Sort by { $column }
 compare-algorithm = algorithm
 compare-algorithm-why = In the order of the menu
@@ -271,9 +239,10 @@ dialog-export = Export the view
 dialog-path = Open a file
 dialog-path-hint = No file dialog could be opened. Type a path, or drop a file on the window.
 dialog-path-open = Open
+dialog-export-view = What
 dialog-export-svg = SVG…
 dialog-export-png = PNG…
-dialog-export-text = The space view, as it is, without the panels.
+dialog-export-text = The view in the state of the present step, as a figure.
 about-text = Octoscope shows ordered traversals of quadtrees and octrees step by step. Its subject is the seminar paper “Ray Tracing mit Octrees” by M. Kirschmann, Ulm, and the algorithms it names.
 about-licence = Version { $version }, under the MIT or the Apache licence 2.0.
 drop-here = Drop the file to open it

@@ -6,7 +6,7 @@ use crate::locate::{
     Direction, NeighbourMethod, Reach, locate_by_codes_as_printed, locate_by_comparison,
     locate_region_as_printed, neighbour_as_printed, neighbour_by_tables,
 };
-use crate::traverse::{Algorithm, Options, Variant, Variants, doubles_suffice};
+use crate::traverse::{Algorithm, Method, Options, Variant, Variants, doubles_suffice};
 use crate::tree::{Code, Domain, Tree};
 use serde::{Deserialize, Serialize};
 
@@ -102,6 +102,17 @@ impl<const D: usize> Query<D> {
         }
         let suffice = arithmetic == Arithmetic::Doubles && doubles_suffice(domain, ray);
         !suffice && !options.variants.iter().any(Variant::is_about_doubles)
+    }
+
+    /// The leaves along the ray by this method; of other options, those of this
+    /// question, if it is about the ray, else the usual ones.
+    pub fn along_the_ray_by(self, method: Method) -> Self {
+        let Method { algorithm, variants } = method;
+        let (options, arithmetic) = match self {
+            Self::Ray { options, arithmetic, .. } => (options, arithmetic),
+            Self::Point { .. } | Self::Region { .. } | Self::Neighbour { .. } => Default::default(),
+        };
+        Self::Ray { algorithm, options: Options { variants, ..options }, arithmetic }
     }
 
     /// The same question with every rule in its right form.

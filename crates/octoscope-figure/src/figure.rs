@@ -1,6 +1,7 @@
 //! Figures: what is drawn on a page, in the order in which it is drawn.
 
-use crate::{Page, Role, Style, Theme};
+use crate::{Page, Role, Style, Theme, metrics};
+use octoscope_core::explain::RichText;
 use octoscope_core::tree::NodeId;
 
 /// Shapes on a page, the lowest first.
@@ -39,13 +40,38 @@ pub enum Form {
         /// Its radius.
         radius: f64,
     },
-    /// One line of text whose middle is at a point.
+    /// One line of text.
     Text {
-        /// Middle of the text.
+        /// The point of it that `anchor` says, at half the height of its capitals.
         at: [f64; 2],
+        /// Which point of the text that is.
+        anchor: Anchor,
         /// What is written.
-        text: String,
+        text: RichText,
     },
+}
+
+/// Point of a line of text.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Anchor {
+    /// Where it begins.
+    Start,
+    /// Its middle.
+    #[default]
+    Middle,
+    /// Where it ends.
+    End,
+}
+
+impl Anchor {
+    /// Share of the text's width that lies before the point.
+    pub fn share(self) -> f64 {
+        match self {
+            Self::Start => 0.0,
+            Self::Middle => 0.5,
+            Self::End => 1.0,
+        }
+    }
 }
 
 /// Part of a mark.
@@ -96,22 +122,61 @@ impl Part {
 }
 
 impl Figure {
-    /// The same drawing on a page that ends `margin` beyond it.
-    pub fn cropped(mut self, margin: f64) -> Self {
-        let (mut min, mut max) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
+    /// What the drawing covers, lines and letters included; `None` if nothing is
+    /// drawn.
+    pub fn extent(&self) -> Option<Extent> {
+        let mut extent = Extent { min: [f64::INFINITY; 2], max: [f64::NEG_INFINITY; 2] };
         for (point, reach) in self.drawn.iter().flat_map(Drawn::extent) {
             for e in 0..2 {
-                min[e] = min[e].min(point[e] - reach[e]);
-                max[e] = max[e].max(point[e] + reach[e]);
+                extent.min[e] = extent.min[e].min(point[e] - reach[e]);
+                extent.max[e] = extent.max[e].max(point[e] + reach[e]);
             }
         }
-        if min[0] <= max[0] {
-            let shift = min.map(|x| margin - x);
-            self.drawn.iter_mut().for_each(|drawn| drawn.form.shift(shift));
-            let [width, height] = std::array::from_fn(|e| max[e] - min[e] + 2.0 * margin);
-            self.page = Page { width, height };
+        (extent.min[0] <= extent.max[0]).then_some(extent)
+    }
+
+    /// The same drawing on a page that ends `margin` beyond it.
+    pub fn cropped(self, margin: f64) -> Self {
+        match self.extent() {
+            Some(extent) => self.on(extent, margin),
+            None => self,
         }
-        self
+    }
+
+    /// The same drawing on a page that ends `margin` beyond `extent`.
+    pub fn on(self, extent: Extent, margin: f64) -> Self {
+        let [width, height] = extent.size().map(|length| length + 2.0 * margin);
+        self.on_page(Page { width, height }, extent.min.map(|x| margin - x))
+    }
+
+    /// The same drawing on another page, with its corner at a point of that.
+    pub fn on_page(mut self, page: Page, corner: [f64; 2]) -> Self {
+        self.drawn.iter_mut().for_each(|drawn| drawn.form.shift(corner));
+        Self { page, ..self }
+    }
+}
+
+/// Part of a page.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Extent {
+    /// Upper left corner.
+    pub min: [f64; 2],
+    /// Lower right corner.
+    pub max: [f64; 2],
+}
+
+impl Extent {
+    /// The smallest that holds both.
+    pub fn and(self, other: Self) -> Self {
+        Self {
+            min: std::array::from_fn(|e| self.min[e].min(other.min[e])),
+            max: std::array::from_fn(|e| self.max[e].max(other.max[e])),
+        }
+    }
+
+    /// Width and height.
+    pub fn size(self) -> [f64; 2] {
+        std::array::from_fn(|e| self.max[e] - self.min[e])
     }
 }
 
@@ -125,13 +190,17 @@ impl Drawn {
                 points.iter().map(|&p| (p, [half; 2])).collect()
             }
             Form::Circle { centre, radius } => vec![(*centre, [radius + half; 2])],
-            Form::Text { at, text } => vec![(*at, text_reach(self.role, text))],
+            Form::Text { at, anchor, text } => {
+                let [left, right] = text_span(self.role, *anchor, text).map(|x| at[0] + x);
+                let reach = [0.0, 0.6 * metrics::size(self.role)];
+                vec![([left, at[1]], reach), ([right, at[1]], reach)]
+            }
         }
     }
 }
 
 impl Form {
-    fn shift(&mut self, by: [f64; 2]) {
+    pub(crate) fn shift(&mut self, by: [f64; 2]) {
         let shift = |p: &mut [f64; 2]| *p = [p[0] + by[0], p[1] + by[1]];
         match self {
             Self::Polygon(points) | Self::Polyline(points) => points.iter_mut().for_each(shift),
@@ -139,6 +208,12 @@ impl Form {
             Self::Text { at, .. } => shift(at),
         }
     }
+}
+
+/// How far a text reaches to the left and to the right of its point.
+pub(crate) fn text_span(role: Role, anchor: Anchor, text: &RichText) -> [f64; 2] {
+    let width = metrics::width(role, text);
+    [-anchor.share() * width, (1.0 - anchor.share()) * width]
 }
 
 /// Half width and half height of a text, estimated from its number of letters.

@@ -3,7 +3,7 @@
 
 use crate::camera::corners;
 use crate::depth_map::DepthMap;
-use crate::painter::{Half, back_to_front};
+use crate::painter::{Half, Painted, back_to_front};
 use crate::sides::sides_to_eye;
 use crate::{Camera, Drawn, Form, Mark, Page, Part, Projected, Role, Shape};
 use octoscope_core::geometry::Aabb;
@@ -175,7 +175,8 @@ impl<const D: usize> View<'_, D> {
         let areas: Vec<Area<D>> = areas.into_iter().filter(is_seen).collect();
         let boxes: Vec<Aabb<D>> = areas.iter().map(|area| area.bounds).collect();
         let mut drawn = Vec::new();
-        for (index, half) in back_to_front(self.root, &boxes, self.camera) {
+        for next in back_to_front(self.root, &boxes, &[], self.camera) {
+            let Painted::Half(index, half) = next else { continue };
             let Area { polygon, ball, light, node, .. } = &areas[index];
             let mut draw = |form, light| {
                 drawn.push(Drawn { form, role, part: Part::Lit(light), node: *node });

@@ -94,12 +94,60 @@ pub enum Role {
     OwnedSide,
     /// Name or number on an axis, 0 = x.
     AxisLabel(usize),
+    /// Heading of a part of a figure.
+    Heading,
+    /// Words in a figure.
+    Words,
+    /// Quiet words: captions, units, heads of columns.
+    Note,
+    /// Code and other text in which columns matter.
+    Code,
+    /// A bit of a code.
+    Bit,
+    /// Field of a table or a bit.
+    Entry,
+    /// Field that the step is about.
+    LitEntry,
+    /// Row or column in which that field lies.
+    LitLine,
+    /// Line under a sum or the head of a table.
+    Rule,
+    /// Interval of t in which the ray is in a node.
+    Inside,
+    /// Where that interval begins and ends.
+    Limit,
+    /// The axis of t, and what is written at it.
+    Scale,
+    /// Where t is 0: the origin of the ray.
+    Zero,
+    /// State of an automaton.
+    State,
+    /// The state that it is in.
+    StateNow,
+    /// The state that it goes to.
+    StateNext,
+    /// Transition through several planes at once, as it happens.
+    TransitionTogether,
+    /// Work that is done.
+    Spent,
+    /// Work of the whole run.
+    Planned,
+    /// Field that is to be filled in by hand.
+    Blank,
+    /// Where the ray is between the planes across an axis, 0 = x.
+    Bar(usize),
+    /// Parameter of a plane across an axis, 0 = x.
+    Stop(usize),
+    /// Transition of an automaton through a plane across an axis, 0 = x.
+    Transition(usize),
+    /// Such a transition as it happens.
+    TransitionTaken(usize),
 }
 
 impl Role {
     /// One role of every kind, in the order in which they cover each other,
     /// the lowest first.
-    pub const KINDS: [Self; 50] = [
+    pub const KINDS: [Self; 82] = [
         Self::Pixel([128; 3]),
         Self::EmptyLeaf,
         Self::FullLeaf,
@@ -150,6 +198,38 @@ impl Role {
         Self::ChildIndex,
         Self::OrderNumber,
         Self::AxisLabel(0),
+        Self::Bar(0),
+        Self::Bar(1),
+        Self::Bar(2),
+        Self::Stop(0),
+        Self::Stop(1),
+        Self::Stop(2),
+        Self::Transition(0),
+        Self::Transition(1),
+        Self::Transition(2),
+        Self::TransitionTaken(0),
+        Self::TransitionTaken(1),
+        Self::TransitionTaken(2),
+        Self::Heading,
+        Self::Words,
+        Self::Note,
+        Self::Code,
+        Self::Bit,
+        Self::Entry,
+        Self::LitEntry,
+        Self::LitLine,
+        Self::Rule,
+        Self::Inside,
+        Self::Limit,
+        Self::Scale,
+        Self::Zero,
+        Self::State,
+        Self::StateNow,
+        Self::StateNext,
+        Self::TransitionTogether,
+        Self::Spent,
+        Self::Planned,
+        Self::Blank,
     ];
 
     /// Name for classes in SVG and styles in TikZ: lower case, with hyphens.
@@ -199,6 +279,32 @@ impl Role {
             Self::CellCode => "cell-code",
             Self::OwnedSide => "owned-side",
             Self::AxisLabel(axis) => ["axis-x", "axis-y", "axis-z"][axis],
+            Self::Heading => "heading",
+            Self::Words => "words",
+            Self::Note => "note",
+            Self::Code => "code",
+            Self::Bit => "bit",
+            Self::Entry => "entry",
+            Self::LitEntry => "lit-entry",
+            Self::LitLine => "lit-line",
+            Self::Rule => "rule",
+            Self::Inside => "inside",
+            Self::Limit => "limit",
+            Self::Scale => "scale",
+            Self::Zero => "zero",
+            Self::State => "state",
+            Self::StateNow => "state-now",
+            Self::StateNext => "state-next",
+            Self::TransitionTogether => "transition-together",
+            Self::Spent => "spent",
+            Self::Planned => "planned",
+            Self::Blank => "blank",
+            Self::Bar(axis) => ["bar-x", "bar-y", "bar-z"][axis],
+            Self::Stop(axis) => ["stop-x", "stop-y", "stop-z"][axis],
+            Self::Transition(axis) => ["transition-x", "transition-y", "transition-z"][axis],
+            Self::TransitionTaken(axis) => {
+                ["transition-taken-x", "transition-taken-y", "transition-taken-z"][axis]
+            }
         }
     }
 

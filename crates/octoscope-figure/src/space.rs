@@ -4,9 +4,11 @@ use crate::camera::corners;
 use crate::figure::text_reach;
 use crate::ground::{bounds_of, ground, is_ground};
 use crate::numbers::{Number, Stand, stands};
-use crate::painter::{Half, back_to_front};
+use crate::painter::{Half, Painted, at_share, back_to_front};
 use crate::sides::sides_to_eye;
-use crate::{Camera, Drawn, Figure, Form, Mark, Page, Part, Projected, Role, Shape, Style, Theme};
+use crate::{
+    Anchor, Camera, Drawn, Figure, Form, Mark, Page, Part, Projected, Role, Shape, Style, Theme,
+};
 use octoscope_core::geometry::Aabb;
 use octoscope_core::tree::NodeId;
 use std::collections::HashMap;
@@ -16,8 +18,15 @@ use std::collections::HashMap;
 /// the marks of the path, and what cannot be seen of them is left out.
 pub fn space_figure<const D: usize>(marks: &[Mark<D>], camera: &Camera<D>, page: Page) -> Figure {
     let chord = chord_length(marks, camera, page);
-    let mut canvas =
-        Canvas { camera, page, chord, drawn: Vec::new(), in_space: Vec::new(), taken: Vec::new() };
+    let mut canvas = Canvas {
+        camera,
+        page,
+        chord,
+        drawn: vec![],
+        in_space: vec![],
+        arrows: vec![],
+        taken: vec![],
+    };
     let (ground_marks, others): (Vec<_>, Vec<_>) = marks.iter().partition(|mark| is_ground(mark));
     for mark in others {
         canvas.draw(mark);
@@ -31,7 +40,7 @@ pub fn space_figure<const D: usize>(marks: &[Mark<D>], camera: &Camera<D>, page:
 
     let root: Vec<_> = marks.iter().filter(|mark| mark.role == Role::Root).collect();
     let root = bounds_of(&root).or_else(|| bounds_of(&marks.iter().collect::<Vec<_>>()));
-    let Canvas { mut drawn, in_space, .. } = canvas;
+    let Canvas { mut drawn, in_space, arrows, .. } = canvas;
     drawn.sort_by(|(a, _), (b, _)| a.total_cmp(b));
     let mut figure = Figure { page, drawn: Vec::new() };
     if let Some(root) = root {
@@ -40,7 +49,7 @@ pub fn space_figure<const D: usize>(marks: &[Mark<D>], camera: &Camera<D>, page:
     let above = drawn.partition_point(|(order, _)| *order < ABOVE_SPACE);
     let above = drawn.split_off(above);
     figure.drawn.extend(drawn.into_iter().map(|(_, drawn)| drawn));
-    figure.drawn.extend(painted(in_space, root.as_ref(), camera));
+    figure.drawn.extend(painted(in_space, &arrows, root.as_ref(), camera, page));
     figure.drawn.extend(above.into_iter().map(|(_, drawn)| drawn));
     figure
 }
@@ -61,19 +70,65 @@ fn chord_length<const D: usize>(marks: &[Mark<D>], camera: &Camera<D>, page: Pag
 /// What lies in space, the farthest first.
 fn painted<const D: usize>(
     mut in_space: Vec<InSpace<D>>,
+    arrows: &[Arrow<D>],
     root: Option<&Aabb<D>>,
     camera: &Camera<D>,
+    page: Page,
 ) -> Vec<Drawn> {
     let boxes: Vec<Aabb<D>> = in_space.iter().map(|item| item.bounds).collect();
-    let Some(root) = root.copied().or_else(|| Aabb::around(boxes.iter().map(|b| b.min))) else {
+    let lines: Vec<[[f64; D]; 2]> = arrows.iter().map(|arrow| arrow.ends).collect();
+    let ends = boxes.iter().map(|b| b.min).chain(lines.iter().flatten().copied());
+    let Some(root) = root.copied().or_else(|| Aabb::around(ends)) else {
         return Vec::new();
     };
-    let order = back_to_front(&root, &boxes, camera).into_iter();
-    let half = order.flat_map(|(index, half)| match half {
-        Half::Behind => std::mem::take(&mut in_space[index].behind),
-        Half::Front => std::mem::take(&mut in_space[index].front),
-    });
-    half.collect()
+    let mut drawn = Vec::new();
+    for next in back_to_front(&root, &boxes, &lines, camera) {
+        match next {
+            Painted::Half(index, Half::Behind) => drawn.append(&mut in_space[index].behind),
+            Painted::Half(index, Half::Front) => drawn.append(&mut in_space[index].front),
+            Painted::Piece(index, between) => {
+                let arrow = &arrows[index];
+                let ends = between.map(|share| at_share(arrow.ends, share));
+                drawn.extend(arrow.piece(camera.visible_segment(page, ends)));
+            }
+        }
+    }
+    drawn
+}
+
+/// An arrow in space, which is drawn in pieces.
+struct Arrow<const D: usize> {
+    ends: [[f64; D]; 2],
+    /// Where its line begins and ends on the page, before its head.
+    shaft: [[f64; 2]; 2],
+    line: Drawn,
+    head: Drawn,
+}
+
+impl<const D: usize> Arrow<D> {
+    /// Part of the line, and the head if it ends at that; `piece` is that part of
+    /// the whole arrow on the page.
+    fn piece(&self, piece: Option<[[f64; 2]; 2]>) -> Vec<Drawn> {
+        // Pieces overlap a little: otherwise light would shine through the seams.
+        const OVERLAP: f64 = 0.35;
+        let Some(piece) = piece else { return Vec::new() };
+        let [start, neck] = self.shaft;
+        let length = distance(start, neck);
+        let along: [f64; 2] = std::array::from_fn(|e| (neck[e] - start[e]) / length.max(1e-9));
+        let place = |p: [f64; 2]| (0..2).map(|e| (p[e] - start[e]) * along[e]).sum::<f64>();
+        let [from, to] = piece.map(place);
+        let mut drawn = Vec::new();
+        let [from, end] = [(from - OVERLAP).max(0.0), (to + OVERLAP).min(length)];
+        if from < end {
+            let point = |by: f64| std::array::from_fn(|e| start[e] + by * along[e]);
+            let form = Form::Polyline(vec![point(from), point(end)]);
+            drawn.push(Drawn { form, ..self.line.clone() });
+        }
+        if to > length {
+            drawn.push(self.head.clone());
+        }
+        drawn
+    }
 }
 
 /// Place in the drawing order of what lies above all of space, by its role.
@@ -95,6 +150,8 @@ struct Canvas<'a, const D: usize> {
     drawn: Vec<(f64, Drawn)>,
     /// What is drawn in the order of its depth.
     in_space: Vec<InSpace<D>>,
+    /// Arrows that are drawn among it, in pieces.
+    arrows: Vec<Arrow<D>>,
     /// Middles and half extents of what labels may not cover.
     taken: Vec<[[f64; 2]; 2]>,
 }
@@ -138,7 +195,7 @@ impl<const D: usize> Canvas<'_, D> {
             Shape::Arrow(ends) => {
                 // An arrow that leaves the page ends at its border, head and all.
                 if let Some(line) = self.camera.visible_segment(self.page, ends) {
-                    self.draw_arrow(mark, line);
+                    self.draw_arrow(mark, ends, line);
                 }
             }
             Shape::Point(point) => {
@@ -278,7 +335,7 @@ impl<const D: usize> Canvas<'_, D> {
         }
     }
 
-    fn draw_arrow(&mut self, mark: &Mark<D>, [from, to]: [[f64; 2]; 2]) {
+    fn draw_arrow(&mut self, mark: &Mark<D>, ends: [[f64; D]; 2], [from, to]: [[f64; 2]; 2]) {
         const LENGTH: f64 = 14.0;
         const HALF_WIDTH: f64 = 5.0;
         let length = distance(from, to);
@@ -289,9 +346,15 @@ impl<const D: usize> Canvas<'_, D> {
         let across = [-along[1], along[0]];
         let neck: [f64; 2] = std::array::from_fn(|e| to[e] - LENGTH.min(length) * along[e]);
         let wing = |side: f64| std::array::from_fn(|e| neck[e] + side * HALF_WIDTH * across[e]);
-        let order = above_space(mark.role);
-        self.push_at(order, mark, Part::Edge, Form::Polyline(vec![from, neck]));
-        self.push_at(order, mark, Part::Head, Form::Polygon(vec![to, wing(1.0), wing(-1.0)]));
+        let drawn = |part, form| Drawn { form, role: mark.role, part, node: mark.node };
+        let line = drawn(Part::Edge, Form::Polyline(vec![from, neck]));
+        let head = drawn(Part::Head, Form::Polygon(vec![to, wing(1.0), wing(-1.0)]));
+        if D == 3 && mark.role == Role::Ray {
+            self.arrows.push(Arrow { ends, shaft: [from, neck], line, head });
+        } else {
+            let order = above_space(mark.role);
+            self.drawn.extend([(order, line), (order, head)]);
+        }
     }
 
     fn write(&mut self, mark: &Mark<D>) {
@@ -446,7 +509,7 @@ impl<const D: usize> Canvas<'_, D> {
     }
 
     fn text(&mut self, mark: &Mark<D>, at: [f64; 2], text: &str) {
-        let form = Form::Text { at, text: text.to_string() };
+        let form = Form::Text { at, anchor: Anchor::Middle, text: text.into() };
         self.push_at(above_space(mark.role), mark, Part::Whole, form);
     }
 

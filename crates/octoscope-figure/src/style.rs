@@ -1,7 +1,8 @@
 //! How roles look.
 
-use crate::palette::{Colour, Palette, Theme, ramp};
+use crate::palette::{Colour, Palette, Theme, contrast, ramp};
 use crate::{Part, Role};
+use octoscope_core::explain::Span;
 
 /// Look of a role in a theme. Lengths are page units (points, logical pixels).
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -63,6 +64,36 @@ pub enum Weight {
     Strong,
     /// The mono, regular.
     Mono,
+    /// The mono, bold.
+    MonoStrong,
+}
+
+impl Weight {
+    /// The same typeface, bolder.
+    pub fn bolder(self) -> Self {
+        match self {
+            Self::Regular | Self::Strong => Self::Strong,
+            Self::Mono | Self::MonoStrong => Self::MonoStrong,
+        }
+    }
+}
+
+impl Lettering {
+    /// Size of a subscript against that of the text.
+    pub const SUB_SIZE: f64 = 0.72;
+    /// How far below the text's line that of a subscript lies, in type heights of the text.
+    pub const SUB_DROP: f64 = 0.2;
+
+    /// Look of a piece of a text of this look.
+    pub fn of_span(self, theme: Theme, span: &Span) -> Self {
+        let of_axis = span.axis.and_then(|axis| Style::of(theme, Role::AxisLabel(axis)).text);
+        let is_bold = span.strong || of_axis.is_some();
+        Self {
+            colour: of_axis.map_or(self.colour, |axis| axis.colour),
+            size: if span.sub { Self::SUB_SIZE * self.size } else { self.size },
+            weight: if is_bold { self.weight.bolder() } else { self.weight },
+        }
+    }
 }
 
 impl Style {
@@ -156,6 +187,57 @@ impl Style {
             Role::AxisLabel(axis) => {
                 line(p.axes[axis], 1.5).lettered(p.axes[axis], 11.0, Weight::Mono)
             }
+            Role::Heading => Self::default().lettered(p.ink, 13.5, Weight::Strong),
+            Role::Words => Self::default().lettered(p.ink, 12.5, Weight::Regular),
+            Role::Note => Self::default().lettered(p.quiet_ink, 12.0, Weight::Regular),
+            Role::Code => Self::default().lettered(p.ink, 11.5, Weight::Mono),
+            Role::Bit => Self::default().lettered(p.ink, 14.0, Weight::MonoStrong),
+            Role::Entry => Self { fill: Some(p.field), ..line(p.grid, 0.8) },
+            Role::LitEntry => Self {
+                fill: Some(p.current.faded(2.2 * p.current_fill)),
+                ..line(p.current_outline, 1.8)
+            },
+            Role::LitLine => {
+                Self { fill: Some(p.current.faded(p.current_fill)), ..Self::default() }
+            }
+            Role::Rule => line(p.quiet_ink, 1.0),
+            Role::Inside => {
+                Self { fill: Some(p.current.faded(1.2 * p.current_fill)), ..Self::default() }
+            }
+            Role::Limit => Self { dash: Dash::Dashed, ..line(p.ink, 1.3) },
+            Role::Scale => line(p.grid, 1.0).lettered(p.quiet_ink, 12.0, Weight::Regular),
+            Role::Zero => Self { fill: Some(p.ray), radius: 3.5, ..Self::default() }.lettered(
+                p.ray,
+                11.0,
+                Weight::Strong,
+            ),
+            Role::Bar(axis) => line(p.axes[axis], 5.0),
+            Role::Stop(axis) => Self { fill: Some(p.axes[axis]), ..line(p.axes[axis], 2.0) },
+            Role::State => Self { fill: Some(p.field), radius: 13.0, ..line(p.quiet_ink, 1.2) }
+                .lettered(p.ink, 14.0, Weight::Strong),
+            Role::StateNow => {
+                Self { fill: Some(p.current_outline), radius: 13.0, ..line(p.current_outline, 2.0) }
+                    .lettered(readable_on(p.current_outline), 14.0, Weight::Strong)
+            }
+            Role::StateNext => {
+                Self { fill: Some(p.field), radius: 13.0, ..line(p.current_outline, 3.0) }.lettered(
+                    p.ink,
+                    14.0,
+                    Weight::Strong,
+                )
+            }
+            Role::Transition(axis) => {
+                Self { fill: Some(p.axes[axis].faded(0.5)), ..line(p.axes[axis].faded(0.5), 1.3) }
+            }
+            Role::TransitionTaken(axis) => {
+                Self { fill: Some(p.axes[axis]), ..line(p.axes[axis], 3.6) }
+            }
+            Role::TransitionTogether => {
+                Self { fill: Some(p.current_outline), ..line(p.current_outline, 3.6) }
+            }
+            Role::Spent => Self { fill: Some(p.accent), ..Self::default() },
+            Role::Planned => Self { fill: Some(p.accent.faded(0.18)), ..line(p.accent, 0.8) },
+            Role::Blank => line(p.quiet_ink, 0.8),
         };
         style.for_theme(theme)
     }
@@ -193,6 +275,12 @@ impl Style {
     }
 }
 
+/// Black or white, whichever is read better on `colour`.
+fn readable_on(colour: Colour) -> Colour {
+    let [black, white] = [0x000000, 0xffffff].map(Colour::hex);
+    if contrast(black, colour) >= contrast(white, colour) { black } else { white }
+}
+
 fn line(colour: Colour, width: f64) -> Style {
     Style { stroke: Some(colour), width, ..Style::default() }
 }
@@ -200,11 +288,20 @@ fn line(colour: Colour, width: f64) -> Style {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::palette::contrast;
 
     /// Roles that are hints, or are told by their area and the marks on it.
     fn is_hint(role: Role) -> bool {
-        matches!(role, Role::EmptyLeaf | Role::FullLeaf | Role::Pixel(_) | Role::Visited { .. })
+        matches!(
+            role,
+            Role::EmptyLeaf
+                | Role::FullLeaf
+                | Role::Pixel(_)
+                | Role::Visited { .. }
+                | Role::Entry
+                | Role::LitLine
+                | Role::Inside
+                | Role::Transition(_)
+        )
     }
 
     #[test]
@@ -221,7 +318,9 @@ mod tests {
                     "{theme:?} {role:?} {best:.2}"
                 );
                 if let Some(text) = style.text {
-                    let ratio = contrast(text.colour, background);
+                    // A state covers what is below its number.
+                    let below = style.fill.filter(|fill| fill.opacity == 1.0 && style.radius > 8.0);
+                    let ratio = contrast(text.colour, below.unwrap_or(background));
                     assert!(ratio >= 4.5, "{theme:?} {role:?} text {ratio:.2}");
                 }
             }

@@ -1,6 +1,9 @@
 //! Figures as SVG.
 
-use crate::{Colour, Drawn, Figure, Form, Palette, Part, Role, Style, Theme, Weight};
+use crate::{
+    Anchor, Colour, Drawn, Figure, Form, Lettering, Palette, Part, Role, Style, Theme, Weight,
+};
+use octoscope_core::explain::RichText;
 use std::collections::BTreeMap;
 use std::fmt::Write;
 
@@ -96,6 +99,7 @@ fn style_sheet(figure: &Figure, theme: Theme) -> String {
                 Weight::Regular => (400, SANS),
                 Weight::Strong => (600, SANS),
                 Weight::Mono => (400, MONO),
+                Weight::MonoStrong => (700, MONO),
             };
             let size = number(text.size);
             let fill = paint("fill-opacity:1;fill", Some(text.colour));
@@ -105,7 +109,68 @@ fn style_sheet(figure: &Figure, theme: Theme) -> String {
             );
         }
     }
+    write_text_styles(&mut out, figure, theme);
     out + "polygon,polyline{stroke-linejoin:round}\n.face{stroke:none}\n.edge{fill:none}\n</style>\n"
+}
+
+/// Classes of anchors and of pieces of texts, as far as they occur.
+fn write_text_styles(out: &mut String, figure: &Figure, theme: Theme) {
+    let texts = || {
+        figure.drawn.iter().filter_map(|drawn| match &drawn.form {
+            Form::Text { anchor, text, .. } => Some((*anchor, text)),
+            Form::Polygon(_) | Form::Polyline(_) | Form::Circle { .. } => None,
+        })
+    };
+    for (anchor, name) in [(Anchor::Start, "start"), (Anchor::End, "end")] {
+        if texts().any(|(other, _)| other == anchor) {
+            *out += &format!("text.{name}{{text-anchor:{name}}}\n");
+        }
+    }
+    let spans = || texts().flat_map(|(_, text)| &text.0);
+    if spans().any(|span| span.strong || span.axis.is_some()) {
+        *out += ".strong{font-weight:600}\n";
+    }
+    for axis in 0..AXIS_CLASSES.len() {
+        if spans().any(|span| span.axis == Some(axis)) {
+            let colour = Style::of(theme, Role::AxisLabel(axis)).text.map(|text| text.colour);
+            *out += &format!(".{}{{{}}}\n", AXIS_CLASSES[axis], paint("fill", colour));
+        }
+    }
+}
+
+/// Classes of pieces of text in the colours of the axes.
+const AXIS_CLASSES: [&str; 3] = ["on-x", "on-y", "on-z"];
+
+/// The pieces of a text: one that looks as the text does is written as it is.
+fn spans(text: &RichText, size: f64) -> String {
+    let drop = Lettering::SUB_DROP * size;
+    let mut out = String::new();
+    let mut is_low = false;
+    for span in &text.0 {
+        let mut attributes = String::new();
+        let axis = span.axis.and_then(|axis| AXIS_CLASSES.get(axis).copied());
+        let strong = (span.strong || axis.is_some()).then_some("strong");
+        let classes: Vec<&str> = axis.into_iter().chain(strong).collect();
+        if !classes.is_empty() {
+            attributes += &format!(" class=\"{}\"", classes.join(" "));
+        }
+        if span.sub != is_low {
+            let by = if span.sub { drop } else { -drop };
+            attributes += &format!(" dy=\"{}\"", number(by));
+            is_low = span.sub;
+        }
+        if span.sub {
+            let size = number(Lettering::SUB_SIZE * size);
+            attributes += &format!(" style=\"font-size:{size}px\"");
+        }
+        let written = escaped(&span.text);
+        if attributes.is_empty() {
+            out += &written;
+        } else {
+            out += &format!("<tspan{attributes}>{written}</tspan>");
+        }
+    }
+    out
 }
 
 const SANS: &str = "Inter,\"Helvetica Neue\",Arial,sans-serif";
@@ -125,6 +190,13 @@ fn write_drawn(out: &mut String, drawn: &Drawn, theme: Theme) {
         Part::Head => attributes += " head",
         Part::Lit(light) => attributes += &format!(" lit-{light}"),
         Part::Edge | Part::HiddenEdge => attributes += " edge",
+    }
+    if let Form::Text { anchor, .. } = drawn.form {
+        attributes += match anchor {
+            Anchor::Start => " start",
+            Anchor::Middle => "",
+            Anchor::End => " end",
+        };
     }
     attributes += "\"";
     if has_own_fill(drawn.role) {
@@ -153,11 +225,11 @@ fn write_drawn(out: &mut String, drawn: &Drawn, theme: Theme) {
             number(*y),
             number(*radius)
         ),
-        Form::Text { at: [x, y], text } => {
+        Form::Text { at: [x, y], text, .. } => {
             // Capitals and digits are 0.73 of the type's height: centre them.
             let size = Style::of(theme, drawn.role).text.map_or(0.0, |text| text.size);
             let y = y + 0.365 * size;
-            let text = escaped(text);
+            let text = spans(text, size);
             writeln!(
                 out,
                 "<text{attributes} x=\"{}\" y=\"{}\">{text}</text>",

@@ -189,6 +189,8 @@ pub enum Event<const D: usize> {
         cell: [i64; D],
         /// Axes along which that is outside, if it leaves the grid.
         outside: Axes<D>,
+        /// Parameters of the planes ahead of the next cell; as before outside.
+        ahead: [f64; D],
     },
 
     // Neighbours by the path through the tree.

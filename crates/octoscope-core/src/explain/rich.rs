@@ -20,6 +20,14 @@ pub struct RichText(
     pub Vec<Span>,
 );
 
+impl<T: Into<String>> From<T> for RichText {
+    /// Text of one look.
+    fn from(text: T) -> Self {
+        let text = text.into();
+        Self(if text.is_empty() { Vec::new() } else { vec![Span { text, ..Span::default() }] })
+    }
+}
+
 /// First of three marks that begin a piece in the colour of an axis.
 const AXIS: u32 = 0xE000;
 const STRONG: char = '\u{E003}';

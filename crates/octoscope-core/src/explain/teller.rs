@@ -118,7 +118,7 @@ impl<const D: usize> Teller<'_, D> {
                 let cell = tuple(cell.map(|c| c.to_string()));
                 words.say("grid", &[("cell", cell), ("planes", planes)])
             }
-            Event::Cross { next, axes, cell, outside } => {
+            Event::Cross { next, axes, cell, outside, .. } => {
                 let key = match (axes.count() == 1, outside.is_empty()) {
                     (true, true) => "cross-one",
                     (false, true) => "cross-many",

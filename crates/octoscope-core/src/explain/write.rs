@@ -225,9 +225,12 @@ fn vars<const D: usize>(event: &Event<D>) -> Value {
         }),
         Event::Pop { part: popped, .. } => json!({ "part": part(popped) }),
         Event::Grid { cell, next, .. } => json!({ "cell": codes(cell), "next": numbers(next) }),
-        Event::Cross { next, axes, cell, .. } => {
-            json!({ "next": numbers(next), "axes": set(axes), "cell": cell.to_vec() })
-        }
+        Event::Cross { next, axes, cell, ahead, .. } => json!({
+            "next": numbers(next),
+            "axes": set(axes),
+            "cell": cell.to_vec(),
+            "ahead": numbers(ahead),
+        }),
         Event::Parent { child, direction, common, lookup, .. } => json!({
             "child": child.0,
             "direction": direction.to_vec(),

@@ -23,6 +23,9 @@ pub struct Moment<const D: usize> {
     pub leaves: Vec<LeafOnRay>,
     /// Leaves met in one point so far, with the parameter of the point.
     pub touches: Vec<(NodeId, f64)>,
+    /// Parameters between which the ray is in the current node, if that was tested
+    /// last.
+    pub tested: Option<[f64; 2]>,
     /// Leaves that were tested by themselves and missed the ray.
     pub missed: Vec<NodeId>,
     /// Codes that are followed.
@@ -89,6 +92,7 @@ impl<const D: usize> Moment<D> {
             }
             Event::Test { node, interval, .. } => {
                 self.current = Some(node);
+                self.tested = interval;
                 if interval.is_none() {
                     self.missed.push(node);
                 }
@@ -134,11 +138,11 @@ impl<const D: usize> Moment<D> {
             Event::Grid { cell, next, .. } => {
                 self.grid = Some(GridCell { cell: Some(cell), next, crossed: Axes::NONE });
             }
-            Event::Cross { next, axes, cell, .. } => {
+            Event::Cross { axes, cell, ahead, .. } => {
                 let code = cell.map(|c| u32::try_from(c).unwrap_or(u32::MAX));
                 let inside = code.iter().all(|&c| c < tree.domain().grid_size());
                 let cell = inside.then_some(code);
-                self.grid = Some(GridCell { cell, next, crossed: axes });
+                self.grid = Some(GridCell { cell, next: ahead, crossed: axes });
             }
             Event::Parent { node, .. } => {
                 self.current = Some(node);

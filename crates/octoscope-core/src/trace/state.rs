@@ -79,7 +79,7 @@ pub struct GridCell<const D: usize> {
     pub cell: Option<Code<D>>,
     /// Parameters of the planes ahead; +∞ along axes without motion.
     pub next: [f64; D],
-    /// Axes of the planes that are crossed from here.
+    /// Axes of the planes that were crossed into it.
     pub crossed: Axes<D>,
 }
 

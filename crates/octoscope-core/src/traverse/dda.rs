@@ -99,15 +99,19 @@ fn walk<const D: usize, P: Parameter, O: Observer<D>>(
             i64::from(cell[e]) + step
         });
         let outside = domain.outside(beyond, axes);
-        observe.observe(Event::Cross { next: next.map(P::value), axes, cell: beyond, outside });
+        let met = next.map(P::value);
+        if outside.is_empty() {
+            cell = beyond.map(|c| c as u32);
+            let ahead = planes_ahead(cell, rising);
+            for axis in axes.iter() {
+                let plane = domain.plane(axis, ahead[axis]);
+                next[axis] = P::at_plane(plane, ray.origin()[axis], ray.direction()[axis]);
+            }
+        }
+        let ahead = next.map(P::value);
+        observe.observe(Event::Cross { next: met, axes, cell: beyond, outside, ahead });
         if !outside.is_empty() {
             return finish(ControlFlow::Continue(()), observe);
-        }
-        cell = beyond.map(|c| c as u32);
-        let ahead = planes_ahead(cell, rising);
-        for axis in axes.iter() {
-            let plane = domain.plane(axis, ahead[axis]);
-            next[axis] = P::at_plane(plane, ray.origin()[axis], ray.direction()[axis]);
         }
 
         // A new leaf? Then the ray comes into it.

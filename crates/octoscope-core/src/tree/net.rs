@@ -84,7 +84,8 @@ impl<const D: usize> Tree<D> {
                 for axis in 0..D {
                     let across = child.across(axis);
                     let inner_side = usize::from(!child.is_upper(axis));
-                    links[below.id.index()][axis][inner_side] = self.child(parent, across).id.into();
+                    links[below.id.index()][axis][inner_side] =
+                        self.child(parent, across).id.into();
                     let beyond = links[parent.id.index()][axis][1 - inner_side];
                     let Some(beyond) = beyond.node() else { continue };
                     let node = self.node(beyond);

@@ -1,0 +1,128 @@
+//! How wide texts are, from the typefaces themselves.
+
+use crate::style::Lettering;
+use crate::{Role, Style, Theme, Weight, fonts};
+use octoscope_core::explain::RichText;
+use std::sync::LazyLock;
+use ttf_parser::Face;
+
+/// Width of a text of a role, in page units; 0 for roles without letters. The
+/// same in every theme.
+pub fn width(role: Role, text: &RichText) -> f64 {
+    let Some(lettering) = Style::of(Theme::Light, role).text else { return 0.0 };
+    let spans = text.0.iter().map(|span| {
+        let Lettering { size, weight, .. } = lettering.of_span(Theme::Light, span);
+        size * span.text.chars().map(|c| advance(weight, c)).sum::<f64>()
+    });
+    spans.sum()
+}
+
+/// Height of the type of a role, in page units; 0 for roles without letters.
+pub fn size(role: Role) -> f64 {
+    Style::of(Theme::Light, role).text.map_or(0.0, |text| text.size)
+}
+
+/// Advance of a letter in units of the type's height; of one that the typeface
+/// lacks, that of the next one of the family.
+fn advance(weight: Weight, c: char) -> f64 {
+    static FACES: LazyLock<[Option<Face<'static>>; 4]> =
+        LazyLock::new(|| fonts::ALL.map(|font| Face::parse(font, 0).ok()));
+    let first = match weight {
+        Weight::Regular => 0,
+        Weight::Strong => 1,
+        Weight::Mono => 2,
+        Weight::MonoStrong => 3,
+    };
+    let advance = |index: usize| {
+        let face = FACES[index].as_ref()?;
+        let glyph = face.glyph_index(c)?;
+        let units = face.glyph_hor_advance(glyph)?;
+        Some(f64::from(units) / f64::from(face.units_per_em()))
+    };
+    [first, 2, 0].into_iter().find_map(advance).unwrap_or(0.6)
+}
+
+/// Text in lines of at most `most` page units, broken between words; a word that
+/// is wider has a line of its own. The looks of its pieces stay.
+pub fn wrapped(role: Role, text: &RichText, most: f64) -> Vec<RichText> {
+    let mut lines = vec![RichText::default()];
+    let mut left = most;
+    for word in words(text) {
+        let wide = width(role, &word);
+        let (line, is_first) = match lines.last_mut() {
+            Some(line) if line.0.is_empty() => (line, true),
+            Some(line) => (line, false),
+            None => continue,
+        };
+        // The blank at its end does not count.
+        let bare = width(role, &trimmed(&word));
+        if bare <= left || is_first {
+            line.0.extend(word.0);
+            left -= wide;
+        } else {
+            lines.push(word);
+            left = most - wide;
+        }
+    }
+    lines.iter().map(trimmed).collect()
+}
+
+/// Words with the blank that follows, each of one or more pieces.
+fn words(text: &RichText) -> Vec<RichText> {
+    let mut words = vec![RichText::default()];
+    for span in &text.0 {
+        for piece in span.text.split_inclusive(' ') {
+            let ends = piece.ends_with(' ');
+            if let Some(word) = words.last_mut() {
+                word.0
+                    .push(octoscope_core::explain::Span { text: piece.to_owned(), ..span.clone() });
+            }
+            if ends {
+                words.push(RichText::default());
+            }
+        }
+    }
+    words.retain(|word| !word.0.is_empty());
+    words
+}
+
+/// The text without blanks at its end.
+fn trimmed(text: &RichText) -> RichText {
+    let mut text = text.clone();
+    while let Some(last) = text.0.last_mut() {
+        let kept = last.text.trim_end().len();
+        last.text.truncate(kept);
+        if kept > 0 {
+            break;
+        }
+        text.0.pop();
+    }
+    text
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn digits_are_of_one_width_in_every_typeface() {
+        for weight in [Weight::Regular, Weight::Strong, Weight::Mono, Weight::MonoStrong] {
+            let widths: Vec<f64> = ('0'..='9').map(|c| advance(weight, c)).collect();
+            assert!(widths.iter().all(|w| *w == widths[0] && *w > 0.4), "{weight:?} {widths:?}");
+        }
+        assert!(advance(Weight::Regular, 'i') < advance(Weight::Regular, 'm'));
+        assert_eq!(advance(Weight::Regular, '∧'), advance(Weight::Mono, '∧'), "it is lent");
+    }
+
+    #[test]
+    fn lines_are_broken_between_words_and_keep_all_of_them() {
+        let text = RichText::from("The ray enters the root at t = 0.25 and leaves it");
+        let lines = wrapped(Role::Note, &text, 90.0);
+        assert!(lines.len() > 2);
+        let wide = lines.iter().map(|line| width(Role::Note, line)).fold(0.0, f64::max);
+        assert!(wide <= 90.0, "{wide}");
+        let joined = lines.iter().map(RichText::plain).collect::<Vec<_>>().join(" ");
+        assert_eq!(joined, text.plain());
+        assert_eq!(wrapped(Role::Note, &text, 1.0).len(), 12, "a word a line at least");
+    }
+}

@@ -1,0 +1,226 @@
+//! The automaton that leads from child to child.
+
+use super::sheet::Sheet;
+use super::subject::Subject;
+use super::table::{Entry, Setting, Table, Tone};
+use super::words::{joined, on_axis, parameter};
+use crate::{Anchor, Figure, Role, Style, Theme};
+use octoscope_core::event::Event;
+use octoscope_core::explain::sentence;
+use octoscope_core::geometry::{AXIS_NAMES, Axes};
+use octoscope_core::text::Texts;
+use octoscope_core::trace::Moment;
+use octoscope_core::traverse::{entry_axes, transition};
+use octoscope_core::tree::Child;
+
+/// State of the automaton at a moment.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Automaton<const D: usize> {
+    /// The mirror mask.
+    pub mask: Axes<D>,
+    /// The state that it is in, or leaves.
+    pub state: Option<Child<D>>,
+    /// The planes through which it leaves its state and the next one, if this is
+    /// what has just happened.
+    step: Option<(Axes<D>, Option<Child<D>>)>,
+    /// The plane of entry that has just been used.
+    entered: Option<usize>,
+}
+
+impl<const D: usize> Automaton<D> {
+    /// State after `event`, the last one before `moment`.
+    pub fn of(moment: &Moment<D>, event: Option<&Event<D>>) -> Self {
+        let mask = moment.clip.map_or(Axes::NONE, |clip| clip.mirror);
+        let (state, step) = if let Some(&Event::Step { state, axes, next, .. }) = event {
+            (Some(state), Some((axes, next)))
+        } else {
+            (moment.stack.iter().rev().find_map(|frame| frame.child_state), None)
+        };
+        let entered = match event {
+            Some(Event::First { entry_axis, .. }) => *entry_axis,
+            Some(_) | None => None,
+        };
+        Self { mask, state, step, entered }
+    }
+
+    /// States as corners of a square or cube in a square of this side, with the
+    /// transitions between them and the lit one.
+    pub fn diagram(&self, side: f64) -> Figure {
+        let mut sheet = Sheet::default();
+        let place = |child: Child<D>| corner(child, 0.5 * side, 0.5 * side - 20.0);
+        self.draw_transitions(&mut sheet, &place);
+        self.draw_states(&mut sheet, [side; 2], &place);
+        sheet.figure([side; 2])
+    }
+
+    /// Table 1 or 3: next state by state and exit plane.
+    pub fn exit_table(&self, texts: &Texts) -> Table {
+        let axes = (0..D).map(|axis| on_axis(axis, AXIS_NAMES[axis]));
+        let row = |state: Child<D>| {
+            let in_row = self.state == Some(state);
+            let number = Entry::new(state.0.to_string(), tone(in_row, in_row));
+            let next = (0..D).map(|axis| {
+                let used = in_row && self.step.is_some_and(|(axes, _)| axes.contains(axis));
+                let text = transition(state, axis)
+                    .map_or_else(|| texts.get("automaton-end"), |next| next.0.to_string());
+                Entry::new(text, tone(in_row, used))
+            });
+            std::iter::once(number).chain(next).collect()
+        };
+        Table {
+            columns: vec![Anchor::Start; D + 1],
+            head: std::iter::once(texts.get("automaton-state-column").into()).chain(axes).collect(),
+            rows: Child::all().map(row).collect(),
+        }
+    }
+
+    /// Table 2: which mid planes decide, by the plane of entry; in space.
+    pub fn entry_table(&self) -> Table {
+        let row = |axis: usize| {
+            let plane: String =
+                (0..D).filter(|&e| e != axis).map(|e| AXIS_NAMES[e].to_uppercase()).collect();
+            let used = self.entered == Some(axis);
+            let plane = Entry::new(plane, tone(used, used));
+            let rules = entry_axes::<D>(axis).iter().map(|other| {
+                let bit = Axes::<D>::one(other).0;
+                let rule = joined([
+                    parameter(other, "m"),
+                    " < ".into(),
+                    parameter(axis, "0"),
+                    format!(" → {bit}").into(),
+                ]);
+                Entry::new(rule, tone(used, false))
+            });
+            std::iter::once(plane).chain(rules).collect()
+        };
+        Table { columns: vec![Anchor::Start; D], head: Vec::new(), rows: (0..D).map(row).collect() }
+    }
+
+    fn draw_transitions(&self, sheet: &mut Sheet, place: &impl Fn(Child<D>) -> [f64; 2]) {
+        let is_taken = |from: Child<D>, axis: usize| {
+            self.step.is_some_and(|(axes, _)| axes == Axes::one(axis)) && self.state == Some(from)
+        };
+        let edges: Vec<_> = Child::<D>::all()
+            .flat_map(|from| (0..D).map(move |axis| (from, axis)))
+            .filter_map(|(from, axis)| Some((from, axis, transition(from, axis)?)))
+            .collect();
+        // The one that is taken lies above the others.
+        for taken in [false, true] {
+            for &(from, axis, to) in edges.iter().filter(|edge| is_taken(edge.0, edge.1) == taken) {
+                let role = if taken { Role::TransitionTaken(axis) } else { Role::Transition(axis) };
+                arrow(sheet, role, [place(from), place(to)]);
+            }
+        }
+        // Through an edge or a corner of the cell: several planes at once.
+        if let (Some(from), Some((axes, Some(to)))) = (self.state, self.step)
+            && axes.count() > 1
+        {
+            arrow(sheet, Role::TransitionTogether, [place(from), place(to)]);
+        }
+    }
+
+    fn draw_states(
+        &self,
+        sheet: &mut Sheet,
+        page: [f64; 2],
+        place: &impl Fn(Child<D>) -> [f64; 2],
+    ) {
+        let next = self.step.and_then(|(_, next)| next);
+        for child in Child::<D>::all() {
+            let at = place(child);
+            let role = if self.state == Some(child) {
+                Role::StateNow
+            } else if next == Some(child) {
+                Role::StateNext
+            } else {
+                Role::State
+            };
+            sheet.disc(role, at);
+            sheet.text(role, at, Anchor::Middle, child.0.to_string());
+            if !self.mask.is_empty() {
+                let text = format!("→{}", child.mirrored(self.mask).0);
+                let x = (at[0] + 16.0).min(page[0] - 10.0);
+                sheet.text(Role::Note, [x, at[1] + 16.0], Anchor::Middle, text);
+            }
+        }
+    }
+}
+
+/// The diagram with its tables, as a figure of this width.
+pub(super) fn view<const D: usize>(subject: &Subject<D>, width: f64) -> Figure {
+    const GAP: f64 = 20.0;
+    let texts = subject.texts;
+    let automaton = Automaton::of(subject.moment, subject.event());
+    let setting = Setting { least: 20.0, ..Setting::default() };
+    let exits = automaton.exit_table(texts);
+    let [table_width, table_height] = exits.size(setting);
+    let side = if D == 2 { 132.0 } else { 196.0 };
+    let mut sheet = Sheet::default();
+    let note = mask_note(texts, automaton.mask);
+    sheet.text(Role::Note, [0.0, 8.0], Anchor::Start, note);
+    let top = 24.0;
+    sheet.place(automaton.diagram(side).drawn, [0.0, top]);
+
+    // The tables beside the diagram where there is room, or below it.
+    let title = |sheet: &mut Sheet, key: &str, [x, y]: [f64; 2]| {
+        sheet.text(Role::Note, [x, y + 8.0], Anchor::Start, texts.get(key));
+        [x, y + 20.0]
+    };
+    let is_beside = side + GAP + table_width <= width;
+    let at = if is_beside { [side + GAP, top] } else { [0.0, top + side + 12.0] };
+    let key = if D == 2 { "automaton-table-1" } else { "automaton-table-3" };
+    let at = title(&mut sheet, key, at);
+    exits.draw(&mut sheet, at, setting);
+    let mut bottom = (at[1] + table_height).max(top + side);
+    if D == 3 {
+        let entries = automaton.entry_table();
+        let at = title(&mut sheet, "automaton-table-2", [0.0, bottom + 14.0]);
+        entries.draw(&mut sheet, at, setting);
+        bottom = at[1] + entries.size(setting)[1];
+    }
+    if matches!(subject.event(), Some(Event::First { .. } | Event::Step { .. })) {
+        let said = sentence(
+            subject.tree,
+            subject.ray,
+            subject.trace,
+            subject.moment.step,
+            subject.language(),
+        );
+        bottom += 12.0;
+        bottom += sheet.paragraph(Role::Words, [0.0, bottom], width, &said);
+    }
+    sheet.figure([width, bottom])
+}
+
+/// What the mirror mask means.
+pub fn mask_note<const D: usize>(texts: &Texts, mask: Axes<D>) -> String {
+    texts.format("automaton-mask", &[("mask", mask.0.into())])
+}
+
+/// Place of a state: x to the right, y up, z towards the upper right.
+fn corner<const D: usize>(state: Child<D>, centre: f64, reach: f64) -> [f64; 2] {
+    let bit = |axis: usize| if axis < D && state.is_upper(axis) { 1.0 } else { -1.0 };
+    let [x, y] = if D == 2 {
+        [bit(0), -bit(1)]
+    } else {
+        [0.68 * bit(0) + 0.32 * bit(2), -0.68 * bit(1) - 0.27 * bit(2)]
+    };
+    [centre + reach * x, centre + reach * y]
+}
+
+/// Arrow between two states, up to their rims.
+fn arrow(sheet: &mut Sheet, role: Role, [from, to]: [[f64; 2]; 2]) {
+    let length = (to[0] - from[0]).hypot(to[1] - from[1]);
+    let along: [f64; 2] = std::array::from_fn(|e| (to[e] - from[e]) / length);
+    let off = |point: [f64; 2], by: f64| std::array::from_fn(|e| point[e] + by * along[e]);
+    let head = 1.6 * (4.0 + Style::of(Theme::Light, role).width);
+    sheet.arrow(role, [off(from, 15.0), off(to, -15.0)], head);
+}
+
+fn tone(in_row: bool, used: bool) -> Tone {
+    match (in_row, used) {
+        (_, true) => Tone::Used,
+        (true, false) => Tone::Line,
+        (false, false) => Tone::Plain,
+    }
+}

@@ -1,0 +1,89 @@
+//! Location codes, bit by bit.
+
+use super::bits::{BitRow, BitTable};
+use super::sheet::Sheet;
+use super::subject::Subject;
+use crate::{Anchor, Figure, Role};
+use octoscope_core::explain::number;
+use octoscope_core::geometry::AXIS_NAMES;
+use octoscope_core::text::Texts;
+use octoscope_core::trace::Moment;
+use octoscope_core::tree::{Tree, branch, morton};
+
+/// Codes of a place as a table, and what is read off them.
+#[derive(Clone, Debug, PartialEq)]
+pub struct CodeTable {
+    /// A row an axis.
+    pub table: BitTable,
+    /// The child that the framed bits select, in words.
+    pub child: Option<String>,
+    /// The Morton code, in words.
+    pub morton: String,
+}
+
+/// Codes of the place that is looked for, else of the current node.
+pub fn code_table<const D: usize>(texts: &Texts, tree: &Tree<D>, moment: &Moment<D>) -> CodeTable {
+    let domain = tree.domain();
+    let root_level = domain.root_level();
+    let node = moment.current;
+    let level = node.map_or(root_level, |id| tree.level(id));
+    let (code, known_from) = match (moment.codes, node) {
+        (Some(codes), _) => (codes.code, 0),
+        (None, Some(id)) => (tree.code(id), level),
+        (None, None) => ([0; D], root_level),
+    };
+    // The bit that led to the current node.
+    let framed = moment.codes.map_or((level < root_level).then_some(level), |codes| codes.bit);
+    let rows = (0..D).map(|axis| BitRow {
+        name: AXIS_NAMES[axis].to_owned(),
+        axis: Some(axis),
+        bits: i64::from(code[axis]),
+        known_from,
+        note: format!("{} = {}", code[axis], number(domain.plane(axis, code[axis]))),
+        ..BitRow::default()
+    });
+    let rows = rows.collect();
+    let table = BitTable { width: root_level + 1, framed, rows, carries: None };
+    let child = framed.map(|bit| {
+        let child = branch(code, bit + 1);
+        let bits = (0..D).map(|e| format!("{} = {}", AXIS_NAMES[e], u8::from(child.is_upper(e))));
+        let bits = bits.collect::<Vec<_>>().join(", ");
+        let arguments = [
+            ("bit", bit.into()),
+            ("bits", bits.into()),
+            ("child", child.0.into()),
+            ("morton", child.morton_index().into()),
+        ];
+        texts.format("codes-child", &arguments)
+    });
+    let code = morton(code).to_string();
+    let morton = texts.format("codes-morton", &[("code", code.into())]);
+    CodeTable { table, child, morton }
+}
+
+/// How the bits of a level number the children.
+pub fn child_rule<const D: usize>(texts: &Texts) -> String {
+    let rule = if D == 2 { "2x + y" } else { "4x + 2y + z" };
+    texts.format("codes-child-rule", &[("rule", rule.into())])
+}
+
+/// The codes with what is read off them, as a figure of this width.
+pub(super) fn view<const D: usize>(subject: &Subject<D>, width: f64) -> Figure {
+    let CodeTable { table, child, morton } =
+        code_table(subject.texts, subject.tree, subject.moment);
+    let mut sheet = Sheet::default();
+    let mut head = child_rule::<D>(subject.texts);
+    if let Some(node) = subject.moment.current {
+        head = format!("{}; {head}", super::node_note(subject, node));
+    }
+    let mut bottom = sheet.paragraph(Role::Note, [0.0, 0.0], width, &head.into()) + 6.0;
+    let table = table.figure(width);
+    let height = table.page.height;
+    sheet.place(table.drawn, [0.0, bottom]);
+    bottom += height + 8.0;
+    if let Some(child) = child {
+        bottom += sheet.paragraph(Role::Words, [0.0, bottom], width, &child.into()) + 4.0;
+    }
+    sheet.text(Role::Note, [0.0, bottom + 8.0], Anchor::Start, morton);
+    sheet.figure([width, bottom + 16.0])
+}

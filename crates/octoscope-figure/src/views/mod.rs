@@ -1,0 +1,104 @@
+//! Views of a query beside the picture in space, each a pure function from a
+//! [`Subject`] to a [`Figure`]: panels and exported figures show the same.
+//!
+//! Where a panel shows its entries one by one, for readers that cannot see them,
+//! both share the values: [`Table`], [`BitTable`] and the like.
+
+mod automaton;
+mod bits;
+mod chart;
+mod codes;
+mod exercise;
+mod kind;
+mod legend;
+mod listing;
+mod neighbour;
+mod rail;
+mod region;
+mod sheet;
+mod steps;
+mod storyboard;
+mod subject;
+mod t_rail;
+mod table;
+mod words;
+mod worksheet;
+
+pub use automaton::{Automaton, mask_note};
+pub use bits::{BitRow, BitTable};
+pub use codes::{CodeTable, child_rule, code_table};
+pub use exercise::{Exercise, ExerciseError};
+pub use kind::{FigureView, UnknownView, ViewError};
+pub use listing::{Changed, changed_variables};
+pub use neighbour::{NeighbourTables, neighbour_tables};
+pub use region::region_table;
+pub use storyboard::{Layout, Panel, common_extent, storyboard};
+pub use subject::Subject;
+pub use t_rail::{RailFigure, rail_node, t_rail};
+pub use table::{Entry, Table, Tone};
+pub use worksheet::{Fields, worksheet};
+
+use crate::Figure;
+use octoscope_core::text::Language;
+use octoscope_core::trace::Moment;
+use octoscope_core::tree::NodeId;
+
+/// Source of the texts of all views in `language`.
+pub fn figure_texts(language: Language) -> &'static str {
+    match language {
+        Language::English => include_str!("../../../../assets/texts/en/figures.ftl"),
+        Language::German => include_str!("../../../../assets/texts/de/figures.ftl"),
+    }
+}
+
+/// The figure of one of the views that are about a single moment and need no
+/// picture, on a page of this width.
+///
+/// # Errors
+/// Says which query or step would be right.
+pub fn figure<const D: usize>(
+    view: FigureView,
+    subject: &Subject<D>,
+    width: f64,
+) -> Result<Figure, ViewError> {
+    view.fits(subject.query())?;
+    if let Some(figure) = drawn(view, subject, width) {
+        return Ok(figure);
+    }
+    let mut moment = Moment::default();
+    let mut first = None;
+    for (index, event) in subject.trace.events.iter().enumerate() {
+        moment.apply(subject.tree, event);
+        let later = Subject { moment: &moment, ..*subject };
+        if drawn(view, &later, width).is_some() {
+            first = Some(index + 1);
+            break;
+        }
+    }
+    let step = subject.moment.step;
+    Err(match first {
+        Some(first) => ViewError::Step { view, step, first },
+        None => ViewError::Never { view },
+    })
+}
+
+fn drawn<const D: usize>(view: FigureView, subject: &Subject<D>, width: f64) -> Option<Figure> {
+    match view {
+        FigureView::Automaton => Some(automaton::view(subject, width)),
+        FigureView::TRail => t_rail::view(subject, width),
+        FigureView::Codes => Some(codes::view(subject, width)),
+        FigureView::Region => region::view(subject, width),
+        FigureView::Neighbour => neighbour::view(subject, width),
+        FigureView::Listing => Some(listing::view(subject, width)),
+        FigureView::Table => Some(steps::view(subject, width)),
+        FigureView::Chart => Some(chart::view(subject, width)),
+        FigureView::Space | FigureView::Storyboard | FigureView::Worksheet => None,
+    }
+}
+
+/// Level and codes of a node in words.
+pub fn node_note<const D: usize>(subject: &Subject<D>, node: NodeId) -> String {
+    let codes = subject.tree.code(node).map(|c| c.to_string()).join(", ");
+    let level = subject.tree.level(node);
+    subject.texts.format("node-note", &[("level", level.into()), ("codes", codes.into())])
+}

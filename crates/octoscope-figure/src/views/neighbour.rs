@@ -1,0 +1,168 @@
+//! Neighbour computation, written out as on paper.
+
+use super::bits::{BitRow, BitTable};
+use super::sheet::Sheet;
+use super::subject::Subject;
+use super::words::strong;
+use crate::{Figure, Role};
+use octoscope_core::geometry::AXIS_NAMES;
+use octoscope_core::text::Texts;
+use octoscope_core::trace::{Moment, Target};
+use octoscope_core::tree::{Tree, common_level};
+
+/// A neighbour computation.
+#[derive(Clone, Debug, PartialEq)]
+pub struct NeighbourTables {
+    /// The sum or difference of every axis on which something changes.
+    pub tables: Vec<BitTable>,
+    /// Whether the result lies in the domain, in words, once it is known.
+    pub border: Option<String>,
+    /// How far the climb to the common ancestor has come, in words.
+    pub climb: Option<String>,
+}
+
+/// The sum or difference of every crossed axis with its carries, the border, the
+/// XOR with its run of ones, and the climb to the common ancestor; `None` as long
+/// as no cell is left.
+pub fn neighbour_tables<const D: usize>(
+    texts: &Texts,
+    tree: &Tree<D>,
+    moment: &Moment<D>,
+) -> Option<NeighbourTables> {
+    let target = moment.target?;
+    let root_level = tree.domain().root_level();
+    let table = |axis: usize| {
+        let crossed = target.axes.contains(axis);
+        if !crossed && target.to[axis] == i64::from(target.from[axis]) {
+            return None;
+        }
+        let rows =
+            if crossed { sum_rows(texts, &target, axis) } else { moved_rows(texts, &target, axis) };
+        let carries = crossed.then(|| carries_of(&target, axis));
+        let mut table = BitTable { width: root_level + 1, framed: None, rows, carries };
+        if crossed
+            && let Some(level) = axis_level(&target, axis, root_level)
+            && moment.difference.is_some()
+        {
+            let run = ((1i64 << level) - 1) & !((1i64 << target.level) - 1);
+            table.rows.push(BitRow {
+                name: "xor".to_owned(),
+                axis: Some(axis),
+                bits: i64::from(target.from[axis]) ^ target.to[axis],
+                note: texts.format("neighbour-climb", &[("level", level.into())]),
+                marked: run,
+                rule_above: true,
+                ..BitRow::default()
+            });
+        }
+        Some(table)
+    };
+    let border = target.outside.map(|outside| {
+        let axes = outside.iter().map(|axis| AXIS_NAMES[axis]).collect::<Vec<_>>().join(", ");
+        let key = if outside.is_empty() { "neighbour-inside" } else { "neighbour-outside" };
+        texts.format(key, &[("axes", axes.into())])
+    });
+    let climb = moment.difference.map(|difference| {
+        let arguments =
+            [("climbed", difference.climbed.into()), ("level", difference.level.into())];
+        texts.format("neighbour-ancestor", &arguments)
+    });
+    Some(NeighbourTables { tables: (0..D).filter_map(table).collect(), border, climb })
+}
+
+/// Code, what is added or subtracted, and the result.
+fn sum_rows<const D: usize>(texts: &Texts, target: &Target<D>, axis: usize) -> Vec<BitRow> {
+    let from = i64::from(target.from[axis]);
+    let to = target.to[axis];
+    let upwards = to > from;
+    let step = step_of(target, axis);
+    let changed = from ^ to;
+    let row = |name: String, bits: i64, note: String| BitRow {
+        name,
+        axis: Some(axis),
+        bits,
+        note,
+        ..BitRow::default()
+    };
+    let to_text = to.to_string().replace('-', "−");
+    let key = if upwards { "neighbour-carry" } else { "neighbour-borrow" };
+    let is_carried = changed & !step != 0;
+    let note = if is_carried { format!("{to_text} · {}", texts.get(key)) } else { to_text };
+    vec![
+        row(AXIS_NAMES[axis].to_owned(), from, from.to_string()),
+        row(if upwards { "+" } else { "−" }.to_owned(), step, step.to_string()),
+        BitRow { marked: changed & !step, rule_above: true, ..row("=".to_owned(), to, note) },
+    ]
+}
+
+/// What is added or subtracted: up by the size of the cell, down by the smallest.
+fn step_of<const D: usize>(target: &Target<D>, axis: usize) -> i64 {
+    let upwards = target.to[axis] > i64::from(target.from[axis]);
+    if upwards { 1i64 << target.level } else { 1 }
+}
+
+/// The columns into which a one is carried, or from which one is borrowed.
+fn carries_of<const D: usize>(target: &Target<D>, axis: usize) -> i64 {
+    let from = i64::from(target.from[axis]);
+    from ^ target.to[axis] ^ step_of(target, axis)
+}
+
+/// Code before and after, on an axis that is not crossed.
+fn moved_rows<const D: usize>(texts: &Texts, target: &Target<D>, axis: usize) -> Vec<BitRow> {
+    let row = |name: String, bits: i64| BitRow {
+        name,
+        axis: Some(axis),
+        bits,
+        note: bits.to_string(),
+        ..BitRow::default()
+    };
+    vec![
+        row(AXIS_NAMES[axis].to_owned(), i64::from(target.from[axis])),
+        row(texts.get("neighbour-new"), target.to[axis]),
+    ]
+}
+
+/// Level of the common ancestor as far as this axis goes; `None` outside.
+fn axis_level<const D: usize>(target: &Target<D>, axis: usize, root_level: u8) -> Option<u8> {
+    let to = u32::try_from(target.to[axis]).ok().filter(|&code| code < 1 << root_level)?;
+    Some(common_level([target.from[axis]], [to]).max(target.level))
+}
+
+/// The computation, as a figure of this width.
+pub(super) fn view<const D: usize>(subject: &Subject<D>, width: f64) -> Option<Figure> {
+    const GAP: f64 = 10.0;
+    let computed = neighbour_tables(subject.texts, subject.tree, subject.moment)?;
+    let mut sheet = Sheet::default();
+    let mut bottom = 0.0;
+    for table in &computed.tables {
+        let table = table.figure(width);
+        let height = table.page.height;
+        sheet.place(table.drawn, [0.0, bottom]);
+        bottom += height + GAP;
+    }
+    let words = [computed.border.map(strong), computed.climb.map(Into::into)];
+    for text in words.into_iter().flatten() {
+        bottom += sheet.paragraph(Role::Words, [0.0, bottom], width, &text);
+    }
+    Some(sheet.figure([width, bottom]))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use octoscope_core::geometry::Axes;
+
+    #[test]
+    fn a_one_is_carried_through_every_one_that_is_there() {
+        let target = Target {
+            level: 0,
+            from: [0b0111, 0],
+            to: [0b1000, 0],
+            axes: Axes::one(0),
+            outside: None,
+        };
+        assert_eq!(carries_of::<2>(&target, 0), 0b1110);
+        let back = Target { from: [0b1000, 0], to: [0b0111, 0], ..target };
+        assert_eq!(carries_of::<2>(&back, 0), 0b1110, "borrowed");
+    }
+}

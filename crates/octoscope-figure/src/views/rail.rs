@@ -1,0 +1,152 @@
+//! What the rail shows: the parameters that the algorithm knows at a moment.
+
+use octoscope_core::trace::Moment;
+use octoscope_core::tree::NodeId;
+
+/// Parameters t of one node. What the algorithm has not computed is not there.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Rail<const D: usize> {
+    /// The node.
+    pub node: NodeId,
+    /// Where the ray enters and leaves it, as far as is known.
+    pub interval: [f64; 2],
+    near: Option<[f64; D]>,
+    mid: Option<[f64; D]>,
+    far: Option<[f64; D]>,
+    /// How the far planes are called.
+    far_name: &'static str,
+}
+
+/// Planes are shown in their place up to so many lengths of an interval outside it.
+const NEAR: f64 = 3.0;
+
+impl<const D: usize> Rail<D> {
+    /// Of the leaf that was just reported, the node on top of the stack, the leaf
+    /// that is left, or the root; `None` as long as no parameter is known.
+    pub fn of(moment: &Moment<D>) -> Option<Self> {
+        let leaf = moment.leaves.last().copied();
+        if let Some(frame) = moment.frame() {
+            // A leaf has no frame of its own where the stack holds parents only.
+            let is_of_parent = leaf.is_some_and(|leaf| moment.current == Some(leaf.node))
+                && moment.current != Some(frame.node);
+            if !is_of_parent {
+                let interval = [frame.enter(), frame.exit()];
+                let [near, far] = frame.planes().map_or([None; 2], |planes| planes.map(Some));
+                return Some(Self {
+                    near,
+                    mid: frame.mid,
+                    far,
+                    ..Self::of_node(frame.node, interval)
+                });
+            }
+        }
+        if let (Some(part), Some(interval)) = (moment.part, moment.part_interval) {
+            return Some(Self::of_node(part.node, interval));
+        }
+        if let Some(grid) = moment.grid {
+            let node = leaf.map_or(NodeId::ROOT, |leaf| leaf.node);
+            // From where the ray came into the leaf to the plane ahead.
+            let exit = grid.next.into_iter().fold(f64::INFINITY, f64::min);
+            let interval = [leaf.map_or_else(|| entered(moment), |leaf| leaf.enter), exit];
+            let far = Some(grid.next);
+            return Some(Self { far, far_name: "max", ..Self::of_node(node, interval) });
+        }
+        if let Some(leaf) = leaf {
+            let rail = Self::of_node(leaf.node, [leaf.enter, leaf.exit]);
+            return Some(Self { far: moment.exits.map(|exits| exits.exits), ..rail });
+        }
+        if let (Some(interval), Some(node)) = (moment.tested, moment.current) {
+            return Some(Self::of_node(node, interval));
+        }
+        let clip = moment.clip?;
+        let enter = clip.near.into_iter().fold(f64::NEG_INFINITY, f64::max);
+        let exit = clip.far.into_iter().fold(f64::INFINITY, f64::min);
+        let root = Self::of_node(NodeId::ROOT, [enter, exit]);
+        Some(Self { near: Some(clip.near), far: Some(clip.far), ..root })
+    }
+
+    /// Of a node of which only the interval is known in which the ray is in it.
+    fn of_node(node: NodeId, interval: [f64; 2]) -> Self {
+        Self { node, interval, near: None, mid: None, far: None, far_name: "1" }
+    }
+
+    /// Parameters between which the ray is between both planes of an axis, the first
+    /// that of the node where the near plane is not known; `None` without planes.
+    pub fn bar(&self, axis: usize) -> Option<[f64; 2]> {
+        let far = self.far?[axis];
+        Some([self.near.map_or(self.interval[0], |near| near[axis]), far])
+    }
+
+    /// The parameters of an axis with the names of their planes.
+    pub fn stops(&self, axis: usize) -> Vec<(f64, &'static str)> {
+        let known = [(self.near, "0"), (self.mid, "m"), (self.far, self.far_name)];
+        known.into_iter().filter_map(|(t, name)| Some((t?[axis], name))).collect()
+    }
+
+    /// Range of t that is shown: all finite parameters, with a margin. Where all
+    /// begins at once, in an interval, planes far outside would leave no room for
+    /// it: they are left out, and lie beyond the ends.
+    pub fn range(&self) -> [f64; 2] {
+        let [enter, exit] = self.interval;
+        let length = exit - enter;
+        let cuts = self.near.is_none() && length > 0.0 && length.is_finite();
+        let reach = NEAR * length;
+        let is_near = |t: f64| !cuts || (enter - reach <= t && t <= exit + reach);
+        let planes = [self.near, self.mid, self.far].into_iter().flatten().flatten();
+        let all = planes.chain(self.interval);
+        let finite: Vec<f64> = all.filter(|&t| t.is_finite() && is_near(t)).collect();
+        let low = finite.iter().copied().fold(f64::INFINITY, f64::min);
+        let high = finite.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+        if low > high {
+            return [0.0, 1.0];
+        }
+        // Term by term, as the whole length may be larger than any number.
+        let margin = (high * 0.08 - low * 0.08).max(f64::EPSILON * high.abs().max(1.0) * 16.0);
+        [(low - margin).max(f64::MIN), (high + margin).min(f64::MAX)]
+    }
+}
+
+/// Where the ray comes into the root.
+fn entered<const D: usize>(moment: &Moment<D>) -> f64 {
+    let near = moment.clip.map_or([0.0; D], |clip| clip.near);
+    near.into_iter().fold(0.0, f64::max)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn slab(near: f64, far: f64) -> Rail<2> {
+        let rail = Rail::of_node(NodeId::ROOT, [near, far]);
+        Rail { near: Some([near; 2]), far: Some([far; 2]), ..rail }
+    }
+
+    #[test]
+    fn the_rail_shows_something_on_both_sides_of_a_single_parameter() {
+        for t in [0.0, 1.0, -7e200] {
+            let range = slab(t, t).range();
+            assert!(range[0] < t && t < range[1], "{range:?}");
+        }
+        assert_eq!(slab(f64::NEG_INFINITY, f64::INFINITY).range(), [0.0, 1.0]);
+        for reach in [1e308, f64::MAX] {
+            assert!(slab(-reach, reach).range().iter().all(|t| t.is_finite()));
+        }
+    }
+
+    #[test]
+    fn planes_far_outside_leave_room_for_the_interval() {
+        let interval = Rail::<2>::of_node(NodeId::ROOT, [1.0, 2.0]);
+        let [low, high] = Rail { mid: Some([1.5, 4.5]), ..interval }.range();
+        assert!(low < 1.0 && 4.5 < high && high < 5.0, "{low} {high}");
+        let [low, high] = Rail { mid: Some([-50.0, 1e9]), ..interval }.range();
+        assert!(0.9 < low && low < 1.0 && 2.0 < high && high < 2.1, "{low} {high}");
+    }
+
+    #[test]
+    fn what_is_not_known_is_not_shown() {
+        let interval = Rail::<2>::of_node(NodeId::ROOT, [1.0, 2.0]);
+        assert_eq!((interval.bar(0), interval.stops(0)), (None, vec![]));
+        let left = Rail { far: Some([2.0, f64::INFINITY]), ..interval };
+        assert_eq!((left.bar(0), left.stops(0)), (Some([1.0, 2.0]), vec![(2.0, "1")]));
+    }
+}

@@ -1,0 +1,312 @@
+//! Parameters t of the planes of the current node, on one axis.
+
+use super::rail::Rail;
+use super::sheet::Sheet;
+use super::subject::Subject;
+use super::words::{joined, on_axis, parameter};
+use crate::{Anchor, Figure, Role, metrics};
+use octoscope_core::explain::{RichText, approx};
+use octoscope_core::geometry::AXIS_NAMES;
+use octoscope_core::text::Texts;
+use octoscope_core::trace::Moment;
+use octoscope_core::tree::NodeId;
+
+/// The rail of a node: what is drawn, and where a t lies in it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct RailFigure {
+    /// What is drawn.
+    pub figure: Figure,
+    /// The node of which it tells.
+    pub node: NodeId,
+    /// Where the ray enters and leaves the node.
+    pub interval: [f64; 2],
+    /// The t at both ends of the common axis.
+    range: [f64; 2],
+    /// Where that axis begins and ends on the page.
+    track: [f64; 2],
+}
+
+impl RailFigure {
+    /// The t at a distance from the left of the page.
+    pub fn t_at(&self, x: f64) -> f64 {
+        let [left, right] = self.track;
+        at_share(((x - left) / (right - left)).clamp(0.0, 1.0), self.range)
+    }
+}
+
+/// One bar per axis from t0 to t1 with tm, in rows of height `row` on a page of
+/// this width; `None` as long as no parameter is known.
+pub fn t_rail<const D: usize>(
+    texts: &Texts,
+    moment: &Moment<D>,
+    [width, row]: [f64; 2],
+) -> Option<RailFigure> {
+    let rail = Rail::of(moment)?;
+    let (range, track) = (rail.range(), [24.0, width - 8.0]);
+    let drawing = Drawing { rail: &rail, range, track, row };
+    let mut sheet = Sheet::default();
+    drawing.draw(&mut sheet, texts);
+    let figure = sheet.figure([width, row * D as f64 + BELOW]);
+    let Rail { node, interval, .. } = rail;
+    Some(RailFigure { figure, node, interval, range, track })
+}
+
+/// The node of which the rail tells; `None` as long as no parameter is known.
+pub fn rail_node<const D: usize>(moment: &Moment<D>) -> Option<NodeId> {
+    Rail::of(moment).map(|rail| rail.node)
+}
+
+/// The rail with the node above it, as a figure of this width.
+pub(super) fn view<const D: usize>(subject: &Subject<D>, width: f64) -> Option<Figure> {
+    const ROW: f64 = 40.0;
+    const HEAD: f64 = 20.0;
+    let rail = t_rail(subject.texts, subject.moment, [width, ROW])?;
+    let mut sheet = Sheet::default();
+    let text = super::node_note(subject, rail.node);
+    sheet.text(Role::Note, [0.0, 8.0], Anchor::Start, text);
+    sheet.place(rail.figure.drawn, [0.0, HEAD]);
+    Some(sheet.figure([width, rail.figure.page.height + HEAD]))
+}
+
+/// Room below the bars.
+const BELOW: f64 = 34.0;
+
+/// Where `t` lies between `low` and `high`, from 0 to 1; halved, as the whole
+/// length may be larger than any number.
+fn share_of(t: f64, [low, high]: [f64; 2]) -> f64 {
+    ((t / 2.0 - low / 2.0) / (high / 2.0 - low / 2.0)).clamp(0.0, 1.0)
+}
+
+/// The parameter at this share of the way from `low` to `high`.
+fn at_share(share: f64, [low, high]: [f64; 2]) -> f64 {
+    low * (1.0 - share) + high * share
+}
+
+/// A rail on its page.
+struct Drawing<'a, const D: usize> {
+    rail: &'a Rail<D>,
+    range: [f64; 2],
+    track: [f64; 2],
+    row: f64,
+}
+
+/// Text beside a bar.
+struct Label {
+    /// Its left end and its middle height.
+    at: [f64; 2],
+    width: f64,
+    text: RichText,
+    /// Whether the number has to be looked at twice: ±∞, NaN or −0.
+    is_odd: bool,
+}
+
+impl<const D: usize> Drawing<'_, D> {
+    fn x_of(&self, t: f64) -> f64 {
+        let [left, right] = self.track;
+        left + share_of(t, self.range) * (right - left)
+    }
+
+    fn bar_y(&self, axis: usize) -> f64 {
+        self.row * (axis as f64 + 0.5) - 8.0
+    }
+
+    fn bottom(&self) -> f64 {
+        self.row * D as f64
+    }
+
+    fn draw(&self, sheet: &mut Sheet, texts: &Texts) {
+        let [enter, exit] = self.rail.interval;
+        if enter < exit {
+            let [from, to] = [enter, exit].map(|t| self.x_of(t));
+            sheet.rect(Role::Inside, [from, 0.0], [to - from, self.bottom()]);
+        }
+        let labels: Vec<Label> = (0..D).flat_map(|axis| self.labels(axis)).collect();
+        for t in [enter, exit].into_iter().filter(|t| t.is_finite()) {
+            self.limit(sheet, self.x_of(t), &labels);
+        }
+        for axis in 0..D {
+            self.bar(sheet, axis);
+        }
+        for Label { at, width, text, is_odd } in labels {
+            if is_odd {
+                sheet.rect(Role::Blank, [at[0] - 4.0, at[1] - 8.0], [width + 8.0, 16.0]);
+            }
+            sheet.text(Role::Words, at, Anchor::Start, text);
+        }
+        self.scale(sheet);
+        self.ends(sheet, texts, [enter, exit]);
+    }
+
+    /// Bar of an axis and the marks on it.
+    fn bar(&self, sheet: &mut Sheet, axis: usize) {
+        let y = self.bar_y(axis);
+        sheet.text(Role::Heading, [0.0, y], Anchor::Start, on_axis(axis, AXIS_NAMES[axis]));
+        if let Some([near, far]) = self.rail.bar(axis).filter(|[near, far]| near < far) {
+            sheet.line(Role::Bar(axis), [[self.x_of(near), y], [self.x_of(far), y]]);
+        }
+        let [low, high] = self.range;
+        for (t, _) in self.rail.stops(axis) {
+            let x = self.x_of(t);
+            if (low..=high).contains(&t) {
+                sheet.line(Role::Stop(axis), [[x, y - 8.0], [x, y + 8.0]]);
+            } else if !t.is_nan() {
+                // Beyond the end of the rail.
+                let way = if t > high { 8.0 } else { -8.0 };
+                sheet.arrow(Role::Stop(axis), [[x - way, y], [x + 0.5 * way, y]], 8.0);
+            }
+        }
+    }
+
+    /// t with its subscript below each mark, and the value where there is room.
+    fn labels(&self, axis: usize) -> Vec<Label> {
+        let y = self.bar_y(axis) + 17.0;
+        let stops = self.rail.stops(axis);
+        let room = [18.0, self.track[1] + 6.0];
+        let mut labels = Vec::new();
+        // The first way in which all fit: with all values, those of planes, none.
+        for shown in [|_: &str| true, |plane: &str| plane != "m", |_: &str| false] {
+            labels =
+                stops.iter().map(|&(t, plane)| self.label(axis, t, plane, shown(plane))).collect();
+            let wide: f64 = labels.iter().map(|label: &Label| label.width + LABEL_GAP).sum();
+            if wide - LABEL_GAP <= room[1] - room[0] {
+                break;
+            }
+        }
+        let wanted: Vec<[f64; 2]> = labels.iter().map(|label| [label.at[0], label.width]).collect();
+        for (label, start) in labels.iter_mut().zip(spread(&wanted, LABEL_GAP, room)) {
+            label.at = [start, y];
+        }
+        labels
+    }
+
+    /// Text of a parameter, wished with its middle below the mark.
+    fn label(&self, axis: usize, t: f64, plane: &str, with_value: bool) -> Label {
+        let is_odd = !t.is_finite() || t == 0.0 && t.is_sign_negative();
+        let x = if t.is_nan() { 0.5 * (self.track[0] + self.track[1]) } else { self.x_of(t) };
+        let value = if with_value { format!(" {}", approx(t)) } else { String::new() };
+        let text = joined([parameter(axis, plane), value.into()]);
+        let width = metrics::width(Role::Words, &text);
+        Label { at: [x - 0.5 * width, 0.0], width, text, is_odd }
+    }
+
+    /// A dashed line across all bars, interrupted where something is written.
+    fn limit(&self, sheet: &mut Sheet, x: f64, labels: &[Label]) {
+        let mut from = 0.0;
+        for label in labels {
+            let [left, y] = label.at;
+            if (left - 4.0..=left + label.width + 4.0).contains(&x) {
+                sheet.line(Role::Limit, [[x, from], [x, y - 8.0]]);
+                from = y + 8.0;
+            }
+        }
+        sheet.line(Role::Limit, [[x, from], [x, self.bottom() + 3.0]]);
+    }
+
+    /// The common axis, with 0 where it is in sight.
+    fn scale(&self, sheet: &mut Sheet) {
+        let (y, [left, right]) = (self.bottom() + 3.0, self.track);
+        sheet.arrow(Role::Scale, [[left, y], [right + 6.0, y]], 6.0);
+        sheet.text(Role::Scale, [right + 4.0, y + 11.0], Anchor::End, "t");
+        let [low, high] = self.range;
+        if low < 0.0 && high > 0.0 {
+            let x = self.x_of(0.0);
+            sheet.disc(Role::Zero, [x, y]);
+            if x < right - 16.0 {
+                sheet.text(Role::Zero, [x, y + 11.0], Anchor::Middle, "0");
+            }
+        }
+    }
+
+    /// The latest entry and the earliest exit in words, below their lines.
+    fn ends(&self, sheet: &mut Sheet, texts: &Texts, ends: [f64; 2]) {
+        const GAP: f64 = 14.0;
+        let y = self.bottom() + 27.0;
+        let texts: Vec<(f64, RichText)> = ["t-rail-enter", "t-rail-exit"]
+            .into_iter()
+            .zip(ends)
+            .filter(|(_, t)| t.is_finite())
+            .map(|(key, t)| (self.x_of(t), format!("{} {}", texts.get(key), approx(t)).into()))
+            .collect();
+        let wanted = texts.iter().map(|(x, text)| {
+            let width = metrics::width(Role::Note, text);
+            [x - 0.5 * width, width]
+        });
+        let starts = spread(&wanted.collect::<Vec<_>>(), GAP, [0.0, self.track[1] + 6.0]);
+        for ((_, text), start) in texts.into_iter().zip(starts) {
+            sheet.text(Role::Note, [start, y], Anchor::Start, text);
+        }
+    }
+}
+
+/// Room between two labels of a bar.
+const LABEL_GAP: f64 = 9.0;
+
+/// Where labels begin that want to begin at a place and have a width: in their
+/// order, apart from each other, and between two ends if they fit.
+fn spread(wanted: &[[f64; 2]], gap: f64, [left, right]: [f64; 2]) -> Vec<f64> {
+    // Groups of labels that touch each other, with the middle that they want.
+    struct Group {
+        start: f64,
+        width: f64,
+        n: usize,
+    }
+    let mut groups: Vec<Group> = Vec::new();
+    for &[start, width] in wanted {
+        groups.push(Group { start, width, n: 1 });
+        while let [.., before, last] = &mut groups[..]
+            && before.start + before.width + gap > last.start
+        {
+            let n = before.n + last.n;
+            let middle = |group: &Group| group.start + 0.5 * group.width;
+            let wish = (before.n as f64 * middle(before) + last.n as f64 * middle(last)) / n as f64;
+            before.width += gap + last.width;
+            before.start = (wish - 0.5 * before.width).min(right - before.width).max(left);
+            before.n = n;
+            groups.pop();
+        }
+        if let [only] = &mut groups[..] {
+            only.start = only.start.min(right - only.width).max(left);
+        } else if let Some(last) = groups.last_mut() {
+            last.start = last.start.min(right - last.width);
+        }
+    }
+    let mut starts = Vec::with_capacity(wanted.len());
+    let mut widths = wanted.iter().map(|[_, width]| width);
+    for Group { start, n, .. } in groups {
+        let mut x = start;
+        for width in widths.by_ref().take(n) {
+            starts.push(x);
+            x += width + gap;
+        }
+    }
+    starts
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_largest_parameters_lie_at_different_places_of_the_rail() {
+        for reach in [1e308, f64::MAX] {
+            let range = [-reach, reach];
+            let [near, middle, far] = [-reach, 0.0, reach].map(|t| share_of(t, range));
+            assert!(
+                near < 0.1 && (middle - 0.5).abs() < 1e-12 && far > 0.9,
+                "{near} {middle} {far}"
+            );
+            assert!(at_share(0.75, range) > at_share(0.25, range));
+        }
+    }
+
+    #[test]
+    fn labels_that_want_the_same_place_are_spread_in_their_order() {
+        let check = |wanted: &[[f64; 2]], starts: &[f64]| {
+            assert_eq!(spread(wanted, 2.0, [0.0, 100.0]), starts, "{wanted:?}");
+        };
+        check(&[[10.0, 20.0], [50.0, 20.0]], &[10.0, 50.0]);
+        check(&[[40.0, 20.0], [40.0, 20.0]], &[29.0, 51.0]);
+        check(&[[-5.0, 20.0], [-5.0, 20.0], [0.0, 10.0]], &[0.0, 22.0, 44.0]);
+        check(&[[50.0, 20.0], [95.0, 20.0], [99.0, 20.0]], &[36.0, 58.0, 80.0]);
+    }
+}

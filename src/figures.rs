@@ -1,0 +1,226 @@
+//! The figure of any view of a document.
+
+use crate::document::Document;
+use crate::export::{MARGIN, space};
+use crate::text::texts;
+use octoscope_core::event::Event;
+use octoscope_core::explain::sentence;
+use octoscope_core::query::Query;
+use octoscope_core::text::Language;
+use octoscope_figure::views::{
+    Exercise, Fields, FigureView, Layout, Panel, Subject, common_extent, figure, storyboard,
+    worksheet,
+};
+use octoscope_figure::{Camera, Extent, Figure, Page, Show};
+
+/// What a figure shows, and how.
+#[derive(Clone, Debug)]
+pub struct Wanted<const D: usize> {
+    /// What it shows.
+    pub view: FigureView,
+    /// Number of events that have happened.
+    pub step: usize,
+    /// Moments of a storyboard.
+    pub moments: Moments,
+    /// Number of the exercise on a worksheet, and what is in its fields.
+    pub exercise: (Option<u64>, Fields),
+    /// Page of the view in space.
+    pub page: Page,
+    /// Camera of pictures of space; none fits everything.
+    pub camera: Option<Camera<D>>,
+    /// What such pictures show.
+    pub show: Show,
+    /// Language of all words.
+    pub language: Language,
+}
+
+/// The views that have something to show of a query.
+pub fn views_of<const D: usize>(query: &Query<D>) -> Vec<FigureView> {
+    FigureView::ALL.into_iter().filter(|view| view.fits(query).is_ok()).collect()
+}
+
+/// Which moments a storyboard shows.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Moments {
+    /// So many, from the first step to the last at even distances.
+    Even(usize),
+    /// Those at which a leaf is reported, at most so many.
+    Leaves(usize),
+    /// After these numbers of events.
+    At(Vec<usize>),
+}
+
+impl Default for Moments {
+    fn default() -> Self {
+        Self::Even(6)
+    }
+}
+
+impl Moments {
+    /// Most panels of a storyboard: more would be too small or too many to read.
+    pub const MOST: usize = 24;
+
+    /// The steps in a run of `document`.
+    fn steps<const D: usize>(&self, document: &Document<D>) -> Vec<usize> {
+        let n_steps = document.trace.events.len();
+        match self {
+            Self::Even(n) => evenly(*n, &(1..=n_steps).collect::<Vec<_>>()),
+            Self::Leaves(n) => {
+                let events = document.trace.events.iter().enumerate();
+                let is_leaf = |(index, event): (usize, &Event<D>)| {
+                    matches!(event, Event::Leaf { .. } | Event::Found { .. }).then_some(index + 1)
+                };
+                evenly(*n, &events.filter_map(is_leaf).collect::<Vec<_>>())
+            }
+            Self::At(steps) => steps.clone(),
+        }
+    }
+}
+
+/// At most `n` of some numbers, at even distances, the first and the last among them.
+fn evenly(n: usize, all: &[usize]) -> Vec<usize> {
+    if all.len() <= n || n < 2 {
+        return all.iter().copied().take(n.max(1)).collect();
+    }
+    (0..n).map(|index| all[index * (all.len() - 1) / (n - 1)]).collect()
+}
+
+/// Figure of a view of `document`: that of space on its whole page, any other on
+/// a page that ends around it.
+///
+/// # Errors
+/// Says which query, step or tree a view would fit that has nothing to show.
+pub fn figure_of<const D: usize>(
+    document: &Document<D>,
+    wanted: &Wanted<D>,
+) -> anyhow::Result<Figure> {
+    let Wanted { view, step, page, camera, show, language, .. } = *wanted;
+    let figure = match view {
+        FigureView::Space => return Ok(space(document, camera, page, &show, step)),
+        FigureView::Storyboard => story(document, wanted),
+        FigureView::Worksheet => exercise(document, wanted)?,
+        FigureView::Automaton
+        | FigureView::TRail
+        | FigureView::Codes
+        | FigureView::Region
+        | FigureView::Neighbour
+        | FigureView::Listing
+        | FigureView::Table
+        | FigureView::Chart => {
+            let subject = Subject {
+                tree: &document.tree,
+                ray: &document.scenario.ray,
+                trace: &document.trace,
+                moment: &document.moment(step),
+                texts: &texts(language),
+            };
+            figure(view, &subject, view.width::<D>())?
+        }
+    };
+    Ok(figure.cropped(MARGIN))
+}
+
+/// Several moments with their sentences on one page.
+fn story<const D: usize>(document: &Document<D>, wanted: &Wanted<D>) -> Figure {
+    let Wanted { camera, show, language, .. } = *wanted;
+    let steps = wanted.moments.steps(document);
+    let width = FigureView::Storyboard.width::<D>();
+    let layout = Layout::of(steps.len(), width);
+    let panels = |page: Page| -> Vec<Panel> {
+        let panel = |&step: &usize| Panel {
+            step,
+            picture: space(document, camera, page, &show, step),
+            caption: sentence(
+                &document.tree,
+                &document.scenario.ray,
+                &document.trace,
+                step,
+                language,
+            ),
+        };
+        steps.iter().map(panel).collect()
+    };
+    let panels = filling(layout.column, camera.is_some(), panels, |panels| {
+        common_extent(panels.iter().map(|panel| &panel.picture))
+    });
+    storyboard(panels, layout, &texts(language), width)
+}
+
+/// Pictures on a page that is so large that what is seen on it is `width` wide.
+fn filling<T>(
+    width: f64,
+    is_fixed: bool,
+    draw: impl Fn(Page) -> T,
+    extent: impl Fn(&T) -> Option<Extent>,
+) -> T {
+    let page = Page { width, height: width };
+    let first = draw(page);
+    let Some(extent) = extent(&first).filter(|_| !is_fixed) else { return first };
+    // Letters do not grow with the page: a little less than it would take.
+    let factor = (width / extent.size()[0]).clamp(0.5, 2.0).powf(0.95);
+    draw(Page { width: width * factor, height: width * factor })
+}
+
+/// A worksheet of the ray of `document`.
+fn exercise<const D: usize>(document: &Document<D>, wanted: &Wanted<D>) -> anyhow::Result<Figure> {
+    const SIDE: f64 = 230.0;
+    let (number, fields) = wanted.exercise;
+    let exercise = Exercise::of(&document.tree, &document.scenario.ray, number)?;
+    let draw = |page: Page| space(document, wanted.camera, page, &wanted.show, 0);
+    let picture = filling(SIDE, wanted.camera.is_some(), draw, Figure::extent).cropped(0.0);
+    let width = FigureView::Worksheet.width::<D>();
+    let texts = texts(wanted.language);
+    Ok(worksheet(&document.tree, &exercise, picture, &texts, (fields, width)))
+}
+
+/// Gives `document` the ray of an exercise.
+///
+/// # Errors
+/// Says that no ray through its tree can be followed by hand.
+pub fn take_exercise<const D: usize>(
+    document: &mut Document<D>,
+    number: u64,
+) -> anyhow::Result<()> {
+    document.scenario.ray = Exercise::ray_of(&document.tree, number)?;
+    document.scenario.query = Query::default();
+    document.refresh(0);
+    Ok(())
+}
+
+/// `figure` in the middle of a page with the proportions of `size`, and the factor
+/// by which that page becomes as large.
+pub fn fitted(figure: Figure, size: Page) -> (Figure, f64) {
+    let whole = figure.page;
+    let factor = (size.width / whole.width).min(size.height / whole.height);
+    let page = Page { width: size.width / factor, height: size.height / factor };
+    let corner = [0.5 * (page.width - whole.width), 0.5 * (page.height - whole.height)];
+    (figure.on_page(page, corner), factor)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_figure_is_fitted_into_any_page_without_being_distorted() {
+        let figure = || Figure { page: Page { width: 300.0, height: 100.0 }, drawn: Vec::new() };
+        for (size, factor, page) in [
+            ([600.0, 400.0], 2.0, [300.0, 200.0]),
+            ([150.0, 50.0], 0.5, [300.0, 100.0]),
+            ([900.0, 100.0], 1.0, [900.0, 100.0]),
+        ] {
+            let (fitted, by) = fitted(figure(), Page { width: size[0], height: size[1] });
+            assert_eq!(by, factor);
+            assert_eq!([fitted.page.width, fitted.page.height], page);
+        }
+    }
+
+    #[test]
+    fn an_even_choice_has_the_first_and_the_last() {
+        let all: Vec<usize> = (1..=100).collect();
+        assert_eq!(evenly(4, &all), [1, 34, 67, 100]);
+        assert_eq!(evenly(6, &[3, 5]), [3, 5]);
+        assert_eq!(evenly(1, &all), [1]);
+        assert_eq!(evenly(3, &[]), [0; 0]);
+    }
+}

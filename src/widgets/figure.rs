@@ -1,0 +1,19 @@
+//! A figure as part of a panel.
+
+use crate::look::Look;
+use crate::space::{PageInWindow, paint};
+use eframe::egui::{Rect, Response, Sense, Ui, vec2};
+use octoscope_figure::{Figure, Page};
+
+/// Room for a page in a panel; what senses a click or drag is up to the caller.
+pub fn room(ui: &mut Ui, page: Page, sense: Sense) -> (Rect, Response) {
+    ui.allocate_exact_size(vec2(page.width as f32, page.height as f32), sense)
+}
+
+/// Paints `figure` with its upper left corner at that of `rect`.
+pub fn paint_figure(ui: &Ui, look: &Look, rect: Rect, figure: &Figure) {
+    if ui.is_rect_visible(rect) {
+        let frame = PageInWindow { page: figure.page, corner: rect.min };
+        paint::figure(&ui.painter_at(rect.expand(3.0)), look, look.theme, frame, figure);
+    }
+}
