@@ -347,6 +347,7 @@ mod tests {
     use crate::open::open_built_in;
     use crate::with_document;
     use octoscope_core::scenario::{AnyScenario, BUILT_IN, built_in};
+    use octoscope_core::traverse::Algorithm;
 
     #[test]
     fn a_tree_that_cannot_be_built_is_not_wanted_any_more() {
@@ -375,6 +376,20 @@ mod tests {
             before.iter().zip(&after).map(|(a, b)| a.address == b.address).collect();
         // Tree, trace, content and source: only the trace is another one.
         assert_eq!(same, [true, false, true, true]);
+    }
+
+    #[test]
+    fn a_long_trace_is_cut_off_and_is_whole_where_it_is_asked_for() {
+        let Some(AnyScenario::Quadtree(mut scenario)) = built_in("quadtree-82") else { panic!() };
+        scenario.recipe.depth = 16;
+        if let Query::Ray { algorithm, .. } = &mut scenario.query {
+            *algorithm = Algorithm::Dda;
+        }
+        let content = Arc::new(scenario.source.content().unwrap());
+        let mut document = Document::new(scenario, content, &Progress::default()).unwrap();
+        assert!(document.trace.is_cut());
+        document.trace_whole();
+        assert!(!document.trace.is_cut() && document.trace.events.len() > MOST_EVENTS);
     }
 
     #[test]

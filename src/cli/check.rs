@@ -4,6 +4,7 @@ use super::Answer;
 use crate::document::Document;
 use crate::files::{Output, read_text};
 use crate::open::open;
+use crate::traced::MOST_EVENTS;
 use crate::with_document;
 use clap::Args;
 use octoscope_core::progress::Progress;
@@ -113,7 +114,7 @@ fn summary<const D: usize>(document: &Document<D>) -> String {
         count(tree.n_leaves(), "leaf", "leaves"),
         format!("{n_full} occupied"),
         format!("depth {depth}"),
-        count(document.trace.events.len(), "step", "steps"),
+        steps(document),
     ];
     format!("{}, {}", kind::<D>(), counted.join(", "))
 }
@@ -128,6 +129,14 @@ fn made_of<const D: usize>(content: &Content<D>) -> String {
         Content::Spheres(_) => count(n, "sphere", "spheres"),
         Content::Boxes(_) => count(n, "box", "boxes"),
         Content::Triangles(_) => count(n, "triangle", "triangles"),
+    }
+}
+
+/// Number of steps of the query; of a long run that there are more than are kept.
+fn steps<const D: usize>(document: &Document<D>) -> String {
+    match document.trace.is_cut() {
+        true => format!("more than {MOST_EVENTS} steps"),
+        false => count(document.trace.events.len(), "step", "steps"),
     }
 }
 

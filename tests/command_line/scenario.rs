@@ -19,6 +19,19 @@ fn check_tells_what_files_hold() {
 }
 
 #[test]
+fn check_does_not_count_the_steps_of_a_long_run_but_says_so() {
+    let desk = desk_with_scenario();
+    desk.put(
+        "deep.octo",
+        r#"{"octoscope":1,"dimension":2,"domain":{"min":[0,0],"side":1},
+        "scene":{"points":[[0.3,0.3],[0.3000001,0.3000001]]},"build":{"depth":20,"capacity":1},
+        "ray":{"origin":[-0.16,0.13],"direction":[1,0.62]},"query":"ray","algorithm":"dda"}"#,
+    );
+    let report = desk.prints("check deep.octo");
+    assert!(report.ends_with("depth 20, more than 100000 steps\n"), "{report}");
+}
+
+#[test]
 fn check_tells_what_lists_of_cells_and_rays_hold() {
     let desk = desk_with_scenario();
     desk.put("b.cells", "# none\n");
