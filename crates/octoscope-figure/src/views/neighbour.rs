@@ -39,7 +39,9 @@ pub fn neighbour_tables<const D: usize>(
         let rows =
             if crossed { sum_rows(texts, &target, axis) } else { moved_rows(texts, &target, axis) };
         let carries = Some(carries_of(&target, axis)).filter(|bits| crossed && *bits != 0);
-        let carries = carries.map(|bits| Carries { name: texts.get("neighbour-carries"), bits });
+        let upwards = target.to[axis] > i64::from(target.from[axis]);
+        let key = if upwards { "neighbour-carries" } else { "neighbour-borrows" };
+        let carries = carries.map(|bits| Carries { name: texts.get(key), bits });
         let width = root_level + 1;
         let mut table = BitTable { width, framed: None, rows, carries, name_room: 0.0 };
         if crossed
