@@ -200,6 +200,10 @@ pub fn fitted(figure: Figure, size: Page) -> (Figure, f64) {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::open::open_built_in;
+    use crate::with_document;
+    use octoscope_core::progress::Progress;
+    use octoscope_figure::{Drawn, Form, Role, metrics};
 
     #[test]
     fn a_figure_is_fitted_into_any_page_without_being_distorted() {
@@ -212,6 +216,48 @@ mod tests {
             let (fitted, by) = fitted(figure(), Page { width: size[0], height: size[1] });
             assert_eq!(by, factor);
             assert_eq!([fitted.page.width, fitted.page.height], page);
+        }
+    }
+
+    /// Left, top, right and bottom of a text, and whether it is a caption.
+    fn box_of(drawn: &Drawn) -> Option<([f64; 4], bool)> {
+        let Form::Text { at: [x, y], anchor, text } = &drawn.form else { return None };
+        let (width, size) = (metrics::width(drawn.role, text), metrics::size(drawn.role));
+        let left = x - anchor.share() * width;
+        Some(([left, y - 0.4 * size, left + width, y + 0.5 * size], drawn.role == Role::Note))
+    }
+
+    fn check_story<const D: usize>(document: &Document<D>, moments: Moments, language: Language) {
+        let wanted = Wanted {
+            view: FigureView::Storyboard,
+            step: 0,
+            moments: moments.clone(),
+            exercise: (None, Fields::Empty),
+            page: Page { width: 960.0, height: 720.0 },
+            camera: None,
+            show: Show::at_first::<D>(),
+            language,
+        };
+        let figure = figure_of(document, &wanted).unwrap();
+        assert!((300.0..560.0).contains(&figure.page.width), "{:?}", figure.page);
+        let boxes: Vec<_> = figure.drawn.iter().filter_map(box_of).collect();
+        for (index, (a, is_caption)) in boxes.iter().enumerate().filter(|(_, (_, is))| *is) {
+            assert!(*is_caption && a[0] > 0.0 && a[2] < figure.page.width);
+            let others = boxes.iter().enumerate().filter(|(other, _)| *other != index);
+            for (_, (b, _)) in others {
+                let is_apart = a[2] <= b[0] || b[2] <= a[0] || a[3] <= b[1] || b[3] <= a[1];
+                assert!(is_apart, "{moments:?} {language:?}: {a:?} {b:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn captions_and_legend_of_storyboards_cover_nothing() {
+        for (id, language) in [("quadtree-82", Language::English), ("figure-7", Language::German)] {
+            for moments in [1, 2, 3, 4, 6, 7].map(Moments::Even) {
+                let any = open_built_in(id, &Progress::default()).unwrap();
+                with_document!(&any, document => check_story(document, moments, language));
+            }
         }
     }
 

@@ -50,10 +50,55 @@ fn an_exported_png_has_the_size_asked_for() {
 }
 
 #[test]
+fn every_view_is_a_well_formed_svg_with_the_scenario_inside() {
+    let desk = desk_with_scenario();
+    for arguments in [
+        "a.octo --view t-rail --step 3",
+        "a.octo --view automaton --step 7",
+        "a.octo --view codes --step 5 --lang de",
+        "a.octo --view neighbour --algorithm codes --step last",
+        "a.octo --view listing --step 5",
+        "a.octo --view table --step last",
+        "a.octo --view chart --step last --size 300x300",
+        "a.octo --view storyboard --steps leaves:3",
+        "scene:figure-7 --view storyboard --steps 1,5,9,13 --lang de",
+        "scene:figure-7 --view automaton --step 7",
+        "scene:figure-1 --view worksheet --seed 4",
+    ] {
+        desk.prints(&format!("export {arguments} -o a.svg"));
+        let svg = fs::read_to_string(desk.0.path().join("a.svg")).unwrap();
+        let document = roxmltree::Document::parse(&svg).unwrap();
+        let n_texts = document.descendants().filter(|node| node.has_tag_name("text")).count();
+        assert!(n_texts > 4, "{arguments}: {n_texts} texts");
+        let inside = document.descendants().find(|node| node.has_tag_name("metadata")).unwrap();
+        AnyScenario::parse(inside.text().unwrap()).unwrap();
+    }
+}
+
+#[test]
+fn every_exercise_has_another_ray_and_its_own_solution() {
+    let desk = desk_with_scenario();
+    let sheet = |arguments: &str| {
+        desk.prints(&format!("export scene:figure-1 --view worksheet {arguments} -o a.svg"));
+        fs::read_to_string(desk.0.path().join("a.svg")).unwrap()
+    };
+    assert_eq!(sheet("--seed 4"), sheet("--seed 4"));
+    assert_ne!(sheet("--seed 4"), sheet("--seed 5"));
+    let solution = sheet("--seed 4 --solution");
+    assert!(solution.len() > sheet("--seed 4").len() + 1000);
+    assert!(solution.contains("Solution 4") && sheet("--seed 4 --lang de").contains("Aufgabe 4"));
+}
+
+#[test]
 fn export_refuses_what_it_cannot_draw_with_what_it_can() {
     let desk = desk_with_scenario();
     for (arguments, known) in [
-        ("a.octo --view automaton", "space"),
+        ("a.octo --view nothing", "automaton"),
+        ("a.octo --view region", "query is ‘region’"),
+        ("a.octo --view neighbour", "--algorithm codes"),
+        ("a.octo --view t-rail --step 0", "it has after step 1"),
+        ("a.octo --view storyboard --steps even", "even:N"),
+        ("a.octo --view storyboard --steps 3,99999", "there is no step 99999"),
         ("a.octo --format pdf", "svg and png"),
         ("a.octo --step all", "first or last"),
         ("a.octo --step 99999", "from 0 to "),

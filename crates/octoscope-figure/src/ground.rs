@@ -176,18 +176,20 @@ impl<const D: usize> View<'_, D> {
         let boxes: Vec<Aabb<D>> = areas.iter().map(|area| area.bounds).collect();
         let mut drawn = Vec::new();
         for next in back_to_front(self.root, &boxes, &[], self.camera) {
-            let Painted::Half(index, half) = next else { continue };
+            let index = match next {
+                Painted::Half(index, Half::Front) => index,
+                // A flat one is drawn whole, in the place of its middle.
+                Painted::Flat(index, part) if holds(&part, boxes[index].centre()) => index,
+                Painted::Half(_, Half::Behind) | Painted::Flat(..) | Painted::Piece(..) => continue,
+            };
             let Area { polygon, ball, light, node, .. } = &areas[index];
             let mut draw = |form, light| {
                 drawn.push(Drawn { form, role, part: Part::Lit(light), node: *node });
             };
-            match (half, ball) {
-                (Half::Behind, _) => {}
-                (Half::Front, None) => {
-                    draw(Form::Polygon(polygon.iter().map(|p| p.at).collect()), *light);
-                }
+            match ball {
+                None => draw(Form::Polygon(polygon.iter().map(|p| p.at).collect()), *light),
                 // Lit from the upper left, as everything.
-                (Half::Front, &Some(([x, y], radius))) => {
+                &Some(([x, y], radius)) => {
                     for (share, shift, light) in [(1.0, 0.0, 1), (0.8, 0.13, 4), (0.5, 0.26, 6)] {
                         let centre = [x - shift * radius, y - shift * radius];
                         draw(Form::Circle { centre, radius: share * radius }, light);
@@ -262,6 +264,11 @@ fn normal<const D: usize>([a, b, c]: [[f64; D]; 3]) -> [f64; D] {
         let [f, g] = [(e + 1) % D, (e + 2) % D];
         u[f] * v[g] - u[g] * v[f]
     })
+}
+
+/// Whether a part of a flat box is the one that holds a point.
+fn holds<const D: usize>(part: &Aabb<D>, point: [f64; D]) -> bool {
+    (0..D).all(|e| point[e] >= part.min[e] && (point[e] < part.max[e] || point[e] == part.min[e]))
 }
 
 /// Box around some marks.

@@ -18,6 +18,7 @@ pub mod metrics;
 mod numbers;
 mod painter;
 mod palette;
+mod parts;
 mod png;
 mod role;
 mod sides;

@@ -43,28 +43,50 @@ fn advance(weight: Weight, c: char) -> f64 {
 }
 
 /// Text in lines of at most `most` page units, broken between words; a word that
-/// is wider has a line of its own. The looks of its pieces stay.
+/// is wider has a line of its own. Equations and what stands in brackets are kept
+/// together where they fit into a line. The looks of all pieces stay.
 pub fn wrapped(role: Role, text: &RichText, most: f64) -> Vec<RichText> {
-    let mut lines = vec![RichText::default()];
-    let mut left = most;
-    for word in words(text) {
-        let wide = width(role, &word);
-        let (line, is_first) = match lines.last_mut() {
-            Some(line) if line.0.is_empty() => (line, true),
-            Some(line) => (line, false),
-            None => continue,
-        };
+    let fits = |word: &RichText| width(role, &trimmed(word)) <= most;
+    let units = kept_together(&words(text)).into_iter().flat_map(|unit| {
+        let whole = RichText(unit.iter().flat_map(|word| word.0.clone()).collect());
+        if fits(&whole) { vec![whole] } else { unit }
+    });
+    let mut lines: Vec<RichText> = Vec::new();
+    let mut left = 0.0;
+    for word in units {
         // The blank at its end does not count.
         let bare = width(role, &trimmed(&word));
-        if bare <= left || is_first {
-            line.0.extend(word.0);
-            left -= wide;
-        } else {
-            lines.push(word);
-            left = most - wide;
+        let wide = width(role, &word);
+        match lines.last_mut() {
+            Some(line) if bare <= left => {
+                line.0.extend(word.0);
+                left -= wide;
+            }
+            Some(_) | None => {
+                lines.push(word);
+                left = most - wide;
+            }
         }
     }
     lines.iter().map(trimmed).collect()
+}
+
+/// Words that are better not parted: both sides of an equals sign, and brackets.
+fn kept_together(words: &[RichText]) -> Vec<Vec<RichText>> {
+    let mut units: Vec<Vec<RichText>> = Vec::new();
+    let (mut is_open, mut depth) = (false, 0);
+    for word in words {
+        let plain = word.plain();
+        let is_equals = plain.trim() == "=";
+        match units.last_mut() {
+            Some(unit) if is_open || is_equals || depth > 0 => unit.push(word.clone()),
+            Some(_) | None => units.push(vec![word.clone()]),
+        }
+        depth += plain.matches('(').count();
+        depth = depth.saturating_sub(plain.matches(')').count());
+        is_open = is_equals;
+    }
+    units
 }
 
 /// Words with the blank that follows, each of one or more pieces.
@@ -124,5 +146,18 @@ mod tests {
         let joined = lines.iter().map(RichText::plain).collect::<Vec<_>>().join(" ");
         assert_eq!(joined, text.plain());
         assert_eq!(wrapped(Role::Note, &text, 1.0).len(), 12, "a word a line at least");
+        assert_eq!(wrapped(Role::Note, &RichText::default(), 90.0), []);
+    }
+
+    #[test]
+    fn equations_and_brackets_are_kept_together() {
+        let text = RichText::from("beyond the node (0, 16, 8) of level 3 at t = 0.25 again");
+        for most in [60.0, 80.0, 100.0, 150.0] {
+            for line in wrapped(Role::Note, &text, most) {
+                let plain = line.plain();
+                assert_eq!(plain.contains('('), plain.contains(')'), "{plain}");
+                assert!(!plain.ends_with('=') && !plain.starts_with('='), "{plain}");
+            }
+        }
     }
 }

@@ -5,6 +5,7 @@ use crate::figure::text_reach;
 use crate::ground::{bounds_of, ground, is_ground};
 use crate::numbers::{Number, Stand, stands};
 use crate::painter::{Half, Painted, at_share, back_to_front};
+use crate::parts::{Arrow, part_of_plane};
 use crate::sides::sides_to_eye;
 use crate::{
     Anchor, Camera, Drawn, Figure, Form, Mark, Page, Part, Projected, Role, Shape, Style, Theme,
@@ -86,6 +87,14 @@ fn painted<const D: usize>(
         match next {
             Painted::Half(index, Half::Behind) => drawn.append(&mut in_space[index].behind),
             Painted::Half(index, Half::Front) => drawn.append(&mut in_space[index].front),
+            Painted::Flat(index, part) => {
+                let item = &mut in_space[index];
+                if part == item.bounds {
+                    drawn.append(&mut item.front);
+                } else if let Some(first) = item.front.first() {
+                    drawn.extend(part_of_plane(camera, page, first, &item.bounds, &part));
+                }
+            }
             Painted::Piece(index, between) => {
                 let arrow = &arrows[index];
                 let ends = between.map(|share| at_share(arrow.ends, share));
@@ -94,41 +103,6 @@ fn painted<const D: usize>(
         }
     }
     drawn
-}
-
-/// An arrow in space, which is drawn in pieces.
-struct Arrow<const D: usize> {
-    ends: [[f64; D]; 2],
-    /// Where its line begins and ends on the page, before its head.
-    shaft: [[f64; 2]; 2],
-    line: Drawn,
-    head: Drawn,
-}
-
-impl<const D: usize> Arrow<D> {
-    /// Part of the line, and the head if it ends at that; `piece` is that part of
-    /// the whole arrow on the page.
-    fn piece(&self, piece: Option<[[f64; 2]; 2]>) -> Vec<Drawn> {
-        // Pieces overlap a little: otherwise light would shine through the seams.
-        const OVERLAP: f64 = 0.35;
-        let Some(piece) = piece else { return Vec::new() };
-        let [start, neck] = self.shaft;
-        let length = distance(start, neck);
-        let along: [f64; 2] = std::array::from_fn(|e| (neck[e] - start[e]) / length.max(1e-9));
-        let place = |p: [f64; 2]| (0..2).map(|e| (p[e] - start[e]) * along[e]).sum::<f64>();
-        let [from, to] = piece.map(place);
-        let mut drawn = Vec::new();
-        let [from, end] = [(from - OVERLAP).max(0.0), (to + OVERLAP).min(length)];
-        if from < end {
-            let point = |by: f64| std::array::from_fn(|e| start[e] + by * along[e]);
-            let form = Form::Polyline(vec![point(from), point(end)]);
-            drawn.push(Drawn { form, ..self.line.clone() });
-        }
-        if to > length {
-            drawn.push(self.head.clone());
-        }
-        drawn
-    }
 }
 
 /// Place in the drawing order of what lies above all of space, by its role.
@@ -572,6 +546,6 @@ fn point_box<const D: usize>(point: [f64; D]) -> Aabb<D> {
     Aabb { min: point, max: point }
 }
 
-fn distance(a: [f64; 2], b: [f64; 2]) -> f64 {
+pub(crate) fn distance(a: [f64; 2], b: [f64; 2]) -> f64 {
     (a[0] - b[0]).hypot(a[1] - b[1])
 }

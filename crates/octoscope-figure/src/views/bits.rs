@@ -33,8 +33,20 @@ pub struct BitTable {
     pub framed: Option<u8>,
     /// The rows.
     pub rows: Vec<BitRow>,
-    /// Bits that are carried into a column, as a mask: small ones above it.
-    pub carries: Option<i64>,
+    /// What is carried from column to column, if anything is.
+    pub carries: Option<Carries>,
+    /// Least room for the names of rows: tables one below the other have their
+    /// columns so.
+    pub name_room: f64,
+}
+
+/// Ones that are carried or borrowed, written small above the columns.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Carries {
+    /// What they are called.
+    pub name: String,
+    /// The columns into which, or from which, as a mask.
+    pub bits: i64,
 }
 
 /// How a table fills a width.
@@ -56,8 +68,7 @@ impl Measures {
 
     fn of(table: &BitTable, width: f64) -> Self {
         let widest = |of: &dyn Fn(&BitRow) -> f64| table.rows.iter().map(of).fold(0.0, f64::max);
-        let name_width = widest(&|row| metrics::width(Role::Heading, &row.title())) + 10.0;
-        let name_width = name_width.max(22.0);
+        let name_width = table.name_width().max(table.name_room);
         let note_width =
             widest(&|row| metrics::width(Role::Note, &row.note.as_str().into())) + 10.0;
         let columns = f64::from(table.width);
@@ -85,7 +96,15 @@ impl BitTable {
     /// the row of carries.
     const HEADER: f64 = 16.0;
     const ROW: f64 = 29.0;
-    const CARRIES: f64 = 14.0;
+    const CARRIES: f64 = 18.0;
+
+    /// Room that the names of its rows take.
+    pub fn name_width(&self) -> f64 {
+        let names = self.rows.iter().map(|row| metrics::width(Role::Heading, &row.title()));
+        let carries = self.carries.iter();
+        let carries = carries.map(|c| metrics::width(Role::Note, &c.name.as_str().into()));
+        (names.chain(carries).fold(0.0, f64::max) + 10.0).max(22.0)
+    }
 
     /// The table on a page of this width; the bit numbers stand above, the most
     /// significant at the left.
@@ -103,10 +122,13 @@ impl BitTable {
             sheet.text(Role::Note, at, Anchor::Middle, bit.to_string());
         }
         let mut top = Self::HEADER;
-        if let Some(carries) = self.carries.filter(|carries| *carries != 0) {
-            for bit in (0..self.width).filter(|bit| carries >> bit & 1 == 1) {
-                let at = [middle_of(bit), top + 0.5 * Self::CARRIES];
-                sheet.text(Role::Note, at, Anchor::Middle, "1");
+        if let Some(carries) = &self.carries {
+            let y = top + 0.5 * Self::CARRIES;
+            sheet.text(Role::Note, [0.0, y], Anchor::Start, carries.name.as_str());
+            let axis = self.rows.first().and_then(|row| row.axis);
+            for bit in (0..self.width).filter(|bit| carries.bits >> bit & 1 == 1) {
+                let one = axis.map_or_else(|| "1".into(), |axis| on_axis(axis, "1"));
+                sheet.text(Role::Note, [middle_of(bit), y], Anchor::Middle, one);
             }
             top += Self::CARRIES;
         }
@@ -147,11 +169,16 @@ impl BitTable {
 
     /// The table as a screen reader says it.
     pub fn spoken(&self, name: &str) -> String {
+        let carries = self.carries.iter().map(|Carries { name, bits }| {
+            let columns = (0..self.width).rev().filter(|bit| bits >> bit & 1 == 1);
+            let columns: Vec<String> = columns.map(|bit| bit.to_string()).collect();
+            format!("{name} {}", columns.join(", "))
+        });
         let rows = self.rows.iter().map(|row| {
             let bits: String = (0..self.width).rev().map(|bit| row.digit(bit)).collect();
             format!("{} {bits} {}", row.name, row.note)
         });
-        std::iter::once(name.to_owned()).chain(rows).collect::<Vec<_>>().join("; ")
+        std::iter::once(name.to_owned()).chain(carries).chain(rows).collect::<Vec<_>>().join("; ")
     }
 }
 
@@ -171,7 +198,7 @@ mod tests {
 
     fn table(width: u8, name: &str, note: &str) -> BitTable {
         let row = BitRow { name: name.to_owned(), note: note.to_owned(), ..BitRow::default() };
-        BitTable { width, framed: None, rows: vec![row], carries: None }
+        BitTable { width, framed: None, rows: vec![row], carries: None, name_room: 0.0 }
     }
 
     #[test]

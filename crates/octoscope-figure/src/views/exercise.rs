@@ -33,8 +33,8 @@ pub enum ExerciseError {
     TooLong(usize),
     /// No ray fits.
     #[error(
-        "no ray through this tree can be followed by hand; take a tree of 2 to 4 levels, such as \
-         scene:figure-1 or assets/scenes/exercise.octo"
+        "no ray through this tree can be followed by hand with profit; take a tree of 2 to 4 \
+         levels, such as scene:figure-1 or assets/scenes/exercise.octo"
     )]
     NoRay,
 }
@@ -233,6 +233,8 @@ mod tests {
         assert!(error.to_string().contains("room for 12"), "{error}");
         let beside = Ray::new([-0.1, 2.0], [1.0, 0.0]).unwrap();
         assert_eq!(Exercise::of(&grid, &beside, None), Err(ExerciseError::Missed));
-        assert_eq!(Exercise::ray_of(&grid, 1), Err(ExerciseError::NoRay));
+        let leaf: Tree<2> = grow(Domain::unit(1), (), &Progress::default(), |_, ()| Split::Empty)
+            .expect("as above");
+        assert_eq!(Exercise::ray_of(&leaf, 1), Err(ExerciseError::NoRay), "nothing to follow");
     }
 }

@@ -42,7 +42,7 @@ pub(super) fn view<const D: usize>(subject: &Subject<D>, width: f64) -> Figure {
     let listing = listing(subject.query(), subject.language());
     let lit = subject.event().map(label);
     let variables = changed_variables(subject.tree, subject.trace, subject.moment);
-    let code_width = listing.lines.iter().map(wide).fold(0.0, f64::max) + INSET;
+    let code_width = listing.lines.iter().map(wide).fold(0.0, f64::max) + INSET + INDENT;
     let columns = Columns::of(&variables);
     let is_beside = !variables.is_empty() && code_width + GAP + columns.width() <= width;
     let own_width = if is_beside { width - GAP - columns.width() } else { width };

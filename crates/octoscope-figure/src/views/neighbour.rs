@@ -1,6 +1,6 @@
 //! Neighbour computation, written out as on paper.
 
-use super::bits::{BitRow, BitTable};
+use super::bits::{BitRow, BitTable, Carries};
 use super::sheet::Sheet;
 use super::subject::Subject;
 use super::words::strong;
@@ -38,8 +38,12 @@ pub fn neighbour_tables<const D: usize>(
         }
         let rows =
             if crossed { sum_rows(texts, &target, axis) } else { moved_rows(texts, &target, axis) };
-        let carries = crossed.then(|| carries_of(&target, axis));
-        let mut table = BitTable { width: root_level + 1, framed: None, rows, carries };
+        let carries = Some(carries_of(&target, axis)).filter(|bits| crossed && *bits != 0);
+        let upwards = target.to[axis] > i64::from(target.from[axis]);
+        let key = if upwards { "neighbour-carries" } else { "neighbour-borrows" };
+        let carries = carries.map(|bits| Carries { name: texts.get(key), bits });
+        let width = root_level + 1;
+        let mut table = BitTable { width, framed: None, rows, carries, name_room: 0.0 };
         if crossed
             && let Some(level) = axis_level(&target, axis, root_level)
             && moment.difference.is_some()
@@ -67,7 +71,10 @@ pub fn neighbour_tables<const D: usize>(
             [("climbed", difference.climbed.into()), ("level", difference.level.into())];
         texts.format("neighbour-ancestor", &arguments)
     });
-    Some(NeighbourTables { tables: (0..D).filter_map(table).collect(), border, climb })
+    let mut tables: Vec<BitTable> = (0..D).filter_map(table).collect();
+    let name_room = tables.iter().map(BitTable::name_width).fold(0.0, f64::max);
+    tables.iter_mut().for_each(|table| table.name_room = name_room);
+    Some(NeighbourTables { tables, border, climb })
 }
 
 /// Code, what is added or subtracted, and the result.

@@ -45,7 +45,7 @@ pub fn region_table<const D: usize>(
         texts.format(key, &[("bit", bit.into()), ("level", difference.level.into())])
     });
     let width = tree.domain().root_level() + 1;
-    Some((BitTable { width, framed: None, rows, carries: None }, result))
+    Some((BitTable { width, framed: None, rows, carries: None, name_room: 0.0 }, result))
 }
 
 /// The table and its result, as a figure of this width.
