@@ -124,7 +124,7 @@ impl App {
         let step: StepAt = with_document!(&self.document, document => document.opened().step);
         self.view.playback.playing = false;
         self.view.playback.go_to(step.position(length), length);
-        (self.view.plane_camera, self.view.orbit_camera) = (None, None);
+        self.view.forget_cameras();
     }
 }
 

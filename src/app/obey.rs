@@ -88,7 +88,7 @@ impl App {
             Command::Stand(Standpoint::Right | Standpoint::Front | Standpoint::Above)
             | Command::NextLens => self.dimension() == 3,
             Command::Open
-            | Command::Stand(Standpoint::Node)
+            | Command::Stand(Standpoint::Node | Standpoint::Everything)
             | Command::Follow
             | Command::Save
             | Command::SaveAs
@@ -140,7 +140,7 @@ impl App {
             Command::Play => self.view.playback.toggle(length),
             Command::Faster => self.view.playback.change_speed(2.0),
             Command::Slower => self.view.playback.change_speed(0.5),
-            Command::FrameAll => (self.view.plane_camera, self.view.orbit_camera) = (None, None),
+            Command::FrameAll => self.view.show_everything(),
             Command::Stand(standpoint) if self.is_enabled(command) => {
                 self.view.standpoint = Some(standpoint);
             }
@@ -247,8 +247,9 @@ impl App {
         });
         if found {
             let language = self.view.language;
-            (self.view.plane_camera, self.view.orbit_camera) = (None, None);
-            self.status = format!("{}: {}", degenerate.name(language), degenerate.watch(language));
+            self.view.show_everything();
+            let [name, watch] = [degenerate.name(language), degenerate.watch(language)];
+            self.notice.say(format!("{name}: {watch}"));
         }
     }
 
@@ -293,7 +294,7 @@ impl App {
         let present = self.shown();
         if let Some(shown) = direction(&mut self.history, present) {
             if !shown.document.is_same_place(&self.document) {
-                (self.view.plane_camera, self.view.orbit_camera) = (None, None);
+                self.view.forget_cameras();
             }
             self.document = shown.document;
             self.go_to(shown.step);
