@@ -4,6 +4,7 @@ mod explanation;
 
 use crate::document::Document;
 use crate::look::Look;
+use crate::notice::Notice;
 use crate::panels::{query, ray, scene, show};
 use crate::space::{self, Layers, Space};
 use crate::view::{Preset, View};
@@ -41,7 +42,7 @@ pub fn ui<const D: usize>(
     document: &mut Document<D>,
     view: &mut View,
     layers: Option<&mut Layers>,
-    status: &mut String,
+    notice: &mut Notice,
 ) -> Option<Wish> {
     let moment = document.moment(view.playback.step);
     // The scroll bar lies in the margin.
@@ -55,7 +56,7 @@ pub fn ui<const D: usize>(
     if !lecture && !narrow {
         let left = Panel::left("question").frame(frame).default_size(QUESTION);
         left.size_range(240.0..=360.0).show(ui, |ui| {
-            scrolled(ui, |ui| scene = question(ui, look, document, view, status));
+            scrolled(ui, |ui| scene = question(ui, look, document, view, notice));
         });
     }
     let panels = view.panels(&document.scenario.query);
@@ -66,10 +67,14 @@ pub fn ui<const D: usize>(
         let most = (ui.available_width() - LEAST_VIEW).clamp(260.0, 760.0);
         right.size_range(Rangef::new(260.0, most)).show(ui, |ui| {
             scrolled(ui, |ui| {
+                if question_first {
+                    scene = question(ui, look, document, view, notice);
+                    ui.separator();
+                }
                 wish = explanation::ui(ui, look, document, &moment, view, &panels);
                 if question_below {
                     ui.separator();
-                    scene = question(ui, look, document, view, status);
+                    scene = question(ui, look, document, view, notice);
                 }
             });
         });
@@ -109,7 +114,7 @@ fn question<const D: usize>(
     look: &Look,
     document: &mut Document<D>,
     view: &mut View,
-    status: &mut String,
+    notice: &mut Notice,
 ) -> Option<&'static str> {
     const GAP: f32 = 8.0;
     let chosen = scene::ui(ui, look, document);
@@ -118,7 +123,7 @@ fn question<const D: usize>(
     if matches!(document.scenario.query, Query::Ray { .. }) {
         let side = document.tree.domain().side();
         if let Some(refused) = ray::ui(ui, look, &mut document.scenario.ray, side) {
-            *status = refused;
+            notice.say(refused);
         }
         ui.add_space(GAP);
     }

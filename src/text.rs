@@ -9,11 +9,13 @@ pub fn texts(language: Language) -> Texts {
             include_str!("../assets/texts/en/window.ftl"),
             include_str!("../assets/texts/en/gallery.ftl"),
             include_str!("../assets/texts/en/algorithms.ftl"),
+            include_str!("../assets/texts/en/errors.ftl"),
         ],
         Language::German => [
             include_str!("../assets/texts/de/window.ftl"),
             include_str!("../assets/texts/de/gallery.ftl"),
             include_str!("../assets/texts/de/algorithms.ftl"),
+            include_str!("../assets/texts/de/errors.ftl"),
         ],
     };
     Texts::new(language, &sources)
@@ -34,14 +36,17 @@ mod tests {
 
     #[test]
     fn both_languages_have_the_same_keys() {
-        let of = |window, algorithms| [keys(window), keys(algorithms)].concat();
+        let of =
+            |window, algorithms, errors| [keys(window), keys(algorithms), keys(errors)].concat();
         let english = of(
             include_str!("../assets/texts/en/window.ftl"),
             include_str!("../assets/texts/en/algorithms.ftl"),
+            include_str!("../assets/texts/en/errors.ftl"),
         );
         let german = of(
             include_str!("../assets/texts/de/window.ftl"),
             include_str!("../assets/texts/de/algorithms.ftl"),
+            include_str!("../assets/texts/de/errors.ftl"),
         );
         assert_eq!(english, german);
         assert!(english.len() > 100);

@@ -1,6 +1,7 @@
 //! What the window remembers that is not part of the scenario.
 
 use crate::arrangement::Arrangement;
+use crate::files::Purpose;
 use crate::playback::Playback;
 use crate::space::Standpoint;
 use eframe::egui::{Rect, Vec2};
@@ -126,8 +127,19 @@ pub enum Dialog {
     Error(String),
     /// Where and how to export.
     Export,
-    /// A file is opened by typing its path.
-    Path(String),
+    /// A path is typed, where the system has no dialog for that.
+    Path(Typed),
+}
+
+/// A path that is being typed.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Typed {
+    /// What the file is for.
+    pub purpose: Purpose,
+    /// The path so far.
+    pub path: String,
+    /// Whether it is known that this replaces a file.
+    pub replaces: bool,
 }
 
 /// What is searched for, and which of the hits is chosen, from 0.

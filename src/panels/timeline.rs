@@ -3,6 +3,7 @@
 use crate::command::Command;
 use crate::look::Look;
 use crate::playback::Playback;
+use crate::shortcut;
 use eframe::egui::{
     Color32, FontId, Painter, Pos2, Rect, Response, RichText, Sense, Shape, Stroke, Ui, WidgetInfo,
     accesskit::Role, lerp, pos2, remap_clamp, vec2,
@@ -87,9 +88,11 @@ fn ruler<const D: usize>(
     let x = lerp(track.x_range(), playback.step as f32 / length.max(1) as f32);
     painter.vline(x, track.y_range(), Stroke::new(2.0, look.palette.ray));
     painter.circle_filled(pos2(x, track.top()), 5.5, look.palette.ray);
+    let mut why = look.text("timeline-why");
     if !rounded.is_empty() {
-        response.on_hover_text(look.text("timeline-rounded"));
+        why = format!("{why}\n{}", look.text("timeline-rounded"));
     }
+    response.on_hover_text(why);
 }
 
 /// A triangle below the tick of a step, that points at it.
@@ -184,8 +187,7 @@ fn button(ui: &mut Ui, look: &Look, icon: Icon, command: Command) -> Response {
         ui.painter().rect_stroke(rect, 6.0, stroke, eframe::egui::StrokeKind::Inside);
     }
     paint_icon(ui.painter(), icon, rect.shrink(10.0), look.palette.ink);
-    let keys: Vec<String> = row.keys.iter().map(|key| ui.ctx().format_shortcut(key)).collect();
-    response.on_hover_text(format!("{name} ({})", keys.join(", ")))
+    response.on_hover_text(format!("{name} ({})", shortcut::all_shown(look, row.keys)))
 }
 
 fn paint_icon(painter: &Painter, icon: Icon, rect: Rect, color: Color32) {

@@ -9,13 +9,15 @@ mod number_field;
 mod panel_heading;
 mod rich;
 mod segments;
+mod tick;
 
 pub use bits::{BitRow, BitTable, bit_table};
 pub use cell_text::cell_text;
 pub use child_bits::child_bits;
 pub use heading::heading;
 pub use lit::{Lit, caption, lit, per_axis};
-pub use number_field::number_field;
+pub use number_field::{number_field, refused_number};
 pub use panel_heading::{Place, panel_heading};
 pub use rich::rich_job;
-pub use segments::segments;
+pub use segments::{explained_segments, segments};
+pub use tick::tick;

@@ -11,6 +11,7 @@ mod files;
 mod find;
 mod hall;
 mod layout;
+mod notices;
 mod panels;
 mod paper;
 mod pictures;
