@@ -25,6 +25,7 @@ pub fn ui<const D: usize>(ui: &mut Ui, look: &Look, tree: &Tree<D>, moment: &Mom
         (None, Some(id)) => (tree.code(id), level),
         (None, None) => ([0; D], root_level),
     };
+    let is_known = moment.codes.is_some() || node.is_some();
     // The bit that led to the current node.
     let framed = moment.codes.map_or((level < root_level).then_some(level), |codes| codes.bit);
     let rows = (0..D).map(|axis| BitRow {
@@ -32,7 +33,11 @@ pub fn ui<const D: usize>(ui: &mut Ui, look: &Look, tree: &Tree<D>, moment: &Mom
         axis: Some(axis),
         bits: i64::from(code[axis]),
         known_from,
-        note: format!("{} = {}", code[axis], number(domain.plane(axis, code[axis]))),
+        note: if is_known {
+            format!("{} = {}", code[axis], number(domain.plane(axis, code[axis])))
+        } else {
+            String::new()
+        },
         ..BitRow::default()
     });
     let table = BitTable { width: root_level + 1, framed, rows: rows.collect() };
@@ -51,6 +56,10 @@ pub fn ui<const D: usize>(ui: &mut Ui, look: &Look, tree: &Tree<D>, moment: &Mom
         ];
         ui.label(RichText::new(look.texts.format("codes-child", &arguments)).size(14.0));
     }
-    let code = morton(code).to_string();
-    ui.label(quiet(look.texts.format("codes-morton", &[("code", code.into())])));
+    ui.label(quiet(if is_known {
+        let code = morton(code).to_string();
+        look.texts.format("codes-morton", &[("code", code.into())])
+    } else {
+        look.text("codes-none")
+    }));
 }

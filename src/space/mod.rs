@@ -91,7 +91,12 @@ pub fn ui<const D: usize>(ui: &mut Ui, look: &Look, space: Space<'_, D>) {
     let figure = space_figure(&painted, &camera, frame.page);
     paint::figure(&painter, look, view.theme, frame, &figure);
     gesture::paint_region_being_drawn(ui, &painter, look, &response);
-    hover::labels(ui, look, (rect, frame), &tree, hovered, under.as_ref());
+    let moved = ui.input(|input| input.pointer.delta() != eframe::egui::Vec2::ZERO);
+    if moved || view.pointed.is_none() {
+        view.pointed = Some(moment.step);
+    }
+    let hint = under.filter(|_| view.pointed == Some(moment.step));
+    hover::labels(ui, look, (rect, frame), &tree, hovered, hint.as_ref());
 }
 
 /// What would be right, where a misprint is followed and the panel about it has

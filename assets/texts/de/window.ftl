@@ -209,6 +209,7 @@ show-children-why = Kinder des aktuellen Knotens, nicht gewählte gestrichelt
 
 codes-child-rule = Kind = { $rule }
 codes-child = Bit { $bit } jedes Codes: { $bits }, also Kind { $child } ({ $morton } in Morton-Reihenfolge).
+codes-none = Noch wird nichts gesucht oder besucht.
 codes-morton = Morton-Code { $code }
 region-none = Zeigt die Codes der Ecken, sobald ein Bereich lokalisiert wird.
 region-same = Alle Bits stimmen überein: eine Zelle der Ebene 0.

@@ -209,6 +209,7 @@ show-children-why = Children of the current node, those not taken dashed
 
 codes-child-rule = child = { $rule }
 codes-child = Bit { $bit } of every code: { $bits }, so child { $child } ({ $morton } in Morton order).
+codes-none = Nothing is looked for or visited yet.
 codes-morton = Morton code { $code }
 region-none = Shows the codes of a region’s corners once a region is located.
 region-same = All bits agree: one cell of level 0.
