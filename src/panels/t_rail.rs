@@ -3,11 +3,11 @@
 use crate::look::Look;
 use eframe::egui::text::{LayoutJob, TextFormat};
 use eframe::egui::{
-    Align, Align2, Color32, FontId, Label, Painter, Rect, RichText, Sense, Stroke, Ui, WidgetInfo,
-    accesskit::Role, pos2, vec2,
+    Align, Align2, Color32, FontId, Label, Layout, Painter, Rect, RichText, Sense, Stroke, Ui,
+    UiBuilder, WidgetInfo, accesskit::Role, pos2, vec2,
 };
 use octoscope_core::event::Event;
-use octoscope_core::explain::approx;
+use octoscope_core::explain::{approx, number};
 use octoscope_core::geometry::AXIS_NAMES;
 use octoscope_core::trace::{Moment, Trace};
 
@@ -111,7 +111,10 @@ pub fn ui<const D: usize>(
     let (rect, response) = ui.allocate_exact_size(size, Sense::click_and_drag());
     let Some(rail) = Rail::of(moment) else {
         let hint = RichText::new(look.text("t-rail-none")).color(look.palette.quiet);
-        ui.put(rect, Label::new(hint).wrap());
+        let middle = UiBuilder::new().max_rect(rect).layout(Layout::top_down(Align::Center));
+        let mut middle = ui.new_child(middle);
+        middle.add_space(rect.height() / 2.0 - 20.0);
+        middle.add(Label::new(hint).wrap());
         response.widget_info(|| WidgetInfo::labeled(Role::Canvas, true, title.as_str()));
         return None;
     };
@@ -177,9 +180,28 @@ pub fn ui<const D: usize>(
         );
     }
 
+    let response = response.on_hover_ui(|ui| digits(ui, look, &rail));
     let pointer = response.interact_pointer_pos()?;
     let share = f64::from((pointer.x - track.left()) / track.width()).clamp(0.0, 1.0);
     Some(step_at(trace, at_share(share, range)))
+}
+
+/// All parameters with all their digits.
+fn digits<const D: usize>(ui: &mut Ui, look: &Look, rail: &Rail<D>) {
+    for axis in 0..D {
+        let mid = rail.mid.map_or(f64::NAN, |mid| mid[axis]);
+        let [first, last] = rail.ends.map(Option::unwrap_or_default);
+        for (t, which) in [(rail.near[axis], first), (mid, "m"), (rail.far[axis], last)] {
+            if !t.is_nan() && !which.is_empty() {
+                let name = format!("{}{which}", AXIS_NAMES[axis]);
+                let value = format!(" = {}", number(t));
+                ui.label(parameter_job(&name, &value, look.palette.axes[axis]));
+            }
+        }
+    }
+    for (key, t) in [("t-rail-enter", rail.enter()), ("t-rail-exit", rail.exit())] {
+        ui.label(format!("{} = {}", look.text(key), number(t)));
+    }
 }
 
 fn paint_axis<const D: usize>(

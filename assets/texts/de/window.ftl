@@ -223,7 +223,7 @@ neighbour-inside = Innerhalb des Gebiets: die Suche geht weiter.
 neighbour-outside = Außerhalb des Gebiets auf { $axes }: dahinter ist nichts.
 neighbour-ancestor = Aufgestiegen zu Ebene { $climbed } von { $level }.
 node-note = Ebene { $level }, Codes { $codes }
-t-rail-none = Zeigt die Parameter t, sobald der Strahl geschnitten ist.
+t-rail-none = Zeigt die Parameter t, sobald der Strahl auf die Wurzel zugeschnitten ist.
 t-rail-enter = Eintritt
 t-rail-exit = Austritt
 automaton-mask = a = { $mask }: Zustand i ist Kind i xor { $mask }
