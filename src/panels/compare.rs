@@ -2,13 +2,15 @@
 
 use crate::comparison::Run;
 use crate::look::Look;
-use eframe::egui::{Align, Grid, Layout, RichText, Ui, WidgetInfo, accesskit::Role};
+use eframe::egui::{Align, FontId, Grid, Layout, RichText, Ui, WidgetInfo, accesskit::Role};
 use octoscope_core::explain::algorithm_name;
 use octoscope_core::trace::Counter;
 use octoscope_core::traverse::Algorithm;
 
-/// Sides of less than this, in points, show fewer numbers.
-const NARROW: f32 = 330.0;
+/// Room between two columns.
+const GAP: f32 = 10.0;
+/// Room inside the button of a name, and a little more.
+const BUTTON: f32 = 20.0;
 
 /// Keys of the heads of the numbers' columns.
 const HEADS: [&str; 5] =
@@ -22,11 +24,10 @@ pub fn ui(ui: &mut Ui, look: &Look, runs: &[Run], shown: Option<Algorithm>) -> O
         return None;
     }
     let mut chosen = None;
-    // In a narrow side there is no room for all of them.
-    let n_numbers = if ui.available_width() < NARROW { 3 } else { HEADS.len() };
+    let n_numbers = n_fitting(ui, look, runs);
     let quiet = |text: String| RichText::new(text).size(12.0).color(look.palette.quiet);
     let grid = Grid::new("compare").num_columns(7).striped(true).min_row_height(22.0);
-    grid.spacing([10.0, 2.0]).min_col_width(16.0).show(ui, |ui| {
+    grid.spacing([GAP, 2.0]).min_col_width(16.0).show(ui, |ui| {
         ui.label("");
         for key in &HEADS[..n_numbers] {
             let head = ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
@@ -48,6 +49,36 @@ pub fn ui(ui: &mut Ui, look: &Look, runs: &[Run], shown: Option<Algorithm>) -> O
     chosen
 }
 
+/// Number of the columns of numbers for which there is room.
+fn n_fitting(ui: &Ui, look: &Look, runs: &[Run]) -> usize {
+    let width = |text: String, font: FontId| {
+        ui.painter().layout_no_wrap(text, font, look.palette.ink).size().x
+    };
+    let widest = |widths: &mut dyn Iterator<Item = f32>| widths.fold(16.0, f32::max);
+    let name = |run: &Run| width(run.algorithm.id().to_owned(), FontId::proportional(13.0));
+    let names = widest(&mut runs.iter().map(name)) + BUTTON;
+    let columns = HEADS.iter().enumerate().scan(names, |end, (n, key)| {
+        let head = width(look.text(key), FontId::proportional(12.0));
+        let number = |run: &Run| width(numbers(run)[n].clone(), FontId::monospace(13.0));
+        *end += GAP + widest(&mut runs.iter().map(number)).max(head);
+        Some(*end)
+    });
+    let room = ui.available_width();
+    columns.take_while(|&end| end <= room).count().max(1)
+}
+
+/// What is told of a run, column by column.
+fn numbers(run: &Run) -> [String; HEADS.len()] {
+    let sign = if run.agrees { "=" } else { "≠" };
+    [
+        format!("{sign} {}", run.counters.get(Counter::Leaves)),
+        run.n_steps.to_string(),
+        run.counters.get(Counter::NodeTouches).to_string(),
+        run.counters.comparisons().to_string(),
+        run.counters.get(Counter::Divisions).to_string(),
+    ]
+}
+
 /// Row of one algorithm, with the first few of its numbers; true if its name is
 /// clicked.
 fn row(ui: &mut Ui, look: &Look, run: &Run, is_shown: bool, n_numbers: usize) -> bool {
@@ -60,21 +91,14 @@ fn row(ui: &mut Ui, look: &Look, run: &Run, is_shown: bool, n_numbers: usize) ->
     let n_leaves = run.counters.get(Counter::Leaves);
     let key = if run.agrees { "compare-agrees" } else { "compare-differs" };
     let verdict = look.texts.format(key, &[("leaves", n_leaves.into())]);
-    let (sign, color) =
-        if run.agrees { ("=", look.palette.ink) } else { ("≠", look.palette.ray) };
-    let leaves = format!("{sign} {n_leaves}");
-    let numbers = [
-        (leaves, color, verdict),
-        (run.n_steps.to_string(), look.palette.ink, String::new()),
-        (run.counters.get(Counter::NodeTouches).to_string(), look.palette.ink, String::new()),
-        (run.counters.comparisons().to_string(), look.palette.ink, String::new()),
-        (run.counters.get(Counter::Divisions).to_string(), look.palette.ink, String::new()),
-    ];
-    for (number, color, spoken) in numbers.into_iter().take(n_numbers) {
+    for (n, number) in numbers(run).into_iter().enumerate().take(n_numbers) {
+        let is_wrong = n == 0 && !run.agrees;
+        let color = if is_wrong { look.palette.ray } else { look.palette.ink };
+        let spoken = if n == 0 { verdict.as_str() } else { "" };
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             let label = ui.label(RichText::new(number).monospace().size(13.0).color(color));
             if !spoken.is_empty() {
-                label.widget_info(|| WidgetInfo::labeled(Role::Label, true, spoken.as_str()));
+                label.widget_info(|| WidgetInfo::labeled(Role::Label, true, spoken));
                 label.on_hover_text(spoken);
             }
         });
