@@ -99,6 +99,7 @@ impl App {
             | Command::Slower
             | Command::Preset(_)
             | Command::Panel(_)
+            | Command::Question
             | Command::RestorePanels
             | Command::FrameAll
             | Command::NextTheme
@@ -170,9 +171,14 @@ impl App {
             }
             Command::Preset(index) => {
                 self.view.preset = Preset::ALL.get(usize::from(index)).copied().unwrap_or_default();
+                self.view.question = None;
             }
             Command::Panel(kind) => self.show_or_close(kind),
-            Command::RestorePanels => self.view.arrangement().restore(),
+            Command::Question => self.view.question = Some(!self.view.question_shown),
+            Command::RestorePanels => {
+                self.view.arrangement().restore();
+                self.view.question = None;
+            }
             Command::NextTheme => self.view.theme = following(&Theme::ALL, self.view.theme),
             Command::NextLanguage => {
                 self.view.language = following(&Language::ALL, self.view.language);

@@ -56,6 +56,9 @@ impl App {
         if command == Command::Follow {
             return if self.view.follow { Entry::On } else { Entry::Off };
         }
+        if command == Command::Question {
+            return if self.view.question_shown { Entry::On } else { Entry::Off };
+        }
         if self.is_enabled(command) { Entry::Enabled } else { Entry::Disabled }
     }
 

@@ -22,6 +22,7 @@ command-preset-automaton = Geometrie und Automat
 command-preset-debug = Fehlersuche
 command-preset-compare = Verfahren vergleichen
 command-preset-lecture = Vorlesung
+command-question = Szene, Strahl und Anfrage
 command-restore-panels = Anordnung zurücksetzen
 command-frame-all = Alles zeigen
 command-stand-node = Zum aktuellen Knoten

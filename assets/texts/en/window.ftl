@@ -22,6 +22,7 @@ command-preset-automaton = Geometry and automaton
 command-preset-debug = Debug
 command-preset-compare = Compare the algorithms
 command-preset-lecture = Lecture
+command-question = Scene, ray and query
 command-restore-panels = Restore this arrangement
 command-frame-all = Show everything
 command-stand-node = Go to the current node
