@@ -213,6 +213,8 @@ impl eframe::App for App {
             }
             self.look = theme::look(look_of.0, look_of.1);
             self.look_of = look_of;
+            // Widths and letters still follow the old one: drawn once more, they do not.
+            context.request_discard("another theme or language");
         }
         theme::apply(&context, &self.view);
         // What encloses the frame was made before, in the old colours.

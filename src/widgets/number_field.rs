@@ -2,7 +2,10 @@
 
 use eframe::egui::{
     Color32, Context, DragValue, FontId, Id, Key, Layout, Response, Ui, WidgetInfo,
-    accesskit::Role, vec2,
+    accesskit::Role,
+    text::{CCursor, CCursorRange},
+    text_edit::TextEditState,
+    vec2,
 };
 use octoscope_core::explain::number;
 use std::cell::RefCell;
@@ -42,7 +45,15 @@ pub fn number_field(
                     *refused.borrow_mut() = Some(read.is_none().then(|| text.to_owned()));
                     read
                 });
-            ui.add(field)
+            let response = ui.add(field);
+            if response.clicked() {
+                // The toolkit selects as much as it has shown, which may be less.
+                let all = CCursorRange::two(CCursor::new(0), CCursor::new(number(*value).len()));
+                let mut state = TextEditState::load(ui.ctx(), response.id).unwrap_or_default();
+                state.cursor.set_char_range(Some(all));
+                state.store(ui.ctx(), response.id);
+            }
+            response
         })
         .inner;
     remember_refused(ui, &response, refused.into_inner());
@@ -102,11 +113,11 @@ fn shortened(x: f64, fits: impl Fn(&str) -> bool) -> String {
     let cut = |text: &str| {
         let (mantissa, exponent) = text.find('e').map_or((text, ""), |at| text.split_at(at));
         let point = mantissa.find('.')?;
-        let ends = (point + 2..mantissa.len()).rev();
+        let ends = (point + 2..mantissa.len()).rev().chain([point]);
         ends.map(|end| format!("{}…{exponent}", &mantissa[..end])).find(|text| fits(text))
     };
     let scientific = format!("{x:e}");
-    cut(&whole).or_else(|| cut(&scientific)).unwrap_or(scientific)
+    cut(&whole).or_else(|| cut(&scientific)).unwrap_or_else(|| "…".to_owned())
 }
 
 /// A decimal, a fraction or a hexadecimal float.
@@ -147,6 +158,7 @@ mod tests {
         check(-200.0 / 3.0, "-66.6666…");
         check(1.0 / 3.0 * 1e-300, "3.3…e-301");
         check(1_234_567_890_123.0, "1.234…e12");
+        check(-1.234_567e-300, "-1…e-300");
     }
 
     #[test]
