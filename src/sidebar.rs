@@ -101,7 +101,7 @@ fn width(preset: Preset, room: f32) -> f32 {
     match preset {
         Preset::Debug if room >= WIDE => 616.0,
         Preset::Lecture => 320.0,
-        Preset::Compare if room >= WIDE => 440.0,
+        Preset::Compare if room >= WIDE => 412.0,
         Preset::Bits | Preset::Rail | Preset::Automaton | Preset::Debug | Preset::Compare => {
             if room < WIDE { 320.0 } else { 392.0 }
         }

@@ -10,7 +10,7 @@ use crate::document::Document;
 use crate::look::Look;
 use crate::view::View;
 pub use base::Layers;
-use eframe::egui::{Pos2, Rect, Sense, Ui, WidgetInfo, accesskit::Role};
+use eframe::egui::{Event, Pos2, Rect, Sense, Ui, WidgetInfo, accesskit::Role};
 use octoscope_core::geometry::Aabb;
 use octoscope_core::paper::erratum_of;
 use octoscope_core::trace::Moment;
@@ -91,7 +91,8 @@ pub fn ui<const D: usize>(ui: &mut Ui, look: &Look, space: Space<'_, D>) {
     let figure = space_figure(&painted, &camera, frame.page);
     paint::figure(&painter, look, view.theme, frame, &figure);
     gesture::paint_region_being_drawn(ui, &painter, look, &response);
-    let moved = ui.input(|input| input.pointer.delta() != eframe::egui::Vec2::ZERO);
+    let is_move = |event: &Event| matches!(event, Event::PointerMoved(_));
+    let moved = ui.input(|input| input.events.iter().any(is_move));
     if moved || view.pointed.is_none() {
         view.pointed = Some(moment.step);
     }
