@@ -11,12 +11,15 @@ use crate::files;
 use crate::history::{History, Shared, Weighed};
 use crate::job::Job;
 use crate::look::Look;
+use crate::notice::Notice;
 use crate::open::open_built_in;
 use crate::space::Layers;
 use crate::view::View;
+use crate::widgets::refused_number;
 use crate::{render, save, theme, with_document};
-use eframe::egui::{CentralPanel, Frame, Key, Ui};
+use eframe::egui::{CentralPanel, Context, Frame, Key, Ui, ViewportCommand};
 use jobs::Purpose;
+use octoscope_core::explain::short_title;
 use octoscope_core::gallery::Degenerate;
 use octoscope_core::progress::{Cancelled, Progress};
 use octoscope_core::scenario::{BUILT_IN, StepAt};
@@ -29,6 +32,10 @@ pub struct App {
     /// What was shown when it was last undisturbed, for undo.
     settled: Shown,
     history: History<Shown>,
+    /// The document as its file has it, or as it was opened.
+    saved: AnyDocument,
+    /// Title of the window in the last frame.
+    title: String,
     /// What the window remembers.
     pub view: View,
     look: Look,
@@ -37,8 +44,9 @@ pub struct App {
     /// The trace that is being made of a long run.
     tracing: Option<Job<Result<AnyDocument, Cancelled>>>,
     chosen: files::Answers,
-    /// One line that says what has just happened.
-    status: String,
+    notice: Notice,
+    /// The last notice by its number, and the state that it was about.
+    noticed: Option<(u64, AnyDocument)>,
     /// Number of searches for another question: the seed of the next one.
     n_searches: u64,
     /// The ray of the gallery that was shown last.
@@ -93,6 +101,8 @@ impl App {
         let look_of = (view.language, view.theme);
         let mut app = Self {
             settled: Shown { document: document.clone(), step: 0 },
+            saved: document.clone(),
+            title: String::new(),
             document,
             history: History::default(),
             look: theme::look(view.language, view.theme),
@@ -101,7 +111,8 @@ impl App {
             job: None,
             tracing: None,
             chosen: files::Answers::default(),
-            status: String::new(),
+            notice: Notice::default(),
+            noticed: None,
             n_searches: 0,
             degenerate: None,
             layers,
@@ -121,13 +132,58 @@ impl App {
         &mut self.document
     }
 
+    /// Whether the scenario differs from its file, or from what was opened.
+    pub fn is_changed(&self) -> bool {
+        match (&self.document, &self.saved) {
+            (AnyDocument::Plane(now), AnyDocument::Plane(saved)) => now.differs_from(saved),
+            (AnyDocument::Space(now), AnyDocument::Space(saved)) => now.differs_from(saved),
+            (AnyDocument::Plane(now), AnyDocument::Space(_)) => now.differs_from_opened(),
+            (AnyDocument::Space(now), AnyDocument::Plane(_)) => now.differs_from_opened(),
+        }
+    }
+
+    /// Title of what is open, with a star where it has changes that no file has.
+    fn titled(&self) -> String {
+        let title = with_document!(&self.document, d => {
+            short_title(d.opened(), d.tree.n_leaves(), self.view.language)
+        });
+        let mark = if self.is_changed() { " *" } else { "" };
+        format!("{title}{mark}")
+    }
+
+    /// Gives the window the title of what is open.
+    fn name_window(&mut self, context: &Context) {
+        let title = format!("{} – Octoscope", self.titled());
+        if self.title != title {
+            context.send_viewport_cmd(ViewportCommand::Title(title.clone()));
+            self.title = title;
+        }
+    }
+
+    /// Takes the notice away once what it was about has changed.
+    fn outdate_notice(&mut self) {
+        if self.notice.is_empty() {
+            self.noticed = None;
+            return;
+        }
+        let number = self.notice.number();
+        match &self.noticed {
+            Some((noticed, about)) if *noticed == number => {
+                if !about.is_same_state(&self.document) {
+                    self.notice.clear();
+                }
+            }
+            Some(_) | None => self.noticed = Some((number, self.document.clone())),
+        }
+    }
+
     /// Moves the playhead to where the scenario wants it.
     fn go_to_start(&mut self) {
         let length = self.document.n_events();
         let step: StepAt = with_document!(&self.document, document => document.opened().step);
         self.view.playback.playing = false;
         self.view.playback.go_to(step.position(length), length);
-        (self.view.plane_camera, self.view.orbit_camera) = (None, None);
+        self.view.forget_cameras();
     }
 }
 
@@ -156,10 +212,17 @@ impl eframe::App for App {
 
         let look_of = (self.view.language, self.view.theme);
         if self.look_of != look_of {
+            if self.look_of.0 != look_of.0 {
+                self.notice.clear();
+            }
             self.look = theme::look(look_of.0, look_of.1);
             self.look_of = look_of;
+            // Widths and letters still follow the old one: drawn once more, they do not.
+            context.request_discard("another theme or language");
         }
         theme::apply(&context, &self.view);
+        // What encloses the frame was made before, in the old colours.
+        ui.reset_style();
 
         if self.view.blank {
             let frame = Frame::new().fill(self.look.palette.background);
@@ -173,6 +236,14 @@ impl eframe::App for App {
             self.show(ui, &mut commands);
         }
         self.show_hall(&context, &mut commands);
+        if let Some(typed) = refused_number(&context) {
+            self.notice.say(match typed.trim() {
+                "" => self.look.text("number-missing"),
+                typed => {
+                    self.look.texts.format("number-refused", &[("typed", typed.to_owned().into())])
+                }
+            });
+        }
         for command in commands {
             self.obey(&context, command);
         }
@@ -182,6 +253,8 @@ impl eframe::App for App {
         self.rebuild_if_needed(&context);
         self.trace_if_needed(&context);
         self.settle(&context);
+        self.outdate_notice();
+        self.name_window(&context);
         if self.view.hover.turn() {
             context.request_repaint();
         }

@@ -47,6 +47,8 @@ pub enum Command {
     Preset(u8),
     /// Show a panel, or close it.
     Panel(PanelKind),
+    /// Show scene, ray, query and options beside the picture, or no longer.
+    Question,
     /// Show the panels of the preset as at first.
     RestorePanels,
     /// Fit the tree and the ray into the view.
@@ -221,6 +223,7 @@ pub const COMMANDS: &[Row] = &[
     panel(PanelKind::Grid, "panel-grid"),
     panel(PanelKind::Compare, "panel-compare"),
     panel(PanelKind::Paper, "panel-paper"),
+    row(Command::Question, "command-question", Menu::View, &[key(Key::Q)]),
     row(Command::RestorePanels, "command-restore-panels", Menu::View, &[ctrl(Key::R)]),
     row(Command::FrameAll, "command-frame-all", Menu::View, &[key(Key::F)]),
     row(Command::Stand(Standpoint::Node), "command-stand-node", Menu::View, &[key(Key::C)]),

@@ -132,6 +132,21 @@ impl<const D: usize> Document<D> {
             && (Arc::ptr_eq(&self.opened, &other.opened) || self.opened == other.opened)
     }
 
+    /// Whether the question is another one than in `saved`, if that is of the same
+    /// opened scenario; else, than it was when it was opened.
+    pub fn differs_from(&self, saved: &Self) -> bool {
+        if Arc::ptr_eq(&self.opened, &saved.opened) {
+            return self.scenario != saved.scenario;
+        }
+        self.differs_from_opened()
+    }
+
+    /// Whether the question is another one than when the scenario was opened.
+    pub fn differs_from_opened(&self) -> bool {
+        let Scenario { domain, recipe, ray, query, .. } = *self.opened;
+        self.scenario != Question { domain, recipe, ray, query }
+    }
+
     /// Address and size in bytes of what states may share.
     fn shared(&self) -> Vec<Shared> {
         let events = self.trace.events.len() * size_of::<Event<D>>();

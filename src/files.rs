@@ -1,9 +1,11 @@
 //! The only place that touches the disk.
 
 mod ask;
+mod fault;
 mod read;
 
-pub use ask::{Answers, Chosen};
+pub use ask::{Answers, Chosen, Purpose};
+pub use fault::{FileError, FileFault};
 pub use read::{MOST_BYTES, as_text, read};
 
 use anyhow::anyhow;
@@ -69,7 +71,7 @@ impl Output {
             return Ok(Self::Device(BufWriter::new(file), path.to_owned()));
         }
         if path.is_dir() {
-            return Err(anyhow!("this is a folder; name a file: {}", path.display()));
+            return Err(FileFault::FolderAsFile.at(path));
         }
         // A link stays a link: what it points to is replaced.
         let target = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
@@ -131,28 +133,13 @@ fn check_folder(folder: &Path) -> anyhow::Result<()> {
     if folder.is_dir() {
         return Ok(());
     }
-    let fact = if folder.exists() {
-        "this is a file, so nothing can be written inside it; name a folder"
-    } else {
-        "there is no such folder to write to; create it first, or name another"
-    };
-    Err(anyhow!("{fact}: {}", folder.display()))
+    let fault = if folder.exists() { FileFault::FileAsFolder } else { FileFault::NoFolder };
+    Err(fault.at(folder))
 }
 
 /// The fact first, the path last.
 fn about(path: &Path, error: &io::Error) -> anyhow::Error {
-    let fact = match error.kind() {
-        io::ErrorKind::NotFound => "there is no such file or folder".to_owned(),
-        io::ErrorKind::PermissionDenied => {
-            "permission denied; allow it, or name another".to_owned()
-        }
-        io::ErrorKind::StorageFull => {
-            "there is no room left; make some, or write elsewhere".to_owned()
-        }
-        // The number of the system's error helps nobody.
-        _ => error.to_string().split(" (os error").next().unwrap_or_default().to_owned(),
-    };
-    anyhow!("{fact}: {}", path.display())
+    FileFault::from(error).at(path)
 }
 
 #[cfg(test)]

@@ -2,16 +2,53 @@
 
 use crate::document::{AnyDocument, Document};
 use crate::{files, with_document};
-use anyhow::{Context, anyhow, bail};
+use anyhow::{Context, anyhow};
 use octoscope_core::progress::{Cancelled, Progress};
 use octoscope_core::scenario::{AnyScenario, BUILT_IN, Scenario, Source, built_in};
 use octoscope_core::scene::Content;
 use octoscope_import::{ImportError, Imported, hash, import};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
+use thiserror::Error;
 
 /// Longest scenario that is read, 256 MiB: what it holds takes more in memory.
 const MOST_BYTES_OF_A_SCENARIO: usize = 256 << 20;
+
+/// An error, and the path of the file that it is about.
+#[derive(Debug, Error)]
+#[error("{error:#}: {}", path.display())]
+pub struct AtPath {
+    /// What is wrong.
+    pub error: anyhow::Error,
+    /// Where.
+    pub path: PathBuf,
+}
+
+/// What is wrong with a scenario and its data file, or with no file at all.
+#[derive(Clone, Copy, Debug, Error, PartialEq, Eq)]
+pub enum OpenFault {
+    /// A scenario of more bytes than are read.
+    #[error("the scenario is larger than 256 MiB; keep its data in a file of its own")]
+    TooLarge,
+    /// Neither a scenario nor anything that can be imported.
+    #[error(
+        "files of this kind cannot be opened; choose a scenario that ends in .octo, or a file \
+         that ends in .png, .jpg, .obj, .stl, .ply, .xyz or .csv"
+    )]
+    UnknownKind,
+    /// The data file cannot be read; the cause says why.
+    #[error("the scenario's data file cannot be read; put it where \"file\" says")]
+    DataFile,
+    /// The data file has changed.
+    #[error(
+        "the data file is not the one the scenario was made with; restore it, or delete \"hash\" \
+         from the scenario"
+    )]
+    OtherData,
+    /// A picture for a scenario in space, or the other way round.
+    #[error("the data file has another dimension than the scenario")]
+    OtherDimension,
+}
 
 /// Document of what a user names: a built-in scene as `scene:NAME`, or else a
 /// path.
@@ -56,17 +93,14 @@ pub fn open_bytes(
 ) -> anyhow::Result<AnyDocument> {
     if is_scenario(name) {
         if bytes.len() > MOST_BYTES_OF_A_SCENARIO {
-            bail!("the scenario is larger than 256 MiB; keep its data in a file of its own");
+            return Err(OpenFault::TooLarge.into());
         }
         let text = files::as_text(bytes)?;
         return open_scenario(AnyScenario::parse(text)?, folder, progress);
     }
     let path = name.to_owned();
     let imported = match import(name, bytes, progress) {
-        Err(ImportError::UnknownKind) => bail!(
-            "files of this kind cannot be opened; choose a scenario that ends in .octo, or a file \
-             that ends in .png, .jpg, .obj, .stl, .ply, .xyz or .csv"
-        ),
+        Err(ImportError::UnknownKind) => return Err(OpenFault::UnknownKind.into()),
         imported => imported?,
     };
     match imported {
@@ -129,7 +163,7 @@ fn with_path(error: anyhow::Error, path: &Path) -> anyhow::Error {
     if error.root_cause().is::<Cancelled>() {
         return error;
     }
-    anyhow!("{error:#}: {}", path.display())
+    AtPath { error, path: path.to_owned() }.into()
 }
 
 /// Whether a file of this name holds a scenario.
@@ -148,17 +182,12 @@ fn content<const D: usize>(
     };
     let full = folder.join(path);
     let read = files::read(&full, progress);
-    let bytes =
-        read.context("the scenario's data file cannot be read; put it where \"file\" says")?;
+    let bytes = read.context(OpenFault::DataFile)?;
     if !expected.is_empty() && *expected != hash(&bytes) {
-        bail!(
-            "the data file is not the one the scenario was made with; \
-             restore it, or delete \"hash\" from the scenario: {}",
-            full.display()
-        );
+        return Err(with_path(OpenFault::OtherData.into(), &full));
     }
     let imported =
         import(path, &bytes, progress).map_err(|error| with_path(error.into(), &full))?;
     of_dimension(imported)
-        .ok_or_else(|| anyhow!("the data file has another dimension than the scenario: {path}"))
+        .ok_or_else(|| with_path(OpenFault::OtherDimension.into(), Path::new(path)))
 }

@@ -4,6 +4,7 @@ mod explanation;
 
 use crate::document::Document;
 use crate::look::Look;
+use crate::notice::Notice;
 use crate::panels::{query, ray, scene, show};
 use crate::space::{self, Layers, Space};
 use crate::view::{Preset, View};
@@ -15,10 +16,13 @@ use octoscope_core::traverse::Variant;
 const NARROW: f32 = 900.0;
 /// Windows of more than this have room for two columns of panels.
 const WIDE: f32 = 1200.0;
-/// The space view keeps at least this, in points.
-const LEAST_VIEW: f32 = 240.0;
+/// The space view keeps at least this, in points; less in a narrow window.
+const LEAST_VIEW: f32 = 320.0;
+const LEAST_NARROW_VIEW: f32 = 240.0;
 /// Width of the question's side, margins included.
 const QUESTION: f32 = 280.0;
+/// The same where the window is not wide.
+const SMALL_QUESTION: f32 = 264.0;
 
 /// What a panel wishes the window to do.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -41,7 +45,7 @@ pub fn ui<const D: usize>(
     document: &mut Document<D>,
     view: &mut View,
     layers: Option<&mut Layers>,
-    status: &mut String,
+    notice: &mut Notice,
 ) -> Option<Wish> {
     let moment = document.moment(view.playback.step);
     // The scroll bar lies in the margin.
@@ -52,24 +56,35 @@ pub fn ui<const D: usize>(
     // In a narrow window the question stands below its explanation.
     let room = ui.available_width();
     let narrow = room < NARROW;
-    if !lecture && !narrow {
-        let left = Panel::left("question").frame(frame).default_size(QUESTION);
+    let shown = view.question.unwrap_or(!lecture && !narrow);
+    view.question_shown = shown;
+    if shown && !narrow {
+        let size = if room < WIDE { SMALL_QUESTION } else { QUESTION };
+        let left = Panel::left(("question", room < WIDE)).frame(frame).default_size(size);
         left.size_range(240.0..=360.0).show(ui, |ui| {
-            scrolled(ui, |ui| scene = question(ui, look, document, view, status));
+            scrolled(ui, |ui| scene = question(ui, look, document, view, notice));
         });
     }
     let panels = view.panels(&document.scenario.query);
-    let question_below = narrow && !lecture;
-    if question_below || !panels.is_empty() {
-        let key = ("explanation", view.preset, narrow, view.arrangement().width_key());
+    // In a narrow window there is one side for both; what was asked for comes first.
+    let question_first = narrow && shown;
+    let question_below = narrow && !lecture && view.question.is_none();
+    if question_first || question_below || !panels.is_empty() {
+        let width_key = view.arrangement().width_key();
+        let key = ("explanation", view.preset, narrow, room < WIDE, width_key);
         let right = Panel::right(key).frame(frame).default_size(width(view.preset, room));
-        let most = (ui.available_width() - LEAST_VIEW).clamp(260.0, 760.0);
+        let least_view = if narrow { LEAST_NARROW_VIEW } else { LEAST_VIEW };
+        let most = (ui.available_width() - least_view).clamp(260.0, 760.0);
         right.size_range(Rangef::new(260.0, most)).show(ui, |ui| {
             scrolled(ui, |ui| {
+                if question_first {
+                    scene = question(ui, look, document, view, notice);
+                    ui.separator();
+                }
                 wish = explanation::ui(ui, look, document, &moment, view, &panels);
                 if question_below {
                     ui.separator();
-                    scene = question(ui, look, document, view, status);
+                    scene = question(ui, look, document, view, notice);
                 }
             });
         });
@@ -86,8 +101,9 @@ fn width(preset: Preset, room: f32) -> f32 {
     match preset {
         Preset::Debug if room >= WIDE => 616.0,
         Preset::Lecture => 320.0,
+        Preset::Compare if room >= WIDE => 412.0,
         Preset::Bits | Preset::Rail | Preset::Automaton | Preset::Debug | Preset::Compare => {
-            if room < NARROW { 320.0 } else { 392.0 }
+            if room < WIDE { 320.0 } else { 392.0 }
         }
     }
 }
@@ -109,7 +125,7 @@ fn question<const D: usize>(
     look: &Look,
     document: &mut Document<D>,
     view: &mut View,
-    status: &mut String,
+    notice: &mut Notice,
 ) -> Option<&'static str> {
     const GAP: f32 = 8.0;
     let chosen = scene::ui(ui, look, document);
@@ -118,7 +134,7 @@ fn question<const D: usize>(
     if matches!(document.scenario.query, Query::Ray { .. }) {
         let side = document.tree.domain().side();
         if let Some(refused) = ray::ui(ui, look, &mut document.scenario.ray, side) {
-            *status = refused;
+            notice.say(refused);
         }
         ui.add_space(GAP);
     }

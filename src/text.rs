@@ -11,12 +11,14 @@ pub fn texts(language: Language) -> Texts {
             figure_texts(language),
             include_str!("../assets/texts/en/gallery.ftl"),
             include_str!("../assets/texts/en/algorithms.ftl"),
+            include_str!("../assets/texts/en/errors.ftl"),
         ],
         Language::German => [
             include_str!("../assets/texts/de/window.ftl"),
             figure_texts(language),
             include_str!("../assets/texts/de/gallery.ftl"),
             include_str!("../assets/texts/de/algorithms.ftl"),
+            include_str!("../assets/texts/de/errors.ftl"),
         ],
     };
     Texts::new(language, &sources)
@@ -38,16 +40,19 @@ mod tests {
 
     #[test]
     fn both_languages_have_the_same_keys() {
-        let of =
-            |window, algorithms, figures| [keys(window), keys(algorithms), keys(figures)].concat();
+        let of = |window, algorithms, errors, figures| {
+            [keys(window), keys(algorithms), keys(errors), keys(figures)].concat()
+        };
         let english = of(
             include_str!("../assets/texts/en/window.ftl"),
             include_str!("../assets/texts/en/algorithms.ftl"),
+            include_str!("../assets/texts/en/errors.ftl"),
             figure_texts(Language::English),
         );
         let german = of(
             include_str!("../assets/texts/de/window.ftl"),
             include_str!("../assets/texts/de/algorithms.ftl"),
+            include_str!("../assets/texts/de/errors.ftl"),
             figure_texts(Language::German),
         );
         assert_eq!(english, german);

@@ -4,9 +4,10 @@ mod dialog;
 mod hover;
 
 use crate::arrangement::Arrangement;
+
 use crate::playback::Playback;
 use crate::space::Standpoint;
-use eframe::egui::Vec2;
+use eframe::egui::{Rect, Vec2};
 use octoscope_core::locate::NeighbourMethod;
 use octoscope_core::paper::erratum_of;
 use octoscope_core::query::Query;
@@ -19,7 +20,7 @@ use serde::{Deserialize, Serialize};
 use std::any::Any;
 use std::collections::BTreeMap;
 
-pub use dialog::{Dialog, Search};
+pub use dialog::{Dialog, Search, Typed};
 pub use hover::Hover;
 
 /// State of the window: neither undone nor saved with the scenario.
@@ -51,6 +52,24 @@ pub struct View {
     /// Camera of octrees; `None` fits everything.
     #[serde(skip)]
     pub orbit_camera: Option<Camera<3>>,
+    /// Whether the question, scene to options, is shown beside the picture; `None`
+    /// leaves that to the preset and the size of the window.
+    #[serde(skip)]
+    pub question: Option<bool>,
+    /// Whether it was at hand in the last frame.
+    #[serde(skip)]
+    pub question_shown: bool,
+    /// Whether the kept camera shows everything, and goes on doing so when the
+    /// space view gets another size.
+    #[serde(skip)]
+    pub fitted: bool,
+    /// The step at which the pointer was moved last: hints beside it are for
+    /// whoever points, not for whoever steps.
+    #[serde(skip)]
+    pub pointed: Option<usize>,
+    /// Where the space view was in the last frame.
+    #[serde(skip)]
+    pub space: Option<Rect>,
     /// How depth looks in octrees.
     pub lens: Lens,
     /// Whether the camera goes with the current node.
@@ -358,6 +377,18 @@ impl View {
         }
     }
 
+    /// Forgets where the camera is: everything is seen from the usual side.
+    pub fn forget_cameras(&mut self) {
+        (self.plane_camera, self.orbit_camera) = (None, None);
+        self.standpoint = None;
+    }
+
+    /// Shows everything, octrees from the side from which they are seen now.
+    pub fn show_everything(&mut self) {
+        self.plane_camera = None;
+        self.standpoint = self.orbit_camera.is_some().then_some(Standpoint::Everything);
+    }
+
     /// Factor of type and lines, the preset's included, in a window that would
     /// be of `room` points if it were 1.
     pub fn zoom(&self, room: Vec2) -> f32 {
@@ -380,6 +411,11 @@ impl Default for View {
             playback: Playback::default(),
             plane_camera: None,
             orbit_camera: None,
+            question: None,
+            question_shown: true,
+            fitted: false,
+            pointed: None,
+            space: None,
             lens: Lens::default(),
             follow: false,
             followed: None,

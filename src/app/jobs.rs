@@ -5,7 +5,7 @@ use crate::document::AnyDocument;
 use crate::job::{Job, Poll};
 use crate::open::{open, open_built_in, open_scenario};
 use crate::view::Dialog;
-use crate::with_document;
+use crate::{complaint, with_document};
 use anyhow::anyhow;
 use eframe::egui::Context;
 use octoscope_core::paper::{counterexample, find_other};
@@ -189,15 +189,23 @@ impl App {
             (Ok(document), Purpose::Open) => {
                 self.settle_now();
                 self.history.record(self.shown());
+                let changed = self.is_changed().then(|| self.titled());
                 self.document = document;
                 self.tracing = None;
-                self.status.clear();
+                self.saved = self.document.clone();
+                self.notice.clear();
+                if let Some(title) = changed {
+                    let title = title.trim_end_matches(" *").to_owned();
+                    let arguments = [("title", title.into())];
+                    self.notice.say(self.look.texts.format("status-kept", &arguments));
+                }
                 self.go_to_start();
                 self.settled = self.shown();
             }
             (Ok(document), Purpose::Restore) => {
                 self.document = document;
                 self.tracing = None;
+                self.saved = self.document.clone();
                 self.go_to_start();
                 self.settled = self.shown();
             }
@@ -224,7 +232,8 @@ impl App {
                     with_document!(&mut self.document, document => document.keep_tree());
                 }
                 if !error.root_cause().is::<octoscope_core::progress::Cancelled>() {
-                    self.view.dialog = Some(Dialog::Error(format!("{error:#}")));
+                    self.view.dialog =
+                        Some(Dialog::Error(complaint::told(&self.look.texts, &error)));
                 }
             }
         }

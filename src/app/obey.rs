@@ -1,16 +1,16 @@
 //! Commands and what they do, undo among them.
 
-use super::jobs::{Purpose, file_name};
+use super::jobs::{self, file_name};
 use super::{App, Shown};
 use crate::arrangement::Change;
 use crate::command::{COMMANDS, Command, belongs_to_focus};
 use crate::document::AnyDocument;
-use crate::files::Chosen;
+use crate::files::{self, Chosen, Purpose};
 use crate::finder::Target;
 use crate::history::History;
 use crate::space::Standpoint;
-use crate::view::{Dialog, PanelKind, Preset, Search};
-use crate::{export, save, with_document};
+use crate::view::{Dialog, PanelKind, Preset, Search, Typed};
+use crate::{complaint, export, save, with_document};
 use eframe::egui::{Context, Key, Popup, ViewportCommand};
 use octoscope_core::gallery::{Degenerate, snap};
 use octoscope_core::paper::paper_texts;
@@ -19,7 +19,7 @@ use octoscope_core::scenario::AnyScenario;
 use octoscope_core::text::Language;
 use octoscope_core::traverse::Algorithm;
 use octoscope_figure::{Lens, Theme};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 impl App {
     /// Remembers the state for undo once no gesture is going on.
@@ -54,7 +54,7 @@ impl App {
         let is_covered = Popup::is_any_open(context)
             || self.view.dialog.is_some()
             || self.view.blank
-            || !self.status.is_empty();
+            || !self.notice.is_empty();
         let escape_is_free = !is_covered && self.is_enabled(Command::BackToRay);
         context.input_mut(|input| {
             let keys =
@@ -91,7 +91,7 @@ impl App {
             Command::Stand(Standpoint::Right | Standpoint::Front | Standpoint::Above)
             | Command::NextLens => self.dimension() == 3,
             Command::Open
-            | Command::Stand(Standpoint::Node)
+            | Command::Stand(Standpoint::Node | Standpoint::Everything)
             | Command::Follow
             | Command::Save
             | Command::SaveAs
@@ -102,6 +102,7 @@ impl App {
             | Command::Slower
             | Command::Preset(_)
             | Command::Panel(_)
+            | Command::Question
             | Command::RestorePanels
             | Command::FrameAll
             | Command::NextTheme
@@ -148,7 +149,7 @@ impl App {
             Command::Play => self.view.playback.toggle(length),
             Command::Faster => self.view.playback.change_speed(2.0),
             Command::Slower => self.view.playback.change_speed(0.5),
-            Command::FrameAll => (self.view.plane_camera, self.view.orbit_camera) = (None, None),
+            Command::FrameAll => self.view.show_everything(),
             Command::Stand(standpoint) if self.is_enabled(command) => {
                 self.view.standpoint = Some(standpoint);
             }
@@ -177,9 +178,14 @@ impl App {
             }
             Command::Preset(index) => {
                 self.view.preset = Preset::ALL.get(usize::from(index)).copied().unwrap_or_default();
+                self.view.question = None;
             }
             Command::Panel(kind) => self.show_or_close(kind),
-            Command::RestorePanels => self.view.arrangement().restore(),
+            Command::Question => self.view.question = Some(!self.view.question_shown),
+            Command::RestorePanels => {
+                self.view.arrangement().restore();
+                self.view.question = None;
+            }
             Command::NextTheme => self.view.theme = following(&Theme::ALL, self.view.theme),
             Command::NextLanguage => {
                 self.view.language = following(&Language::ALL, self.view.language);
@@ -203,7 +209,7 @@ impl App {
     pub(super) fn take(&mut self, context: &Context, target: Target) {
         match target {
             Target::Command(command) if self.is_enabled(command) => self.obey(context, command),
-            Target::Command(_) => self.status = self.look.text("find-disabled"),
+            Target::Command(_) => self.notice.say(self.look.text("find-disabled")),
             Target::Scene(id) => self.open_scene(context, id),
             Target::Algorithm(algorithm) => self.run(algorithm),
             Target::Erratum(erratum) => match erratum.variants.first() {
@@ -211,7 +217,7 @@ impl App {
                 None => {
                     let texts = paper_texts(self.view.language);
                     let [title, why] = ["title", "why"].map(|part| texts.get(&erratum.key(part)));
-                    self.status = format!("{} · {title}: {why}", erratum.id);
+                    self.notice.say(format!("{} · {title}: {why}", erratum.id));
                 }
             },
         }
@@ -258,8 +264,9 @@ impl App {
         });
         if found {
             let language = self.view.language;
-            (self.view.plane_camera, self.view.orbit_camera) = (None, None);
-            self.status = format!("{}: {}", degenerate.name(language), degenerate.watch(language));
+            self.view.show_everything();
+            let [name, watch] = [degenerate.name(language), degenerate.watch(language)];
+            self.notice.say(format!("{name}: {watch}"));
         }
     }
 
@@ -272,7 +279,7 @@ impl App {
             })
         });
         if let Some(snap) = snapped {
-            self.status = snap.told(self.view.language);
+            self.notice.say(snap.told(self.view.language));
         }
     }
 
@@ -300,11 +307,11 @@ impl App {
         // What is being changed right now is a state of its own, and a tree
         // that is being built for it belongs to no other document.
         self.settle_now();
-        self.job.take_if(|(_, purpose)| *purpose == Purpose::Rebuild);
+        self.job.take_if(|(_, purpose)| *purpose == jobs::Purpose::Rebuild);
         let present = self.shown();
         if let Some(shown) = direction(&mut self.history, present) {
             if !shown.document.is_same_place(&self.document) {
-                (self.view.plane_camera, self.view.orbit_camera) = (None, None);
+                self.view.forget_cameras();
             }
             self.document = shown.document;
             self.tracing = None;
@@ -330,10 +337,13 @@ impl App {
         match save::scenario(&self.document, self.scenario_now(), path) {
             Ok(()) => {
                 with_document!(&mut self.document, d => d.path = Some(path.to_owned()));
+                self.saved = self.document.clone();
                 let name = file_name(path);
-                self.status = self.look.texts.format("status-saved", &[("name", name.into())]);
+                self.notice.say(self.look.texts.format("status-saved", &[("name", name.into())]));
             }
-            Err(error) => self.view.dialog = Some(Dialog::Error(format!("{error:#}"))),
+            Err(error) => {
+                self.view.dialog = Some(Dialog::Error(complaint::told(&self.look.texts, &error)))
+            }
         }
     }
 
@@ -341,9 +351,12 @@ impl App {
         match export::shown_view(&self.document, &self.scenario_now(), &self.view, path) {
             Ok(()) => {
                 let name = file_name(path);
-                self.status = self.look.texts.format("status-exported", &[("name", name.into())]);
+                self.notice
+                    .say(self.look.texts.format("status-exported", &[("name", name.into())]));
             }
-            Err(error) => self.view.dialog = Some(Dialog::Error(format!("{error:#}"))),
+            Err(error) => {
+                self.view.dialog = Some(Dialog::Error(complaint::told(&self.look.texts, &error)))
+            }
         }
     }
 
@@ -353,9 +366,51 @@ impl App {
             Some(Chosen::Open(path)) => self.open(context, path),
             Some(Chosen::Save(path)) => self.save_to(&path),
             Some(Chosen::Export(path)) => self.export_to(&path),
-            Some(Chosen::NoDialog) => {
-                self.view.dialog = Some(Dialog::Path(String::new()));
+            Some(Chosen::NoDialog(purpose)) => {
+                let path = self.suggested(purpose).to_string_lossy().into_owned();
+                // What is typed from now on is the path.
+                context.memory_mut(|memory| {
+                    if let Some(focused) = memory.focused() {
+                        memory.surrender_focus(focused);
+                    }
+                });
+                self.view.dialog = Some(Dialog::Path(Typed { purpose, path, replaces: false }));
             }
+        }
+    }
+
+    /// Path to begin with where one is typed.
+    fn suggested(&self, purpose: Purpose) -> PathBuf {
+        let (path, folder) =
+            with_document!(&self.document, d => (d.path.clone(), d.folder.clone()));
+        match purpose {
+            Purpose::Open => folder,
+            Purpose::Save => path.unwrap_or_else(|| folder.join("scenario.octo")),
+            Purpose::Export(ending) => folder.join("octoscope").with_extension(ending),
+        }
+    }
+
+    /// Does what a path was typed for; asks once before a file is replaced.
+    pub(super) fn take_path(&mut self, context: &Context, typed: Typed) {
+        let path = PathBuf::from(typed.path.trim());
+        let named = |ending| match path.extension() {
+            Some(_) => path.clone(),
+            None => path.with_extension(ending),
+        };
+        let path = match typed.purpose {
+            Purpose::Open => return self.open(context, path),
+            Purpose::Save => named("octo"),
+            Purpose::Export(ending) => named(ending),
+        };
+        if files::is_there(&path) && !typed.replaces {
+            let path = path.to_string_lossy().into_owned();
+            self.view.dialog = Some(Dialog::Path(Typed { path, replaces: true, ..typed }));
+            return;
+        }
+        match typed.purpose {
+            Purpose::Open => {}
+            Purpose::Save => self.save_to(&path),
+            Purpose::Export(_) => self.export_to(&path),
         }
     }
 }

@@ -8,7 +8,7 @@ use crate::panels::{dialogs, menu, sentence, timeline};
 use crate::sidebar::{self, Wish};
 use crate::with_document;
 use eframe::egui::{Frame, Margin, Panel, Ui, vec2};
-use octoscope_core::explain::{sentence as sentence_of, short_title};
+use octoscope_core::explain::sentence as sentence_of;
 
 impl App {
     /// Shows all panels.
@@ -16,13 +16,10 @@ impl App {
         let step = self.view.playback.step;
         let bar = |fill| Frame::new().fill(fill).inner_margin(Margin::symmetric(12, 6));
         let palette = self.look.palette;
-        let title = with_document!(&self.document, d => {
-            short_title(d.opened(), d.tree.n_leaves(), self.view.language)
-        });
+        let title = self.titled();
         Panel::top("menu").frame(bar(palette.panel)).show(ui, |ui| {
-            let mut language = self.view.language;
-            menu::ui(ui, &self.look, &title, &mut language, |c| self.entry(c), commands);
-            self.view.language = language;
+            let language = self.view.language;
+            menu::ui(ui, &self.look, &title, language, |c| self.entry(c), commands);
         });
         let bottom = Frame::new().fill(palette.background).inner_margin(Margin::symmetric(20, 12));
         Panel::bottom("sentence").frame(bottom).show(ui, |ui| {
@@ -48,7 +45,7 @@ impl App {
         });
         let layers = self.layers.as_mut();
         let wish = with_document!(&mut self.document, d => {
-            sidebar::ui(ui, &self.look, d, &mut self.view, layers, &mut self.status)
+            sidebar::ui(ui, &self.look, d, &mut self.view, layers, &mut self.notice)
         });
         let context = ui.ctx().clone();
         match wish {
@@ -67,6 +64,9 @@ impl App {
         }
         if command == Command::Follow {
             return if self.view.follow { Entry::On } else { Entry::Off };
+        }
+        if command == Command::Question {
+            return if self.view.question_shown { Entry::On } else { Entry::Off };
         }
         if self.is_enabled(command) { Entry::Enabled } else { Entry::Disabled }
     }
@@ -92,9 +92,9 @@ impl App {
         match answer {
             None => {}
             Some(dialogs::Answer::Export(format)) => self.chosen.ask_export(&context, format),
-            Some(dialogs::Answer::Path(path)) => self.open(&context, path),
+            Some(dialogs::Answer::Path(typed)) => self.take_path(&context, typed),
             Some(dialogs::Answer::Take(target)) => self.take(&context, target),
         }
-        dialogs::status(&context, &self.look, &mut self.status);
+        dialogs::status(&context, &self.look, &mut self.notice, self.view.space);
     }
 }

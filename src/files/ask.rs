@@ -14,7 +14,18 @@ pub enum Chosen {
     /// Export the view here.
     Export(PathBuf),
     /// There is no dialog on this system: a path has to be typed.
-    NoDialog,
+    NoDialog(Purpose),
+}
+
+/// What a file is asked for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Purpose {
+    /// To be opened.
+    Open,
+    /// To hold the scenario.
+    Save,
+    /// To hold the view, in the format of this file ending.
+    Export(&'static str),
 }
 
 /// Answers of dialogs that have been opened.
@@ -42,7 +53,7 @@ impl Answers {
     /// Asks which file to open.
     pub fn ask_open(&self, context: &Context) {
         let dialog = rfd::AsyncFileDialog::new().add_filter("Octoscope", &OPENED);
-        self.ask(context, async move { dialog.pick_file().await }, Chosen::Open);
+        self.ask(context, Purpose::Open, async move { dialog.pick_file().await }, Chosen::Open);
     }
 
     /// Asks where to save the scenario.
@@ -50,7 +61,7 @@ impl Answers {
         let dialog = rfd::AsyncFileDialog::new()
             .add_filter("Octoscope", &["octo"])
             .set_file_name("scenario.octo");
-        self.ask(context, async move { dialog.save_file().await }, Chosen::Save);
+        self.ask(context, Purpose::Save, async move { dialog.save_file().await }, Chosen::Save);
     }
 
     /// Asks where to export to, in the format of this file ending.
@@ -62,18 +73,20 @@ impl Answers {
             let has_ending = path.extension().is_some();
             Chosen::Export(if has_ending { path } else { path.with_extension(ending) })
         };
-        self.ask(context, async move { dialog.save_file().await }, named);
+        let purpose = Purpose::Export(ending);
+        self.ask(context, purpose, async move { dialog.save_file().await }, named);
     }
 
     fn ask(
         &self,
         context: &Context,
+        purpose: Purpose,
         answer: impl Future<Output = Option<rfd::FileHandle>> + Send + 'static,
         chosen: impl FnOnce(PathBuf) -> Chosen + Send + 'static,
     ) {
         if !has_dialogs() {
             // The window goes on; nobody else holds the sender's other end.
-            let _ = self.sender.send(Chosen::NoDialog);
+            let _ = self.sender.send(Chosen::NoDialog(purpose));
             return;
         }
         let (sender, context) = (self.sender.clone(), context.clone());

@@ -1,7 +1,7 @@
 //! Reading files whole: no more than fits into memory, and not for ever.
 
 use super::about;
-use anyhow::{anyhow, bail};
+use super::fault::{FileFault, Kind, Size};
 use octoscope_core::progress::Progress;
 use std::fs::{self, File, Metadata};
 use std::io::{self, Read};
@@ -30,27 +30,27 @@ const PATIENCE: Duration = Duration::from_secs(3);
 pub fn read(path: &Path, progress: &Progress) -> anyhow::Result<Vec<u8>> {
     let found = fs::metadata(path).map_err(|error| about(path, &error))?;
     if found.is_dir() {
-        bail!("this is a folder; name a file in it: {}", path.display());
+        return Err(FileFault::Folder.at(path));
     }
     if is_pipe(&found) {
         return read_pipe(path, progress);
     }
-    let (what, limit) = match found.is_file() {
-        true => ("file", MOST_BYTES),
-        false => ("device", MOST_BYTES_OF_A_DEVICE),
+    let (kind, limit) = match found.is_file() {
+        true => (Kind::File, MOST_BYTES),
+        false => (Kind::Device, MOST_BYTES_OF_A_DEVICE),
     };
     if found.len() > limit {
-        return Err(too_long(what, limit, path));
+        return Err(too_long(kind, limit, path));
     }
     let mut file = File::open(path).map_err(|error| about(path, &error))?;
     let mut bytes = Vec::new();
-    bytes.try_reserve_exact(found.len() as usize).map_err(|_| no_memory(path))?;
+    bytes.try_reserve_exact(found.len() as usize).map_err(|_| FileFault::NoMemory.at(path))?;
     progress.start(found.len());
     loop {
         let n = read_chunk(&mut file, &mut bytes).map_err(|error| about(path, &error))?;
         progress.advance(n as u64)?;
         if bytes.len() as u64 > limit {
-            return Err(too_long(what, limit, path));
+            return Err(too_long(kind, limit, path));
         }
         if n == 0 {
             return Ok(bytes);
@@ -64,11 +64,10 @@ pub fn read(path: &Path, progress: &Progress) -> anyhow::Result<Vec<u8>> {
 /// Says where they are none.
 pub fn as_text(bytes: &[u8]) -> anyhow::Result<&str> {
     if bytes.starts_with(b"\xff\xfe") || bytes.starts_with(b"\xfe\xff") {
-        bail!("the text is in UTF-16; save it in UTF-8");
+        return Err(FileFault::Utf16.into());
     }
     let text = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
-    std::str::from_utf8(text)
-        .map_err(|error| anyhow!("byte {} is no text; give a text in UTF-8", error.valid_up_to()))
+    std::str::from_utf8(text).map_err(|error| FileFault::NoText(error.valid_up_to()).into())
 }
 
 fn read_chunk(file: &mut File, bytes: &mut Vec<u8>) -> io::Result<usize> {
@@ -91,10 +90,9 @@ fn read_pipe(path: &Path, progress: &Progress) -> anyhow::Result<Vec<u8>> {
     loop {
         match receiver.recv_timeout(Duration::from_millis(50)) {
             Ok(chunk) => bytes.extend(chunk.map_err(|error| about(path, &error))?),
-            Err(RecvTimeoutError::Timeout) if !opened && started.elapsed() > PATIENCE => bail!(
-                "nobody writes into this pipe; start who does, or name a file: {}",
-                path.display()
-            ),
+            Err(RecvTimeoutError::Timeout) if !opened && started.elapsed() > PATIENCE => {
+                return Err(FileFault::NobodyWrites.at(path));
+            }
             Err(RecvTimeoutError::Timeout) => {
                 progress.advance(0)?;
                 continue;
@@ -104,7 +102,7 @@ fn read_pipe(path: &Path, progress: &Progress) -> anyhow::Result<Vec<u8>> {
         opened = true;
         progress.advance(0)?;
         if bytes.len() as u64 > MOST_BYTES {
-            return Err(too_long("pipe", MOST_BYTES, path));
+            return Err(too_long(Kind::Pipe, MOST_BYTES, path));
         }
     }
 }
@@ -121,16 +119,8 @@ fn send_chunks(path: &Path, sender: &SyncSender<io::Result<Vec<u8>>>) -> io::Res
     }
 }
 
-fn too_long(what: &str, limit: u64, path: &Path) -> anyhow::Error {
-    let limit = match limit >> 30 {
-        0 => format!("{} MiB", limit >> 20),
-        gib => format!("{gib} GiB"),
-    };
-    anyhow!("the {what} holds more than {limit}; reduce it first: {}", path.display())
-}
-
-fn no_memory(path: &Path) -> anyhow::Error {
-    anyhow!("there is not memory enough for this file; reduce it first: {}", path.display())
+fn too_long(kind: Kind, limit: u64, path: &Path) -> anyhow::Error {
+    FileFault::TooLong { kind, limit: Size(limit) }.at(path)
 }
 
 #[cfg(unix)]
@@ -158,7 +148,7 @@ mod tests {
     fn errors_end_with_the_path() {
         refused(Path::new("no/such.file"), "there is no such file or folder");
         let folder = tempfile::tempdir().unwrap();
-        refused(folder.path(), "this is a folder; name a file in it");
+        refused(folder.path(), "this is a folder, not a file; choose a file");
     }
 
     #[test]

@@ -3,14 +3,16 @@
 use crate::comparison::Run;
 use crate::look::Look;
 use eframe::egui::{
-    Align, Grid, Id, Label, Layout, RichText, Sense, Ui, WidgetInfo, accesskit::Role,
+    Align, FontId, Grid, Id, Label, Layout, RichText, Sense, Ui, WidgetInfo, accesskit::Role,
 };
 use octoscope_core::explain::algorithm_name;
 use octoscope_core::trace::Counter;
 use octoscope_core::traverse::Algorithm;
 
-/// Sides of less than this, in points, show fewer numbers.
-const NARROW: f32 = 330.0;
+/// Room between two columns.
+const GAP: f32 = 10.0;
+/// Room inside the button of a name, and a little more.
+const BUTTON: f32 = 20.0;
 
 /// Keys of the heads of the numbers' columns.
 const HEADS: [&str; 5] =
@@ -25,11 +27,10 @@ pub fn ui(ui: &mut Ui, look: &Look, runs: &[Run], shown: Option<Algorithm>) -> O
     }
     let mut chosen = None;
     let mut order: Order = ui.data(|data| data.get_temp(Order::id())).unwrap_or_default();
-    // In a narrow side there is no room for all of them.
-    let n_numbers = if ui.available_width() < NARROW { 3 } else { HEADS.len() };
+    let n_numbers = n_fitting(ui, look, runs);
     let quiet = |text: String| RichText::new(text).size(12.0).color(look.palette.quiet);
     let grid = Grid::new("compare").num_columns(7).striped(true).min_row_height(22.0);
-    grid.spacing([10.0, 2.0]).min_col_width(16.0).show(ui, |ui| {
+    grid.spacing([GAP, 2.0]).min_col_width(16.0).show(ui, |ui| {
         if head(ui, look, "compare-algorithm", order.sign(None)) {
             order = Order::default();
         }
@@ -54,6 +55,27 @@ pub fn ui(ui: &mut Ui, look: &Look, runs: &[Run], shown: Option<Algorithm>) -> O
         ui.label(quiet(look.text("compare-too-many")));
     }
     chosen
+}
+
+/// Number of the columns of numbers for which there is room.
+fn n_fitting(ui: &Ui, look: &Look, runs: &[Run]) -> usize {
+    let width = |text: String, font: FontId| {
+        ui.painter().layout_no_wrap(text, font, look.palette.ink).size().x
+    };
+    let widest = |widths: &mut dyn Iterator<Item = f32>| widths.fold(16.0, f32::max);
+    let name = |run: &Run| width(run.algorithm.id().to_owned(), FontId::proportional(13.0));
+    let names = widest(&mut runs.iter().map(name)) + BUTTON;
+    let columns = HEADS.iter().enumerate().scan(names, |end, (n, key)| {
+        // The sign of the order stands behind a head, that of the verdict before a number.
+        let head = width(format!("{} ↑", look.text(key)), FontId::proportional(12.0));
+        let sign = if n == 0 { "= " } else { "" };
+        let number =
+            |run: &Run| width(format!("{sign}{}", numbers(run)[n]), FontId::monospace(13.0));
+        *end += GAP + widest(&mut runs.iter().map(number)).max(head);
+        Some(*end)
+    });
+    let room = ui.available_width();
+    columns.take_while(|&end| end <= room).count().max(1)
 }
 
 /// Head of a column with the sign of its order; true if it is clicked.

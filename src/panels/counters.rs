@@ -72,7 +72,8 @@ fn summary(ui: &mut Ui, look: &Look, costs: Costs<'_>) {
                 }
             });
             let caption = RichText::new(name).size(12.0).color(look.palette.quiet);
-            column.add(eframe::egui::Label::new(caption).truncate());
+            let caption = column.add(eframe::egui::Label::new(caption).truncate());
+            caption.on_hover_text(look.text("counters-why"));
         }
     });
 }
@@ -83,7 +84,7 @@ fn table(ui: &mut Ui, look: &Look, costs: Costs<'_>) {
     grid.spacing([8.0, 0.0]).min_col_width(24.0).min_row_height(18.0).show(ui, |ui| {
         ui.label("");
         for key in ["counters-step", "counters-so-far", "counters-total"] {
-            ui.label(caption(key));
+            ui.label(caption(key)).on_hover_text(look.text("counters-why"));
         }
         ui.end_row();
         let used = Counter::ALL.into_iter().filter(|&counter| costs.total.get(counter) > 0);

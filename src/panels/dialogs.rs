@@ -1,24 +1,30 @@
 //! Windows over the window.
 
 use crate::command::{COMMANDS, Command, Menu};
+use crate::files::Purpose;
 use crate::finder::Target;
 use crate::look::Look;
+use crate::notice::Notice;
 use crate::panels::find;
-use crate::view::Dialog;
+use crate::shortcut;
+use crate::view::{Dialog, Typed};
 use eframe::egui::{
-    Align2, Area, ComboBox, Context, Frame, Grid, Id, Key, Label, Modal, Order, ProgressBar,
-    RichText, ScrollArea, Spinner, Ui, vec2,
+    Align2, Area, Button, ComboBox, Context, Frame, Grid, Id, Key, Label, Modal, Order,
+    ProgressBar, Rect, RichText, ScrollArea, Spinner, TextEdit, Ui, WidgetInfo,
+    text::{CCursor, CCursorRange},
+    text_edit::TextEditState,
+    vec2,
 };
 use octoscope_figure::views::FigureView;
-use std::path::PathBuf;
+use std::time::Duration;
 
 /// What the user asks for in a dialog.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Answer {
     /// Export in this format, by its file ending.
     Export(&'static str),
-    /// Open this path.
-    Path(PathBuf),
+    /// This path was typed.
+    Path(Typed),
     /// Do what was found.
     Take(Target),
 }
@@ -70,13 +76,9 @@ pub fn ui(
                     }
                 });
             }
-            Dialog::Path(path) => {
-                title(ui, &look.text("dialog-path"));
-                let label = ui.label(look.text("dialog-path-hint"));
-                let field = ui.text_edit_singleline(path).labelled_by(label.id);
-                let entered = field.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter));
-                if ui.button(look.text("dialog-path-open")).clicked() || entered {
-                    answer = Some(Answer::Path(PathBuf::from(path.trim())));
+            Dialog::Path(typed) => {
+                if path(ui, look, typed) {
+                    answer = Some(Answer::Path(typed.clone()));
                     close = true;
                 }
             }
@@ -106,6 +108,40 @@ fn choice_of_views(ui: &mut Ui, look: &Look, views: &[FigureView], exported: &mu
     });
 }
 
+/// Field for a path; true once it is confirmed.
+fn path(ui: &mut Ui, look: &Look, typed: &mut Typed) -> bool {
+    let (name, hint, confirm) = match typed.purpose {
+        Purpose::Open => ("path-open", "path-open-hint", "path-open-confirm"),
+        Purpose::Save => ("path-save", "path-hint", "path-save-confirm"),
+        Purpose::Export(_) => ("path-export", "path-hint", "path-export-confirm"),
+    };
+    title(ui, &look.text(name));
+    ui.label(look.text(hint));
+    let field = TextEdit::singleline(&mut typed.path).desired_width(f32::INFINITY);
+    let field = ui.add(field);
+    let spoken = look.text(name);
+    field.widget_info(|| WidgetInfo::text_edit(true, "", &typed.path, &spoken));
+    if field.changed() {
+        typed.replaces = false;
+    }
+    let entered = field.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter));
+    // Whoever is asked for a path can type it at once.
+    if !entered && ui.memory(|memory| memory.focused().is_none()) {
+        field.request_focus();
+        let mut state = TextEditState::load(ui.ctx(), field.id).unwrap_or_default();
+        let end = CCursor::new(typed.path.chars().count());
+        state.cursor.set_char_range(Some(CCursorRange::one(end)));
+        state.store(ui.ctx(), field.id);
+    }
+    if typed.replaces {
+        let question = RichText::new(look.text("path-replaces")).color(look.palette.ray);
+        ui.add(Label::new(question).wrap());
+    }
+    let confirm = if typed.replaces { "path-replace" } else { confirm };
+    let is_named = !typed.path.trim().is_empty();
+    ui.add_enabled(is_named, Button::new(look.text(confirm))).clicked() || (entered && is_named)
+}
+
 /// Shows how far the work is; true if it is to be cancelled.
 pub fn progress(context: &Context, look: &Look, title: &str, fraction: Option<f64>) -> bool {
     let area = Area::new(Id::unique("progress")).order(Order::Foreground);
@@ -128,22 +164,30 @@ pub fn progress(context: &Context, look: &Look, title: &str, fraction: Option<f6
     shown.inner.inner
 }
 
-/// One line at the lower edge of the view that says what has happened; a click
-/// takes it away.
-pub fn status(context: &Context, look: &Look, status: &mut String) {
-    if status.is_empty() {
+/// One line at the lower edge of the space view, which lies in `space`, that says
+/// what has happened; a click takes it away, and so does time.
+pub fn status(context: &Context, look: &Look, notice: &mut Notice, space: Option<Rect>) {
+    if notice.is_empty() {
         return;
     }
+    let (strength, secs) = notice.strength(context.input(|input| input.time));
+    context.request_repaint_after(Duration::from_secs_f64(secs));
+    if notice.is_empty() {
+        return;
+    }
+    let space = space.unwrap_or_else(|| context.content_rect());
     let area = Area::new(Id::unique("status")).order(Order::Foreground);
-    let area = area.anchor(Align2::CENTER_TOP, vec2(0.0, 48.0));
+    // Above what is written into the corner of the view.
+    let area = area.pivot(Align2::CENTER_BOTTOM).fixed_pos(space.center_bottom() - vec2(0.0, 44.0));
     let clicked = area.show(context, |ui| {
+        ui.multiply_opacity(strength);
         let frame = Frame::popup(ui.style()).inner_margin(10.0).fill(look.palette.field);
         frame.show(ui, |ui| {
             ui.horizontal(|ui| {
                 let close = look.text("dialog-close");
                 ui.scope(|ui| {
-                    ui.set_max_width(420.0);
-                    ui.add(Label::new(&*status).wrap());
+                    ui.set_max_width((space.width() - 140.0).clamp(160.0, 420.0));
+                    ui.add(Label::new(notice.text()).wrap());
                 });
                 ui.button(close).clicked()
             })
@@ -151,7 +195,7 @@ pub fn status(context: &Context, look: &Look, status: &mut String) {
     });
     let moved_on = context.input(|input| input.key_pressed(Key::Escape));
     if clicked.inner.inner.inner || moved_on {
-        status.clear();
+        notice.clear();
     }
 }
 
@@ -173,8 +217,7 @@ fn keys(ui: &mut Ui, look: &Look) {
             ui.label(RichText::new(look.text(menu.id())).color(look.palette.quiet));
             Grid::new(menu.id()).num_columns(2).spacing([24.0, 2.0]).show(ui, |ui| {
                 for row in COMMANDS.iter().filter(|row| row.menu == menu && !row.keys.is_empty()) {
-                    let keys = row.keys.iter().map(|key| ui.ctx().format_shortcut(key));
-                    let keys = keys.collect::<Vec<_>>().join(", ");
+                    let keys = shortcut::all_shown(look, row.keys);
                     ui.label(look.text(row.id));
                     ui.label(RichText::new(keys).monospace());
                     ui.end_row();

@@ -2,6 +2,7 @@
 
 use crate::finder::{Hit, Target, find};
 use crate::look::Look;
+use crate::shortcut;
 use crate::view::Search;
 use eframe::egui::{
     Align, Button, Event, Key, Label, Modifiers, RichText, ScrollArea, TextEdit, Ui,
@@ -51,7 +52,7 @@ fn row<'a>(ui: &Ui, look: &Look, hit: &Hit, chosen: bool) -> Button<'a> {
         Target::Scene(_) | Target::Algorithm(_) | Target::Erratum(_) => None,
     };
     let side = match key {
-        Some(key) => ui.ctx().format_shortcut(key),
+        Some(key) => shortcut::shown(look, key),
         None => look.text(hit.target.kind()),
     };
     let side = RichText::new(side).size(13.0);

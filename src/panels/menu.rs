@@ -2,6 +2,8 @@
 
 use crate::command::{COMMANDS, Command, Menu};
 use crate::look::Look;
+use crate::shortcut;
+use crate::widgets::tick;
 use eframe::egui::{
     Align, Button, Layout, MenuBar, RichText, ScrollArea, Sense, Shape, Stroke, Ui, WidgetInfo,
     accesskit::Role, vec2,
@@ -27,7 +29,7 @@ pub fn ui(
     ui: &mut Ui,
     look: &Look,
     title: &str,
-    language: &mut Language,
+    language: Language,
     entry: impl Fn(Command) -> Entry,
     commands: &mut Vec<Command>,
 ) {
@@ -57,10 +59,14 @@ pub fn ui(
             if theme_button(ui, look) {
                 commands.push(Command::NextTheme);
             }
-            for choice in [Language::German, Language::English] {
+            // Menus come first where there is no room for everything.
+            let has_room = ui.available_width() > 80.0;
+            for choice in [Language::German, Language::English].into_iter().filter(|_| has_room) {
                 let shown = choice.id().to_uppercase();
-                if ui.selectable_label(*language == choice, shown).clicked() {
-                    *language = choice;
+                let is_present = language == choice;
+                // At the end of the frame, so that it speaks one language only.
+                if ui.selectable_label(is_present, shown).clicked() && !is_present {
+                    commands.push(Command::NextLanguage);
                 }
             }
             ui.with_layout(
@@ -88,11 +94,11 @@ fn rows(
             Entry::Enabled | Entry::Disabled => {
                 let mut button = Button::new(name);
                 if let Some(key) = row.keys.first() {
-                    button = button.shortcut_text(ui.ctx().format_shortcut(key));
+                    button = button.shortcut_text(shortcut::shown(look, key));
                 }
                 ui.add_enabled(entry == Entry::Enabled, button)
             }
-            Entry::On | Entry::Off => ui.checkbox(&mut (entry == Entry::On), name),
+            Entry::On | Entry::Off => tick(ui, look, &mut (entry == Entry::On), name),
         };
         if response.clicked() {
             commands.push(row.command);

@@ -2,7 +2,7 @@
 
 use crate::document::Document;
 use crate::look::Look;
-use crate::widgets::{heading, number_field, segments};
+use crate::widgets::{explained_segments, heading, number_field, segments, tick};
 use eframe::egui::containers::menu::{MenuButton, MenuConfig};
 use eframe::egui::{ComboBox, Grid, PopupCloseBehavior, RichText, Ui};
 use octoscope_core::explain::algorithm_name;
@@ -132,16 +132,17 @@ fn ray_query(
         }
     });
     shown.response.on_hover_text(label);
-    let choices = [
-        (Arithmetic::Doubles, look.text("arithmetic-doubles")),
-        (Arithmetic::Exact, look.text("arithmetic-exact")),
-    ];
+    let choices =
+        [(Arithmetic::Doubles, "arithmetic-doubles"), (Arithmetic::Exact, "arithmetic-exact")];
+    let choices =
+        choices.map(|(choice, key)| (choice, look.text(key), look.text(&format!("{key}-why"))));
     ui.horizontal(|ui| {
-        segments(ui, arithmetic, &choices);
+        explained_segments(ui, arithmetic, &choices);
         rules(ui, look, *algorithm, &mut options.variants);
     });
     let mut first = options.stop_at == StopAt::FirstFull;
-    ui.checkbox(&mut first, look.text("query-first-full"));
+    let response = ui.checkbox(&mut first, look.text("query-first-full"));
+    response.on_hover_text(look.text("query-first-full-why"));
     options.stop_at = if first { StopAt::FirstFull } else { StopAt::End };
     segment_end(ui, look, &mut options.segment_end);
 }
@@ -192,17 +193,18 @@ fn rules(ui: &mut Ui, look: &Look, algorithm: Algorithm, chosen: &mut Variants) 
     let n_changed = chosen.iter().count();
     let title = look.texts.format("query-rules", &[("n", n_changed.into())]);
     let stays = MenuConfig::new().close_behavior(PopupCloseBehavior::CloseOnClickOutside);
-    MenuButton::new(title).config(stays).ui(ui, |ui| {
+    let (button, _) = MenuButton::new(title).config(stays).ui(ui, |ui| {
         if own.clone().next().is_none() {
             ui.label(look.text("query-rules-none"));
         }
         for variant in own {
             let mut on = chosen.has(variant);
             let (name, why) = variant_texts(look, variant);
-            ui.checkbox(&mut on, name).on_hover_text(why);
+            tick(ui, look, &mut on, name).on_hover_text(why);
             *chosen = if on { chosen.with(variant) } else { chosen.without(variant) };
         }
     });
+    button.on_hover_text(look.text("query-rules-why"));
     // Those of another algorithm mean nothing here.
     *chosen = chosen.iter().filter(|variant| variant.belongs_to(algorithm)).collect();
 }

@@ -13,18 +13,21 @@ pub fn ui(ui: &mut Ui, look: &Look, show: &mut Show, dimension: usize) {
     heading(ui, look, &look.text("panel-show"), "");
     let font = FontId::proportional(SIZE);
     let options = options(show, dimension);
-    let options: Vec<_> = options.into_iter().map(|(value, key)| (value, look.text(key))).collect();
+    let options: Vec<_> = options
+        .into_iter()
+        .map(|(value, key)| (value, look.text(key), look.text(&format!("{key}-why"))))
+        .collect();
     let width = |name: &String| {
         ui.painter().layout_no_wrap(name.clone(), font.clone(), look.palette.ink).size().x
     };
-    let widths: Vec<f32> = options.iter().map(|(_, name)| width(name) + 20.0).collect();
+    let widths: Vec<f32> = options.iter().map(|(_, name, _)| width(name) + 20.0).collect();
     let widest = |first: usize| widths.iter().skip(first).step_by(2).copied().fold(0.0, f32::max);
     let gap = 8.0;
     let n_columns = if widest(0) + gap + widest(1) <= ui.available_width() { 2 } else { 1 };
     let grid = Grid::new("show").num_columns(n_columns).spacing([gap, 0.0]);
     grid.show(ui, |ui| {
-        for (n, (value, name)) in options.into_iter().enumerate() {
-            ui.checkbox(value, RichText::new(name).size(SIZE));
+        for (n, (value, name, why)) in options.into_iter().enumerate() {
+            ui.checkbox(value, RichText::new(name).size(SIZE)).on_hover_text(why);
             if (n + 1) % n_columns == 0 {
                 ui.end_row();
             }

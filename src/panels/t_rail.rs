@@ -2,7 +2,9 @@
 
 use crate::look::Look;
 use crate::widgets::{paint_figure, room};
-use eframe::egui::{Align, Label, Pos2, RichText, Sense, Ui, WidgetInfo, accesskit::Role, vec2};
+use eframe::egui::{
+    Align, Label, Layout, Pos2, RichText, Sense, Ui, UiBuilder, WidgetInfo, accesskit::Role, vec2,
+};
 use octoscope_core::event::Event;
 use octoscope_core::explain::approx;
 use octoscope_core::trace::{Moment, Trace};
@@ -24,7 +26,10 @@ pub fn ui<const D: usize>(
         let size = vec2(width, row * D as f32 + 34.0);
         let (rect, response) = ui.allocate_exact_size(size, Sense::click_and_drag());
         let hint = RichText::new(look.text("t-rail-none")).color(look.palette.quiet);
-        ui.put(rect, Label::new(hint).wrap().halign(Align::Center));
+        let middle = UiBuilder::new().max_rect(rect).layout(Layout::top_down(Align::Center));
+        let mut middle = ui.new_child(middle);
+        middle.add_space(rect.height() / 2.0 - 20.0);
+        middle.add(Label::new(hint).wrap());
         response.widget_info(|| WidgetInfo::labeled(Role::Canvas, true, title.as_str()));
         return Pointed::default();
     };

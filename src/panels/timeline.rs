@@ -3,6 +3,7 @@
 use crate::command::Command;
 use crate::look::Look;
 use crate::playback::Playback;
+use crate::shortcut;
 use eframe::egui::{
     Color32, FontId, Painter, Pos2, Rect, Response, RichText, Sense, Shape, Stroke, Ui, WidgetInfo,
     accesskit::Role, lerp, pos2, remap_clamp, vec2,
@@ -118,9 +119,11 @@ fn ruler<const D: usize>(
         let step = remap_clamp(pointer.x, track.x_range(), 0.0..=length as f32).round() as usize;
         trace.events.get(step.checked_sub(1)?)?.node()
     });
+    let mut why = look.text("timeline-why");
     if !rounded.is_empty() {
-        response.on_hover_text(look.text("timeline-rounded"));
+        why = format!("{why}\n{}", look.text("timeline-rounded"));
     }
+    response.on_hover_text(why);
     pointed
 }
 
@@ -254,8 +257,7 @@ fn button(ui: &mut Ui, look: &Look, icon: Icon, command: Command) -> Response {
         ui.painter().rect_stroke(rect, 6.0, stroke, eframe::egui::StrokeKind::Inside);
     }
     paint_icon(ui.painter(), icon, rect.shrink(10.0), look.palette.ink);
-    let keys: Vec<String> = row.keys.iter().map(|key| ui.ctx().format_shortcut(key)).collect();
-    response.on_hover_text(format!("{name} ({})", keys.join(", ")))
+    response.on_hover_text(format!("{name} ({})", shortcut::all_shown(look, row.keys)))
 }
 
 fn paint_icon(painter: &Painter, icon: Icon, rect: Rect, color: Color32) {

@@ -12,7 +12,7 @@ use crate::document::Document;
 use crate::look::Look;
 use crate::view::View;
 pub use base::Layers;
-use eframe::egui::{Pos2, Rect, Sense, Ui, WidgetInfo, accesskit::Role};
+use eframe::egui::{Event, Pos2, Rect, Sense, Ui, WidgetInfo, accesskit::Role};
 use octoscope_core::geometry::Aabb;
 use octoscope_core::paper::erratum_of;
 use octoscope_core::trace::Moment;
@@ -47,18 +47,26 @@ pub fn ui<const D: usize>(ui: &mut Ui, look: &Look, space: Space<'_, D>) {
         return;
     }
     let frame = PageInWindow { page: page_of(rect), corner: rect.min };
-    let mut camera: Camera<D> =
-        view.camera().unwrap_or_else(|| Camera::framing(&interesting(document), frame.page));
-    let before = camera;
+    let room = view.space.replace(rect);
+    let kept: Option<Camera<D>> = view.camera();
+    let mut camera = kept.unwrap_or_else(|| Camera::framing(&interesting(document), frame.page));
+    let (before, ray) = (camera, document.scenario.ray);
+    view.fitted |= kept.is_none();
+    if view.fitted && kept.is_some() && room.map(|room| room.size()) != Some(rect.size()) {
+        camera.frame(&interesting(document), frame.page);
+    }
     standpoint::stand(view, &mut camera, frame.page, document, moment);
+    let stood = camera;
     let under = gesture::handle(ui, &response, frame, &mut camera, document);
+    view.fitted &= (camera.target, camera.height) == (stood.target, stood.height);
     if let Some(under) = &under {
         view.hover.offer(under.leaf);
     }
     let tree = std::sync::Arc::clone(&document.tree);
     // What is pointed at here is lit at once, what is elsewhere a frame later.
     let hovered = under.as_ref().map(|under| under.leaf).or_else(|| view.hover.lit(&tree));
-    if camera != before {
+    // While the ray is dragged, the picture stays where it is, and afterwards.
+    if camera != before || document.scenario.ray != ray {
         view.set_camera(camera);
     }
 
@@ -85,7 +93,13 @@ pub fn ui<const D: usize>(ui: &mut Ui, look: &Look, space: Space<'_, D>) {
     let figure = space_figure(&painted, &camera, frame.page);
     paint::figure(&painter, look, view.theme, frame, &figure);
     gesture::paint_region_being_drawn(ui, &painter, look, &response);
-    hover::labels(ui, look, (rect, frame), &tree, hovered, under.as_ref());
+    let is_move = |event: &Event| matches!(event, Event::PointerMoved(_));
+    let moved = ui.input(|input| input.events.iter().any(is_move));
+    if moved || view.pointed.is_none() {
+        view.pointed = Some(moment.step);
+    }
+    let hint = under.filter(|_| view.pointed == Some(moment.step));
+    hover::labels(ui, look, (rect, frame), &tree, hovered, hint.as_ref());
 }
 
 /// What would be right, where a misprint is followed and the panel about it has

@@ -18,6 +18,8 @@ pub enum Standpoint {
     Above,
     /// The current node, in the middle and large.
     Node,
+    /// Everything, from the present side.
+    Everything,
 }
 
 /// How much of the view's height the current node takes.
@@ -41,15 +43,23 @@ pub fn stand<const D: usize>(
             if let Some(bounds) = node {
                 camera.target = bounds.centre();
                 camera.height = bounds.size()[0] / NODE_SHARE;
+                view.fitted = false;
             }
+        }
+        Some(Standpoint::Everything) => {
+            camera.frame(&interesting(document), page);
+            view.fitted = true;
         }
         Some(side @ (Standpoint::Right | Standpoint::Front | Standpoint::Above)) => {
             (camera.yaw, camera.pitch) = match side {
                 Standpoint::Right => (0.0, 0.0),
                 Standpoint::Front => (-FRAC_PI_2, 0.0),
-                Standpoint::Above | Standpoint::Node => (-FRAC_PI_2, FRAC_PI_2),
+                Standpoint::Above | Standpoint::Node | Standpoint::Everything => {
+                    (-FRAC_PI_2, FRAC_PI_2)
+                }
             };
             camera.frame(&interesting(document), page);
+            view.fitted = true;
         }
     }
     let followed = moment.current.filter(|_| view.follow);
@@ -57,6 +67,7 @@ pub fn stand<const D: usize>(
         && let (Some(_), Some(bounds)) = (followed, node)
     {
         camera.target = bounds.centre();
+        view.fitted = false;
     }
     view.followed = followed;
 }

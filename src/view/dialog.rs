@@ -1,5 +1,7 @@
 //! What lies over the window.
 
+use crate::files::Purpose;
+
 /// Window over the window.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Dialog {
@@ -13,8 +15,19 @@ pub enum Dialog {
     Error(String),
     /// Where and how to export.
     Export,
-    /// A file is opened by typing its path.
-    Path(String),
+    /// A path is typed, where the system has no dialog for that.
+    Path(Typed),
+}
+
+/// A path that is being typed.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Typed {
+    /// What the file is for.
+    pub purpose: Purpose,
+    /// The path so far.
+    pub path: String,
+    /// Whether it is known that this replaces a file.
+    pub replaces: bool,
 }
 
 /// What is searched for, and which of the hits is chosen, from 0.

@@ -1,10 +1,21 @@
 //! A number that can be dragged and typed.
 
-use eframe::egui::{Color32, DragValue, Response, RichText, Ui, WidgetInfo, accesskit::Role};
+use eframe::egui::{
+    Color32, Context, DragValue, FontId, Id, Key, Layout, Response, Ui, WidgetInfo,
+    accesskit::Role,
+    text::{CCursor, CCursorRange},
+    text_edit::TextEditState,
+    vec2,
+};
 use octoscope_core::explain::number;
+use std::cell::RefCell;
+
+/// Room between a number and the border of its field.
+const PADDING: f32 = 8.0;
 
 /// Field for a number in `color`, called `name` by a screen reader. It takes
-/// decimals, fractions such as 3/4 and hexadecimal floats such as 0x1.8p-1.
+/// decimals, fractions such as 3/4 and hexadecimal floats such as 0x1.8p-1. A
+/// number too long for it is cut short, until it is edited.
 pub fn number_field(
     ui: &mut Ui,
     name: &str,
@@ -13,17 +24,39 @@ pub fn number_field(
     color: Color32,
 ) -> Response {
     let mut edited = *value;
+    let size = vec2(ui.available_width().min(110.0), 24.0);
+    let layout = Layout::centered_and_justified(ui.layout().main_dir());
+    // What was typed last, if it is no number.
+    let refused = RefCell::new(None);
     let response = ui
-        .scope(|ui| {
+        .allocate_ui_with_layout(size, layout, |ui| {
             ui.visuals_mut().override_text_color = Some(color);
+            ui.spacing_mut().button_padding.x = PADDING / 2.0;
+            let id = ui.next_auto_id();
+            let is_edited = ui.memory(|memory| memory.has_focus(id));
+            let shown = if is_edited { number(*value) } else { fitting(ui, *value, size.x) };
             let field = DragValue::new(&mut edited)
                 .speed(drag_speed)
                 .max_decimals(6)
-                .custom_formatter(|x, _| number(x))
-                .custom_parser(parse);
-            ui.add_sized([ui.available_width().min(110.0), 24.0], field)
+                .clip_text(true)
+                .custom_formatter(|x, _| if x == *value { shown.clone() } else { number(x) })
+                .custom_parser(|text| {
+                    let read = parse(text);
+                    *refused.borrow_mut() = Some(read.is_none().then(|| text.to_owned()));
+                    read
+                });
+            let response = ui.add(field);
+            if response.clicked() {
+                // The toolkit selects as much as it has shown, which may be less.
+                let all = CCursorRange::two(CCursor::new(0), CCursor::new(number(*value).len()));
+                let mut state = TextEditState::load(ui.ctx(), response.id).unwrap_or_default();
+                state.cursor.set_char_range(Some(all));
+                state.store(ui.ctx(), response.id);
+            }
+            response
         })
         .inner;
+    remember_refused(ui, &response, refused.into_inner());
     if response.changed() && edited.is_finite() {
         *value = edited;
     }
@@ -32,7 +65,59 @@ pub fn number_field(
         info.value = Some(*value);
         info
     });
-    response.on_hover_text(RichText::new(name))
+    response.on_hover_text(format!("{name} = {}", number(*value)))
+}
+
+/// What was typed into a number field and left there without being a number.
+pub fn refused_number(context: &Context) -> Option<String> {
+    context.data_mut(|data| data.remove_temp(Id::unique(REFUSED)))
+}
+
+const REFUSED: &str = "refused number";
+
+/// Keeps what was typed, if it is no number, until the field is left.
+fn remember_refused(ui: &Ui, response: &Response, typed: Option<Option<String>>) {
+    let own = response.id.with(REFUSED);
+    ui.data_mut(|data| {
+        if let Some(typed) = typed {
+            data.insert_temp(own, typed);
+        }
+    });
+    if response.lost_focus() {
+        let left = ui.data_mut(|data| data.remove_temp::<Option<String>>(own)).flatten();
+        let is_given_up = ui.input(|input| input.key_pressed(Key::Escape));
+        if let Some(text) = left.filter(|_| !is_given_up) {
+            ui.data_mut(|data| data.insert_temp(Id::unique(REFUSED), text));
+        }
+    }
+}
+
+/// `x` as short as it reads back, or, where a field of this width has no room for
+/// that, with dots instead of its last digits.
+fn fitting(ui: &Ui, x: f64, width: f32) -> String {
+    let font = FontId::proportional(15.0);
+    let fits = |text: &str| {
+        let galley = ui.painter().layout_no_wrap(text.to_owned(), font.clone(), Color32::BLACK);
+        galley.size().x <= width - PADDING
+    };
+    shortened(x, fits)
+}
+
+/// `x` as short as it reads back, or with dots for digits, as many as `fits` allows.
+fn shortened(x: f64, fits: impl Fn(&str) -> bool) -> String {
+    let whole = number(x);
+    if fits(&whole) || !x.is_finite() {
+        return whole;
+    }
+    // Only digits behind the point may be missing, and never the exponent.
+    let cut = |text: &str| {
+        let (mantissa, exponent) = text.find('e').map_or((text, ""), |at| text.split_at(at));
+        let point = mantissa.find('.')?;
+        let ends = (point + 2..mantissa.len()).rev().chain([point]);
+        ends.map(|end| format!("{}…{exponent}", &mantissa[..end])).find(|text| fits(text))
+    };
+    let scientific = format!("{x:e}");
+    cut(&whole).or_else(|| cut(&scientific)).unwrap_or_else(|| "…".to_owned())
 }
 
 /// A decimal, a fraction or a hexadecimal float.
@@ -52,7 +137,7 @@ fn simple(text: &str) -> Option<f64> {
 
 #[cfg(test)]
 mod tests {
-    use super::parse;
+    use super::{parse, shortened};
 
     #[test]
     fn numbers_are_read_in_three_notations() {
@@ -61,6 +146,19 @@ mod tests {
         assert_eq!(parse("0x1.8p-1"), Some(0.75));
         assert_eq!(parse("1,5"), Some(1.5));
         assert_eq!(parse("-0.0").map(f64::to_bits), Some((-0.0f64).to_bits()));
+    }
+
+    #[test]
+    fn a_long_number_loses_only_digits_that_it_can_spare() {
+        let check = |x, shown| {
+            assert_eq!(shortened(x, |text: &str| text.chars().count() <= 9), shown);
+        };
+        check(0.25, "0.25");
+        check(1.0 / 3.0, "0.333333…");
+        check(-200.0 / 3.0, "-66.6666…");
+        check(1.0 / 3.0 * 1e-300, "3.3…e-301");
+        check(1_234_567_890_123.0, "1.234…e12");
+        check(-1.234_567e-300, "-1…e-300");
     }
 
     #[test]

@@ -14,3 +14,19 @@ pub fn segments<T: Copy + PartialEq>(ui: &mut Ui, value: &mut T, choices: &[(T, 
     });
     *value != before
 }
+
+/// The same with what every choice means, shown where it is pointed at.
+pub fn explained_segments<T: Copy + PartialEq>(
+    ui: &mut Ui,
+    value: &mut T,
+    choices: &[(T, String, String)],
+) {
+    ui.horizontal_wrapped(|ui| {
+        ui.spacing_mut().item_spacing.x = 2.0;
+        ui.spacing_mut().button_padding = vec2(6.0, 4.0);
+        for (choice, name, why) in choices {
+            let name = RichText::new(name).size(14.0);
+            ui.selectable_value(value, *choice, name).on_hover_text(why);
+        }
+    });
+}

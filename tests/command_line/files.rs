@@ -56,7 +56,7 @@ fn every_strange_file_has_one_message() {
     large.set_len((256 << 20) + 1).unwrap();
     assert!(bad(&desk, "large.octo").contains("larger than 256 MiB"));
     fs::create_dir(desk.0.path().join("folder.xyz")).unwrap();
-    assert_eq!(bad(&desk, "folder.xyz"), "this is a folder; name a file in it");
+    assert_eq!(bad(&desk, "folder.xyz"), "this is a folder, not a file; choose a file");
 }
 
 #[test]

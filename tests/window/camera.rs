@@ -1,8 +1,9 @@
 //! The camera, by keyboard.
 
 use crate::desk::{Desk, sample};
-use eframe::egui::Key;
-use octoscope_figure::Lens;
+use eframe::egui::{Key, Modifiers, vec2};
+use octoscope::space::interesting;
+use octoscope_figure::{Camera, Lens, Page};
 
 #[test]
 fn octrees_are_seen_from_named_sides() {
@@ -17,6 +18,48 @@ fn octrees_are_seen_from_named_sides() {
     }
     desk.press(Key::O);
     assert_eq!(desk.state().view.camera::<3>().unwrap().lens, Lens::Orthographic);
+}
+
+#[test]
+fn a_picture_stays_where_it_is_when_the_ray_is_dropped() {
+    let mut desk = Desk::new();
+    let corner = desk.place([1.0, 1.0]);
+    let origin = desk.place(desk.plane().scenario.ray.origin());
+    desk.drag([origin, origin + vec2(60.0, -150.0)], Modifiers::NONE);
+    assert_eq!(desk.place([1.0, 1.0]), corner);
+    let ray = desk.plane().scenario.ray;
+    let dropped = desk.place(ray.origin());
+    desk.drag([dropped, dropped + vec2(0.0, 40.0)], Modifiers::NONE);
+    assert_ne!(desk.plane().scenario.ray, ray, "the handle is where it was dropped");
+}
+
+#[test]
+fn a_turned_octree_keeps_its_side_and_is_fitted_into_every_room() {
+    let mut desk = Desk::with_file(sample("knot.octo"));
+    let rect = desk.state().view.space.unwrap();
+    let from = rect.right_bottom() - vec2(30.0, 60.0);
+    desk.drag([from, from - vec2(90.0, 30.0)], Modifiers::NONE);
+    let turned = desk.state().view.camera::<3>().unwrap();
+    desk.press(Key::Num6);
+    let elsewhere = desk.state().view.camera::<3>().unwrap();
+    assert_eq!((elsewhere.yaw, elsewhere.pitch), (turned.yaw, turned.pitch));
+    let room = desk.state().view.space.unwrap();
+    let page = Page { width: f64::from(room.width()), height: f64::from(room.height()) };
+    let mut fitted = elsewhere;
+    fitted.frame(&interesting(desk.space()), page);
+    assert_eq!(elsewhere, fitted);
+
+    // What was zoomed on purpose stays as it is, until all is asked for.
+    let zoomed = Camera { height: 0.5 * elsewhere.height, ..elsewhere };
+    let view = &mut desk.state_mut().view;
+    view.set_camera(zoomed);
+    view.fitted = false;
+    desk.press(Key::Num2);
+    assert_eq!(desk.state().view.camera::<3>(), Some(zoomed));
+    desk.press(Key::F);
+    let all = desk.state().view.camera::<3>().unwrap();
+    assert_eq!((all.yaw, all.pitch), (turned.yaw, turned.pitch));
+    assert_ne!(all.height, zoomed.height);
 }
 
 #[test]

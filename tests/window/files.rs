@@ -2,7 +2,8 @@
 
 use crate::desk::{Desk, sample};
 use eframe::egui::{self, Key, Modifiers};
-use octoscope::view::Dialog;
+use octoscope::files::Purpose;
+use octoscope::view::{Dialog, Typed};
 use octoscope_core::scene::Content;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -62,6 +63,34 @@ fn an_opened_file_is_undone_like_any_change() {
 }
 
 #[test]
+fn changes_that_no_file_has_are_marked_until_they_are_saved_or_taken_back() {
+    let folder = tempdir().unwrap();
+    let mut desk = Desk::new();
+    let is_marked = |desk: &Desk| {
+        assert_eq!(desk.state().is_changed(), desk.says("leaves *"));
+        desk.state().is_changed()
+    };
+    assert!(!is_marked(&desk));
+    desk.press(Key::ArrowRight);
+    assert!(!is_marked(&desk), "stepping changes nothing");
+    desk.press(Key::R);
+    assert!(is_marked(&desk));
+    desk.press_with(Modifiers::COMMAND, Key::Z);
+    assert!(!is_marked(&desk));
+
+    desk.press(Key::R);
+    type_path(&mut desk, Purpose::Save, &format!("{}/", folder.path().display()), "kept");
+    assert!(!is_marked(&desk));
+    desk.press(Key::R);
+    assert!(is_marked(&desk));
+    desk.open(sample("knot.obj"));
+    assert!(!is_marked(&desk));
+    assert!(desk.says("Ctrl+Z brings it back"), "{:?}", desk.texts());
+    desk.press_with(Modifiers::COMMAND, Key::Z);
+    assert!(is_marked(&desk));
+}
+
+#[test]
 fn a_broken_file_is_one_message_and_the_old_scene_stays() {
     let folder = tempdir().unwrap();
     let picture = fs::read(sample("landscape.png")).unwrap();
@@ -91,6 +120,51 @@ fn a_broken_file_is_one_message_and_the_old_scene_stays() {
     }
     desk.open(folder.path().join("missing.png"));
     assert!(matches!(desk.state().view.dialog, Some(Dialog::Error(_))));
+}
+
+/// Asks for a path as where the system has no dialog, types `end` behind `path`
+/// and confirms.
+fn type_path(desk: &mut Desk, purpose: Purpose, path: &str, end: &str) {
+    let typed = Typed { purpose, path: path.to_owned(), replaces: false };
+    desk.state_mut().view.dialog = Some(Dialog::Path(typed));
+    desk.run();
+    desk.event(egui::Event::Text(end.to_owned()));
+    desk.press(Key::Enter);
+}
+
+#[test]
+fn a_typed_path_is_saved_to_and_a_file_replaced_only_when_confirmed() {
+    let folder = tempdir().unwrap();
+    let begin = format!("{}/", folder.path().display());
+    let path = folder.path().join("new.octo");
+    let mut desk = Desk::new();
+    type_path(&mut desk, Purpose::Save, &begin, "new");
+    assert_eq!(desk.state().view.dialog, None, "{:?}", desk.texts());
+    assert!(desk.says("Saved as new.octo"));
+    let before = fs::read(&path).unwrap();
+
+    desk.press(Key::R);
+    type_path(&mut desk, Purpose::Save, &begin, "new.octo");
+    assert!(desk.says("Replace it?"));
+    assert_eq!(fs::read(&path).unwrap(), before);
+    desk.press(Key::Enter);
+    assert_eq!(desk.state().view.dialog, None);
+    assert_ne!(fs::read(&path).unwrap(), before);
+}
+
+#[test]
+fn a_typed_path_is_exported_to_in_its_format_and_opened() {
+    let folder = tempdir().unwrap();
+    let begin = format!("{}/", folder.path().display());
+    let mut desk = Desk::new();
+    type_path(&mut desk, Purpose::Export("svg"), &begin, "figure");
+    assert!(desk.says("Exported as figure.svg"), "{:?}", desk.texts());
+    assert!(fs::read_to_string(folder.path().join("figure.svg")).unwrap().contains("<svg"));
+
+    type_path(&mut desk, Purpose::Open, &sample("").display().to_string(), "knot.obj");
+    desk.state_mut().finish_work();
+    desk.run();
+    assert!(desk.space().tree.n_leaves() > 100);
 }
 
 #[test]

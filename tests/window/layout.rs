@@ -197,6 +197,62 @@ fn the_panels_of_every_algorithm_fit_into_1024_points_with_large_type() {
 }
 
 #[test]
+fn the_question_is_at_hand_in_every_preset_and_size() {
+    for (size, scale) in [([1280.0, 800.0], 1.0), ([1024.0, 768.0], 2.5)] {
+        for preset in Preset::ALL {
+            let mut desk = desk(size, SCENES[0], Language::English, preset);
+            desk.state_mut().view.scale = scale;
+            desk.run();
+            let is_seen = |desk: &Desk| {
+                let window = desk.ctx.content_rect();
+                let scene = desk.query_by_role_and_label(Role::SpinButton, "origin x");
+                scene.is_some_and(|field| field.rect().bottom() < window.bottom() - 150.0)
+            };
+            if !is_seen(&desk) {
+                desk.press(Key::Q);
+            }
+            assert!(is_seen(&desk), "{size:?} {preset:?}");
+            desk.press(Key::Q);
+            assert!(!is_seen(&desk), "{size:?} {preset:?}");
+        }
+    }
+}
+
+#[test]
+fn the_picture_keeps_its_room_when_the_window_gets_smaller() {
+    let mut desk = desk([1280.0, 800.0], SCENES[0], Language::English, Preset::Debug);
+    desk.set_size(eframe::egui::vec2(1024.0, 768.0));
+    desk.run();
+    let space = desk.space_view();
+    assert!(space.width() > 360.0, "{space:?}");
+}
+
+#[test]
+fn all_columns_of_the_comparison_are_seen_in_both_languages() {
+    for (scene, language) in
+        SCENES.into_iter().flat_map(|scene| Language::ALL.map(|language| (scene, language)))
+    {
+        let desk = desk([1280.0, 800.0], scene, language, Preset::Compare);
+        let end = desk.ctx.content_rect().right() - 8.0;
+        let texts = texts(language);
+        for key in ["compare-leaves", "compare-tests", "compare-quotients"] {
+            let head = desk.get_by_role_and_label(Role::Label, &texts.get(key)).rect();
+            assert!(head.right() <= end, "{scene} {language:?} {key}: {head:?}");
+        }
+        let name = texts.format("panel-menu", &[("title", texts.get("panel-compare").into())]);
+        assert!(desk.get_by_role_and_label(Role::Button, &name).rect().right() <= end);
+    }
+}
+
+#[test]
+fn menus_are_not_covered_in_a_tiny_window() {
+    let desk = desk([320.0, 240.0], SCENES[0], Language::English, Preset::Bits);
+    let help = desk.get_by_role_and_label(Role::Button, "Help").rect();
+    let covered = desk.query_by_role_and_label(Role::Button, "EN");
+    assert!(covered.is_none_or(|label| label.rect().left() >= help.right()));
+}
+
+#[test]
 fn type_is_not_larger_than_a_small_window_can_hold() {
     let mut desk = Desk::of(Harness::builder(), [1024.0, 768.0]);
     for _ in 0..20 {

@@ -13,6 +13,7 @@ mod hall;
 mod layout;
 mod limits;
 mod links;
+mod notices;
 mod panels;
 mod paper;
 mod pictures;

@@ -39,6 +39,21 @@ fn the_plane_in_light_colours() {
 }
 
 #[test]
+fn another_theme_and_language_come_with_one_whole_frame() {
+    let Some(mut desk) = drawn_desk([1280.0, 800.0]) else { return };
+    let mut frames = vec![desk.render().unwrap()];
+    for key in [Key::T, Key::L] {
+        desk.key_press(key);
+        for _ in 0..4 {
+            desk.step();
+            frames.push(desk.render().unwrap());
+        }
+    }
+    frames.dedup();
+    assert_eq!(frames.len(), 3, "light, dark, and dark in German");
+}
+
+#[test]
 fn the_plane_in_dark_colours() {
     compare("window-plane-dark", |desk| {
         desk.open(sample("lecture.octo"));
@@ -238,15 +253,21 @@ fn compare(name: &str, show: impl FnOnce(&mut Desk)) {
 
 /// Compares the window, in the state that `show` brings it to, with its picture.
 fn compare_sized(name: &str, size: [f32; 2], show: impl FnOnce(&mut Desk)) {
-    if !has_driver() {
-        return;
-    }
-    let builder = Harness::builder().with_render_cursor(false).wgpu_setup(software_setup());
-    let mut desk = Desk::of(builder, size);
-    desk.remove_cursor();
+    let Some(mut desk) = drawn_desk(size) else { return };
     show(&mut desk);
     let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/screenshots");
     desk.snapshot_options(name, &SnapshotOptions::new().output_path(folder));
+}
+
+/// The window of this size, drawn by the software driver; `None` without it.
+fn drawn_desk(size: [f32; 2]) -> Option<Desk> {
+    if !has_driver() {
+        return None;
+    }
+    let builder = Harness::builder().with_render_cursor(false).wgpu_setup(software_setup());
+    let desk = Desk::of(builder, size);
+    desk.remove_cursor();
+    Some(desk)
 }
 
 /// The software driver alone: others draw lines and letters a little differently.

@@ -87,6 +87,46 @@ fn numbers_are_typed_as_decimals_fractions_and_hexadecimal_floats() {
 }
 
 #[test]
+fn what_is_no_number_is_refused_with_what_would_be_one() {
+    let mut desk = Desk::new();
+    for (typed, said) in [
+        ("nonsense", "“nonsense” is no finite number"),
+        ("inf", "“inf” is no finite number"),
+        ("1/0", "“1/0” is no finite number"),
+        (" ", "A number is missing"),
+    ] {
+        let ray = desk.plane().scenario.ray;
+        desk.type_into("origin y", typed);
+        assert!(desk.says(said), "{typed}: {:?}", desk.texts());
+        assert!(desk.says("3/4"), "{typed}");
+        assert_eq!(desk.plane().scenario.ray, ray);
+        desk.type_into("origin y", "0.5");
+        assert!(!desk.says(said), "{typed} is not the last word");
+        desk.type_into("origin y", "0.25");
+    }
+}
+
+#[test]
+fn fields_keep_their_width_whatever_number_is_typed() {
+    let mut desk = Desk::new();
+    let rects = |desk: &Desk| {
+        ["origin x", "origin y", "direction x", "direction y"]
+            .map(|name| desk.get_by_role_and_label(Role::SpinButton, name).rect())
+            .map(|rect| [rect.left(), rect.right(), rect.top().round()])
+    };
+    let before = rects(&desk);
+    for typed in ["1/3", "-1e-300", "123456789012345", "-1.2345678901234567e-300"] {
+        desk.click(Role::SpinButton, "origin x");
+        desk.event(eframe::egui::Event::Text(typed.to_owned()));
+        desk.run();
+        assert_eq!(rects(&desk), before, "{typed} while it is typed");
+        desk.press(Key::Enter);
+        assert_eq!(rects(&desk), before, "{typed}");
+    }
+    assert_eq!(desk.plane().scenario.ray.origin()[0], -1.234_567_890_123_456_7e-300);
+}
+
+#[test]
 fn the_ray_is_turned_round_by_a_key() {
     let mut desk = Desk::new();
     let ray = desk.plane().scenario.ray;

@@ -1,8 +1,33 @@
 //! Stepping, playing and the presenter's keys.
 
 use crate::desk::Desk;
-use eframe::egui::{Key, accesskit::Role};
+use eframe::egui::{Key, accesskit::Role, vec2};
 use egui_kittest::kittest::Queryable;
+
+#[test]
+fn before_the_first_step_no_code_is_shown() {
+    let mut desk = Desk::new();
+    desk.press(Key::Home);
+    assert!(!desk.says("Morton code") && !desk.says("0 = 0"));
+    desk.press(Key::ArrowDown);
+    assert!(desk.says("Morton code"));
+}
+
+#[test]
+fn a_hint_beside_the_pointer_is_for_pointing_not_for_stepping() {
+    let mut desk = Desk::new();
+    desk.press(Key::Home);
+    let inside = desk.place([0.5, 0.75]) + vec2(3.0, 0.0);
+    desk.hover_at(inside);
+    desk.run();
+    let hint = "Click: the neighbour across this side";
+    assert!(desk.says(hint), "{:?}", desk.texts());
+    desk.press(Key::ArrowRight);
+    assert!(!desk.says(hint));
+    desk.hover_at(inside + vec2(1.0, 0.0));
+    desk.run();
+    assert!(desk.says(hint));
+}
 
 #[test]
 fn stepping_to_the_end_and_back_shows_the_same_sentences() {

@@ -2,6 +2,7 @@
 
 codes-child-rule = Kind = { $rule }
 codes-child = Bit { $bit } jedes Codes: { $bits }, also Kind { $child } ({ $morton } in Morton-Reihenfolge).
+codes-none = Noch wird nichts gesucht oder besucht.
 codes-morton = Morton-Code { $code }
 region-none = Zeigt die Codes der Ecken, sobald ein Bereich lokalisiert wird.
 region-same = Alle Bits stimmen überein: eine Zelle der Ebene 0.
@@ -17,7 +18,7 @@ neighbour-inside = Innerhalb des Gebiets: die Suche geht weiter.
 neighbour-outside = Außerhalb des Gebiets auf { $axes }: dahinter ist nichts.
 neighbour-ancestor = Aufgestiegen zu Ebene { $climbed } von { $level }.
 node-note = Ebene { $level }, Codes { $codes }
-t-rail-none = Zeigt die Parameter t, sobald der Strahl geschnitten ist.
+t-rail-none = Zeigt die Parameter t, sobald der Strahl auf die Wurzel zugeschnitten ist.
 t-rail-enter = Eintritt
 t-rail-exit = Austritt
 automaton-mask = a = { $mask }: Zustand i ist Kind i xor { $mask }

@@ -22,6 +22,7 @@ command-preset-automaton = Geometrie und Automat
 command-preset-debug = Fehlersuche
 command-preset-compare = Verfahren vergleichen
 command-preset-lecture = Vorlesung
+command-question = Szene, Strahl und Anfrage
 command-restore-panels = Anordnung zurücksetzen
 command-frame-all = Alles zeigen
 command-stand-node = Zum aktuellen Knoten
@@ -56,6 +57,14 @@ command-notes = Notizen für den zweiten Bildschirm
 command-find = Befehl suchen …
 command-keys = Tasten
 command-about = Über Octoscope
+
+key-ctrl = Strg
+key-shift = Umschalt
+key-page-up = Bild ↑
+key-page-down = Bild ↓
+key-home = Pos1
+key-end = Ende
+key-space = Leertaste
 
 panel-scene = Szene
 panel-ray = Strahl
@@ -138,6 +147,10 @@ scene-counts-triangles = { $items ->
    *[other] { $leaves } Blätter
 }
 
+ray-origin = Startpunkt
+ray-direction = Richtung
+number-missing = Es fehlt eine Zahl, etwa −0.25, 3/4, 1e-3 oder 0x1.8p-1. Die alte bleibt.
+number-refused = „{ $typed }“ ist keine endliche Zahl. Richtig wäre etwa −0.25, 3/4, 1e-3 oder 0x1.8p-1. Die alte bleibt.
 ray-refused = Ein Strahl braucht eine Richtung ungleich null; die letzte bleibt.
 
 query-ray = Strahl
@@ -146,6 +159,8 @@ query-region = Bereich
 query-neighbour = Nachbar
 query-algorithm = Verfahren
 query-first-full = Halt am ersten vollen Blatt
+query-first-full-why = Der Durchlauf endet am ersten belegten Blatt, wie beim nächsten Treffer eines Raytracers.
+query-rules-why = Regeln, die auch in anderer Form gehen: wie eine Arbeit es anders machte, oder wie der Aufsatz sie falsch gedruckt hat.
 query-rules = Regeln{ $n ->
     [0] {""}
    *[other] {" "}({ $n })
@@ -164,7 +179,9 @@ query-point-hint = Eine Zelle anklicken, um einen Punkt darin zu lokalisieren. E
 query-region-hint = Einen Kasten über die Zellen ziehen. Esc führt zurück zum Strahl.
 query-neighbour-hint = Nahe an die Seite einer Zelle klicken oder eine Richtung wählen. Esc führt zurück zum Strahl.
 arithmetic-doubles = Gleitkomma
+arithmetic-doubles-why = Die Parameter t sind 64-Bit-Gleitkommazahlen und werden gerundet, wie in einem üblichen Programm.
 arithmetic-exact = exakt
+arithmetic-exact-why = Die Parameter t werden als exakte Brüche verglichen; die Schritte sagen, wo Gleitkommazahlen irren würden.
 point-codes = durch Codes
 point-comparison = durch Vergleiche
 reach-equal = gleich groß oder größer
@@ -183,6 +200,14 @@ show-content = Inhalt
 show-empty-leaves = leere Blätter
 show-ancestors = Vorfahren
 show-children = Kinder
+show-order-numbers-why = Die Nummern der besuchten Blätter in ihrer Reihenfolge längs des Strahls
+show-half-open-sides-why = Jeder Zelle gehören ihre unteren Seiten, die oberen nicht; was ihr nicht gehört, ist gestrichelt
+show-codes-why = Ortscodes, in die Zellen geschrieben
+show-mirrored-ray-why = Der Strahl, so gespiegelt, dass keine Komponente negativ ist: So verfolgt ihn das parametrische Verfahren
+show-content-why = Punkte, Bild oder Körper, aus denen der Baum gebaut ist
+show-empty-leaves-why = Blätter, in denen nichts liegt
+show-ancestors-why = Knoten von der Wurzel bis zum aktuellen
+show-children-why = Kinder des aktuellen Knotens, nicht gewählte gestrichelt
 
 stack-empty = Auf dem Stapel liegt nichts.
 stack-level = Ebene
@@ -193,6 +218,7 @@ stack-interval = t
 compare-sort = Nach { $column } ordnen
 compare-algorithm = Verfahren
 compare-algorithm-why = In der Reihenfolge des Menüs
+counters-why = Groß: alle Schritte bisher. Mit +: in diesem Schritt. Gesamt: im ganzen Lauf.
 compare-agrees = { $leaves } Blätter, die richtigen
 compare-differs = { $leaves } Blätter, andere als die Referenz
 compare-leaves = Blätter
@@ -211,6 +237,7 @@ timeline-name = Schritt der Aufzeichnung
 timeline-speed = Geschwindigkeit
 timeline-wrong = Schritt { $step } ist der erste, der schiefgeht
 timeline-cut = Der Lauf ist länger: Nach so vielen Schritten endet die Aufzeichnung
+timeline-why = Ein Strich je Schritt. Hoch und grün: ein Blatt oder Ergebnis. Blau: in einen Knoten hinein. Gelb: Das nächste Kind, die nächste Zelle oder Ebene wird gewählt. Orange: hinauf zu einem Vorfahren. Violett: nur berührt. Grau: gerechnet.
 timeline-rounded = Schritte mit Dreieck: Gleitkommazahlen würden irren
 
 sentence-begin = Mit → geht es los.
@@ -236,10 +263,17 @@ find-erratum = Fehler der Arbeit
 dialog-keys = Tasten
 dialog-about = Über Octoscope
 dialog-export = Ansicht exportieren
-dialog-path = Eine Datei öffnen
-dialog-path-hint = Es ließ sich kein Dateidialog öffnen. Geben Sie einen Pfad ein oder ziehen Sie eine Datei auf das Fenster.
-dialog-path-open = Öffnen
 dialog-export-view = Was
+path-open = Öffnen: Pfad eingeben
+path-save = Speichern unter: Pfad eingeben
+path-export = Exportieren: Pfad eingeben
+path-open-hint = Dieses System zeigt keinen Dateidialog. Eine Datei lässt sich auch auf das Fenster ziehen.
+path-hint = Dieses System zeigt keinen Dateidialog.
+path-open-confirm = Öffnen
+path-save-confirm = Speichern
+path-export-confirm = Exportieren
+path-replaces = Eine Datei dieses Namens gibt es schon. Soll sie ersetzt werden?
+path-replace = Ersetzen
 dialog-export-svg = SVG …
 dialog-export-png = PNG …
 dialog-export-text = Die Ansicht im Zustand des jetzigen Schritts, als Abbildung.
@@ -247,6 +281,7 @@ about-text = Octoscope zeigt geordnete Durchläufe von Quadtrees und Octrees Sch
 about-licence = Version { $version }, unter der MIT- oder der Apache-Lizenz 2.0.
 drop-here = Datei loslassen, um sie zu öffnen
 status-saved = Gespeichert als { $name }
+status-kept = „{ $title }“ hatte Änderungen, die in keiner Datei stehen: Strg+Z bringt es zurück.
 status-exported = Exportiert als { $name }
 
 paper-none = Keine Regel dieses Verfahrens ist im Aufsatz falsch gedruckt.

@@ -22,6 +22,7 @@ command-preset-automaton = Geometry and automaton
 command-preset-debug = Debug
 command-preset-compare = Compare the algorithms
 command-preset-lecture = Lecture
+command-question = Scene, ray and query
 command-restore-panels = Restore this arrangement
 command-frame-all = Show everything
 command-stand-node = Go to the current node
@@ -56,6 +57,14 @@ command-notes = Notes for the second screen
 command-find = Find a command…
 command-keys = Keys
 command-about = About Octoscope
+
+key-ctrl = Ctrl
+key-shift = Shift
+key-page-up = Page Up
+key-page-down = Page Down
+key-home = Home
+key-end = End
+key-space = Space
 
 panel-scene = Scene
 panel-ray = Ray
@@ -138,6 +147,10 @@ scene-counts-triangles = { $items ->
    *[other] { $leaves } leaves
 }
 
+ray-origin = origin
+ray-direction = direction
+number-missing = A number is missing: write one such as −0.25, 3/4, 1e-3 or 0x1.8p-1. The old one stays.
+number-refused = “{ $typed }” is no finite number: write one such as −0.25, 3/4, 1e-3 or 0x1.8p-1. The old one stays.
 ray-refused = A ray needs a direction other than zero; the last one stays.
 
 query-ray = Ray
@@ -146,6 +159,8 @@ query-region = Region
 query-neighbour = Neighbour
 query-algorithm = Algorithm
 query-first-full = stop at the first full leaf
+query-first-full-why = The traversal ends at the first occupied leaf, as for the nearest hit of a ray tracer.
+query-rules-why = Rules that can be followed in another form: as a paper did otherwise, or as the seminar paper prints them wrong.
 query-rules = Rules{ $n ->
     [0] {""}
    *[other] {" "}({ $n })
@@ -164,7 +179,9 @@ query-point-hint = Click a cell to locate a point in it. Esc goes back to the ra
 query-region-hint = Drag a box over the cells. Esc goes back to the ray.
 query-neighbour-hint = Click near a side of a cell, or pick a direction. Esc goes back to the ray.
 arithmetic-doubles = doubles
+arithmetic-doubles-why = Parameters t are 64-bit floating-point numbers and round, as in a usual program.
 arithmetic-exact = exact
+arithmetic-exact-why = Parameters t are compared as exact fractions; the steps tell where doubles would err.
 point-codes = by codes
 point-comparison = by comparison
 reach-equal = equal or larger
@@ -183,6 +200,14 @@ show-content = content
 show-empty-leaves = empty leaves
 show-ancestors = ancestors
 show-children = children
+show-order-numbers-why = The numbers of the visited leaves, in their order along the ray
+show-half-open-sides-why = Every cell owns its lower sides but not its upper ones; the sides it does not own are dashed
+show-codes-why = Location codes, written into the cells
+show-mirrored-ray-why = The ray turned so that no component is negative, as the parametric algorithm follows it
+show-content-why = The points, the picture or the solids from which the tree is built
+show-empty-leaves-why = Leaves that hold nothing
+show-ancestors-why = Nodes from the root to the current one
+show-children-why = Children of the current node, those not taken dashed
 
 stack-empty = Nothing is on the stack.
 stack-level = level
@@ -193,6 +218,7 @@ stack-interval = t
 compare-sort = Sort by { $column }
 compare-algorithm = algorithm
 compare-algorithm-why = In the order of the menu
+counters-why = Large: all steps so far. With +: in this step. Total: in the whole run.
 compare-agrees = { $leaves } leaves, the right ones
 compare-differs = { $leaves } leaves, not those of the reference
 compare-leaves = leaves
@@ -211,6 +237,7 @@ timeline-name = Step of the trace
 timeline-speed = Speed
 timeline-wrong = Step { $step } is the first one that goes wrong
 timeline-cut = The run is longer: the trace ends after so many steps
+timeline-why = A tick for every step. Tall green: a leaf or a result. Blue: into a node. Yellow: the next child, cell or plane is chosen. Orange: up, to an ancestor. Purple: only touched. Grey: computed.
 timeline-rounded = Steps with a triangle: doubles would err
 
 sentence-begin = Press → to begin.
@@ -236,10 +263,17 @@ find-erratum = Erratum
 dialog-keys = Keys
 dialog-about = About Octoscope
 dialog-export = Export the view
-dialog-path = Open a file
-dialog-path-hint = No file dialog could be opened. Type a path, or drop a file on the window.
-dialog-path-open = Open
 dialog-export-view = What
+path-open = Open: type a path
+path-save = Save as: type a path
+path-export = Export: type a path
+path-open-hint = This system shows no file dialog. A file can be dropped on the window, too.
+path-hint = This system shows no file dialog.
+path-open-confirm = Open
+path-save-confirm = Save
+path-export-confirm = Export
+path-replaces = A file of this name is there already. Replace it?
+path-replace = Replace
 dialog-export-svg = SVG…
 dialog-export-png = PNG…
 dialog-export-text = The view in the state of the present step, as a figure.
@@ -247,6 +281,7 @@ about-text = Octoscope shows ordered traversals of quadtrees and octrees step by
 about-licence = Version { $version }, under the MIT or the Apache licence 2.0.
 drop-here = Drop the file to open it
 status-saved = Saved as { $name }
+status-kept = “{ $title }” had changes that no file has: Ctrl+Z brings it back.
 status-exported = Exported as { $name }
 
 paper-none = No rule of this algorithm is misprinted in the paper.

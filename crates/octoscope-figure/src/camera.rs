@@ -118,6 +118,7 @@ impl<const D: usize> Camera<D> {
     /// Both ends of a world segment on the page, cut where it passes the eye;
     /// `None` if no part of it lies before the eye.
     pub fn project_segment(&self, page: Page, ends: [[f64; D]; 2]) -> Option<[Projected; 2]> {
+        let ends = self.within_reach(ends);
         if let [Some(a), Some(b)] = ends.map(|end| self.project(page, end)) {
             return Some([a, b]);
         }
@@ -131,6 +132,19 @@ impl<const D: usize> Camera<D> {
             [_, true] => Some([self.project(page, cut)?, self.project(page, ends[1])?]),
             [false, false] => None,
         }
+    }
+
+    /// The segment with its second end moved along it so near that its place on
+    /// the page is a number.
+    fn within_reach(&self, [from, to]: [[f64; D]; 2]) -> [[f64; D]; 2] {
+        const REACH: f64 = 1e9;
+        let largest = (0..D).map(|e| (to[e] - from[e]).abs()).fold(0.0, f64::max);
+        // The ends of usual segments stay as they are.
+        if largest < f64::MAX / REACH || largest.is_infinite() {
+            return [from, to];
+        }
+        let share = REACH * self.height / largest;
+        [from, std::array::from_fn(|e| from[e] + share * (to[e] - from[e]))]
     }
 
     /// The part of a world segment that is seen on the page, if any.

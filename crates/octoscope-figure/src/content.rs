@@ -47,7 +47,7 @@ pub fn axes<const D: usize>(domain: &Domain<D>, show: &Show) -> Vec<Mark<D>> {
                 (0..=n_ticks).map(|tick| domain.grid_size() / n_ticks * tick).collect();
             let places: Vec<f64> = codes.iter().map(|&code| domain.plane(axis, code)).collect();
             let texts = if show.codes {
-                codes.iter().map(u32::to_string).collect()
+                codes.iter().map(|&code| short(code)).collect()
             } else {
                 distinct(&places)
             };
@@ -62,4 +62,34 @@ pub fn axes<const D: usize>(domain: &Domain<D>, show: &Show) -> Vec<Mark<D>> {
         }
     }
     marks
+}
+
+/// A code; one that is too long to stand beside the tree as a multiple of a power
+/// of two, which the codes of ticks are.
+fn short(code: u32) -> String {
+    const LONG: u32 = 10_000;
+    if code < LONG {
+        return code.to_string();
+    }
+    let exponent = code.trailing_zeros();
+    let factor = match code >> exponent {
+        1 => String::new(),
+        odd => format!("{odd}·"),
+    };
+    const RAISED: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
+    let digits = exponent.to_string();
+    let digits = digits.chars().filter_map(|digit| digit.to_digit(10));
+    let raised: String = digits.map(|digit| RAISED[digit as usize]).collect();
+    format!("{factor}2{raised}")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::short;
+
+    #[test]
+    fn long_codes_are_written_as_powers() {
+        let codes = [0, 256, 4096, 1 << 18, 3 << 18, 1 << 20].map(short);
+        assert_eq!(codes, ["0", "256", "4096", "2¹⁸", "3·2¹⁸", "2²⁰"]);
+    }
 }

@@ -69,7 +69,7 @@ mod tests {
 
     #[test]
     fn short_and_long_rays_have_a_handle_that_can_be_reached() {
-        for length in [0.0, 1e-300, 1e-6, 0.01, 0.05, 2.0, 1e6, 1e300] {
+        for length in [0.0, 1e-300, 1e-6, 0.01, 0.05, 2.0, 1e6, 1e300, 1e308, f64::MAX] {
             check([[0.25, 0.25], [0.25 + length, 0.25 - 0.5 * length]]);
             check([[0.25; 3], [0.25 - length, 0.25, 0.25 + length]]);
             check([[0.25; 3], [0.25, 0.25 - length, 0.25]]);

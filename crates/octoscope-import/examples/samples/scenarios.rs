@@ -13,7 +13,7 @@ pub fn lecture(picture: &RgbImage, file: &[u8]) -> AnyScenario {
     let (width, height) = picture.dimensions();
     let pixels = picture.pixels().map(|pixel| pixel.0).collect();
     let content = Content::Image(Image { width, height, pixels });
-    let ray = Ray::new([-24.0, 52.0], [4.0, 2.75]).expect("finite and not zero");
+    let ray = Ray::new([-24.0, 52.0], [256.0, 176.0]).expect("finite and not zero");
     let recipe = Recipe { depth: 7, threshold: 32, ..Recipe::default() };
     let scenario = Scenario::of(source("landscape.png", file), &content);
     AnyScenario::Quadtree(Scenario { ray, recipe, ..scenario })

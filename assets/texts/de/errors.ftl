@@ -1,0 +1,43 @@
+# Was mit Dateien schiefgehen kann, auf Deutsch: zuerst die Tatsache, dann, was zu tun ist.
+
+error-not-found = Es gibt keine solche Datei und keinen solchen Ordner
+error-denied = Der Zugriff ist nicht erlaubt; erlauben Sie ihn oder wählen Sie etwas anderes
+error-full = Es ist kein Platz mehr; schaffen Sie welchen oder schreiben Sie anderswohin
+error-folder = Das ist ein Ordner, keine Datei; wählen Sie eine Datei
+error-folder-as-file = Das ist ein Ordner; nennen Sie eine Datei
+error-file-as-folder = Das ist eine Datei, in die nichts hineingeschrieben werden kann; nennen Sie einen Ordner
+error-no-folder = Den Ordner dafür gibt es nicht; legen Sie ihn an oder nennen Sie einen anderen
+error-too-long = { $kind ->
+    [device] Das Gerät
+    [pipe] Die Pipe
+   *[file] Die Datei
+} enthält mehr als { $limit }; verkleinern Sie den Inhalt
+error-no-memory = Für diese Datei reicht der Speicher nicht; verkleinern Sie sie
+error-nobody-writes = In diese Pipe schreibt niemand; starten Sie, wer es tun soll, oder nennen Sie eine Datei
+error-no-text = Byte { $byte } ist kein Text; speichern Sie die Datei als Text in UTF-8
+error-utf-16 = Der Text ist in UTF-16; speichern Sie ihn in UTF-8
+error-line = Zeile { $line }, Spalte { $column }
+error-byte = Byte { $byte }
+
+error-empty = Die Datei ist leer; wählen Sie eine, die ein Bild, ein Netz oder Punkte enthält
+error-unknown-kind = Dateien dieser Art lassen sich nicht öffnen; wählen Sie ein Szenario, das auf .octo endet, oder eine Datei, die auf .png, .jpg, .obj, .stl, .ply, .xyz oder .csv endet
+error-wrong-content = Der Name sagt { $expected }, darin ist aber { $found }; geben Sie der Datei die Endung dessen, was sie enthält
+error-malformed = Die Datei ist beschädigt oder nicht das, was ihr Name sagt, { $place } (auf Englisch: { $details })
+error-picture = Das Bild ist beschädigt; speichern Sie es noch einmal als PNG oder JPEG (auf Englisch: { $reason })
+error-too-large = Die Datei enthält { $found } { $what }, mehr als { $limit }; verkleinern Sie sie
+error-points = Punkte
+error-triangles = Dreiecke
+error-pixels = Pixel
+error-no-points = Die Datei enthält keine Punkte; wählen Sie eine mit wenigstens einem Punkt oder Dreieck
+
+error-scenario = Hier ist das Szenario nicht zu verstehen (auf Englisch: { $details })
+error-newer = Das Szenario hat die Fassung { $version }, die dieses Programm noch nicht liest; nehmen Sie ein neueres
+error-scenario-too-large = Das Szenario ist größer als 256 MiB; legen Sie seine Daten in eine eigene Datei
+error-data-file = Die Datendatei des Szenarios lässt sich nicht lesen; legen Sie sie dorthin, wo „file“ sagt
+error-other-data = Die Datendatei ist nicht die, mit der das Szenario gemacht wurde; stellen Sie sie wieder her oder streichen Sie „hash“ aus dem Szenario
+error-other-dimension = Die Datendatei hat eine andere Dimension als das Szenario
+error-too-many-nodes = Der Baum hätte mehr als { $most } Knoten; wählen Sie eine kleinere Tiefe
+error-outside = { $count } der Gegenstände liegen außerhalb des Gebiets, der erste davon ist Nummer { $first } (von 0 gezählt); vergrößern oder verschieben Sie das Gebiet, oder lassen Sie sie weg
+error-unusable = Gegenstand Nummer { $item } (von 0 gezählt) hat eine Koordinate, die nicht endlich ist, eine negative Größe oder Ecken in falscher Reihenfolge; berichtigen Sie ihn oder lassen Sie ihn weg
+error-too-fine = So weit von 0 sind Zellen dieser Größe nicht mehr zu unterscheiden; wählen Sie weniger Ebenen oder verschieben Sie das Gebiet
+error-building = Der Baum lässt sich nicht bauen (auf Englisch: { $details })

@@ -1,0 +1,43 @@
+# What can go wrong with files, in English: the fact first, then what to do.
+
+error-not-found = There is no such file or folder
+error-denied = Permission denied; allow it, or choose another
+error-full = There is no room left; make some, or write elsewhere
+error-folder = This is a folder, not a file; choose a file
+error-folder-as-file = This is a folder; name a file
+error-file-as-folder = This is a file, so nothing can be written inside it; name a folder
+error-no-folder = There is no such folder to write to; create it first, or name another
+error-too-long = The { $kind ->
+    [device] device
+    [pipe] pipe
+   *[file] file
+} holds more than { $limit }; reduce it first
+error-no-memory = There is not memory enough for this file; reduce it first
+error-nobody-writes = Nobody writes into this pipe; start who does, or name a file
+error-no-text = Byte { $byte } is no text; save the file as text in UTF-8
+error-utf-16 = The text is in UTF-16; save it in UTF-8
+error-line = line { $line }, column { $column }
+error-byte = byte { $byte }
+
+error-empty = The file is empty; choose one that holds a picture, a mesh or points
+error-unknown-kind = Files of this kind cannot be opened; choose a scenario that ends in .octo, or a file that ends in .png, .jpg, .obj, .stl, .ply, .xyz or .csv
+error-wrong-content = The name says { $expected }, but the file holds { $found }; give it the ending of what it holds
+error-malformed = The file is damaged or not what its name says, { $place }: { $details }
+error-picture = The picture is damaged: { $reason }; save it again as PNG or JPEG
+error-too-large = The file holds { $found } { $what }, more than { $limit }; reduce it first
+error-points = points
+error-triangles = triangles
+error-pixels = pixels
+error-no-points = The file holds no points; choose one with at least one point or triangle
+
+error-scenario = { $details }
+error-newer = the scenario has version { $version }, which this program does not read yet; use a newer program
+error-scenario-too-large = The scenario is larger than 256 MiB; keep its data in a file of its own
+error-data-file = The scenario’s data file cannot be read; put it where “file” says
+error-other-data = The data file is not the one the scenario was made with; restore it, or delete “hash” from the scenario
+error-other-dimension = The data file has another dimension than the scenario
+error-too-many-nodes = The tree would have more than { $most } nodes; use a smaller depth
+error-outside = { $count } of the items lie outside the domain, the first of them is number { $first } (counted from 0); enlarge or move the domain, or leave them out
+error-unusable = Item number { $item } (counted from 0) has a coordinate that is not finite, a negative size or corners in the wrong order; mend it or leave it out
+error-too-fine = Cells of this size cannot be told apart so far from 0; use fewer levels or move the domain
+error-building = The tree cannot be built: { $details }

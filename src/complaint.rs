@@ -1,0 +1,197 @@
+//! What went wrong, in the language of the window.
+
+use crate::files::{FileError, FileFault};
+use crate::open::{AtPath, OpenFault};
+use octoscope_core::scenario::{Fault, ScenarioError};
+use octoscope_core::text::Texts;
+use octoscope_core::tree::{BuildError, DomainError, MAX_NODES};
+use octoscope_import::{ImportError, Place};
+
+/// The whole error: the fact first, then what to do, the path last. What only a
+/// program says stays in its words.
+pub fn told(texts: &Texts, error: &anyhow::Error) -> String {
+    if let Some(AtPath { error, path }) = error.downcast_ref() {
+        return format!("{}: {}", told(texts, error), path.display());
+    }
+    let fact = if let Some(FileError { fault, path }) = error.downcast_ref() {
+        format!("{}: {}", of_file(texts, fault), path.display())
+    } else if let Some(fault) = error.downcast_ref() {
+        of_file(texts, fault)
+    } else if let Some(error) = error.downcast_ref() {
+        of_import(texts, error)
+    } else if let Some(error) = error.downcast_ref() {
+        of_scenario(texts, error)
+    } else if let Some(error) = error.downcast_ref() {
+        of_building(texts, error)
+    } else {
+        match error.downcast_ref::<OpenFault>() {
+            Some(OpenFault::DataFile) | None => return format!("{error:#}"),
+            Some(fault) => return of_opening(texts, fault),
+        }
+    };
+    match error.downcast_ref::<OpenFault>() {
+        Some(fault) => format!("{}: {fact}", of_opening(texts, fault)),
+        None => fact,
+    }
+}
+
+fn of_file(texts: &Texts, fault: &FileFault) -> String {
+    match fault {
+        FileFault::NotFound => texts.get("error-not-found"),
+        FileFault::Denied => texts.get("error-denied"),
+        FileFault::Full => texts.get("error-full"),
+        FileFault::Folder => texts.get("error-folder"),
+        FileFault::FolderAsFile => texts.get("error-folder-as-file"),
+        FileFault::FileAsFolder => texts.get("error-file-as-folder"),
+        FileFault::NoFolder => texts.get("error-no-folder"),
+        FileFault::TooLong { kind, limit } => {
+            let arguments =
+                [("kind", kind.to_string().into()), ("limit", limit.to_string().into())];
+            texts.format("error-too-long", &arguments)
+        }
+        FileFault::NoMemory => texts.get("error-no-memory"),
+        FileFault::NobodyWrites => texts.get("error-nobody-writes"),
+        FileFault::NoText(byte) => texts.format("error-no-text", &[("byte", (*byte).into())]),
+        FileFault::Utf16 => texts.get("error-utf-16"),
+        FileFault::System(told) => told.clone(),
+    }
+}
+
+fn of_import(texts: &Texts, error: &ImportError) -> String {
+    match error {
+        ImportError::Empty => texts.get("error-empty"),
+        ImportError::UnknownKind => texts.get("error-unknown-kind"),
+        ImportError::WrongContent { expected, found } => {
+            let arguments = [("expected", kind(expected)), ("found", kind(found))]
+                .map(|(name, kind)| (name, kind.to_owned().into()));
+            texts.format("error-wrong-content", &arguments)
+        }
+        ImportError::Utf16 => texts.get("error-utf-16"),
+        ImportError::Malformed { place, fact, remedy } => {
+            let place = match place {
+                Place::Line { line, column } => {
+                    line_and_column(texts, "error-line", [*line, *column])
+                }
+                Place::Byte(byte) => texts.format("error-byte", &[("byte", (*byte).into())]),
+            };
+            let details = format!("{fact}; {remedy}");
+            let arguments = [("place", place.into()), ("details", details.into())];
+            texts.format("error-malformed", &arguments)
+        }
+        ImportError::Picture { reason } => {
+            texts.format("error-picture", &[("reason", reason.clone().into())])
+        }
+        ImportError::TooLarge { what, found, limit } => {
+            let [found, limit] = [found, limit].map(ToString::to_string);
+            let what = texts.get(&format!("error-{what}"));
+            let arguments =
+                [("what", what.into()), ("found", found.into()), ("limit", limit.into())];
+            texts.format("error-too-large", &arguments)
+        }
+        ImportError::NoPoints => texts.get("error-no-points"),
+        ImportError::Cancelled(cancelled) => cancelled.to_string(),
+    }
+}
+
+/// What a kind of file is called in every language: `PNG` of `a PNG picture`.
+fn kind(noun: &str) -> &str {
+    let is_name = |word: &&str| word.len() > 1 && word.chars().all(|c| c.is_ascii_uppercase());
+    noun.split(' ').find(is_name).unwrap_or(noun)
+}
+
+fn of_scenario(texts: &Texts, error: &ScenarioError) -> String {
+    let place = line_and_column(texts, "error-line", [error.line, error.column]);
+    let fact = match &error.fault {
+        Fault::Newer(version) => {
+            texts.format("error-newer", &[("version", version.to_string().into())])
+        }
+        // What to write in a file is told in the words of the file.
+        fault => texts.format("error-scenario", &[("details", fault.to_string().into())]),
+    };
+    format!("{place}: {fact}")
+}
+
+fn of_building(texts: &Texts, error: &BuildError) -> String {
+    match error {
+        BuildError::TooManyNodes => {
+            texts.format("error-too-many-nodes", &[("most", MAX_NODES.to_string().into())])
+        }
+        BuildError::Outside { count, first } => {
+            let arguments = [("count", (*count).into()), ("first", (*first).into())];
+            texts.format("error-outside", &arguments)
+        }
+        BuildError::Domain(DomainError::TooFine) => texts.get("error-too-fine"),
+        BuildError::Unusable(item) => texts.format("error-unusable", &[("item", (*item).into())]),
+        BuildError::Domain(DomainError::NotABox | DomainError::TooDeep(_))
+        | BuildError::DepthsDiffer { .. }
+        | BuildError::NoCapacity
+        | BuildError::PixelCount { .. }
+        | BuildError::ImageInSpace
+        | BuildError::Cancelled => {
+            texts.format("error-building", &[("details", error.to_string().into())])
+        }
+    }
+}
+
+fn of_opening(texts: &Texts, fault: &OpenFault) -> String {
+    match fault {
+        OpenFault::TooLarge => texts.get("error-scenario-too-large"),
+        OpenFault::UnknownKind => texts.get("error-unknown-kind"),
+        OpenFault::DataFile => texts.get("error-data-file"),
+        OpenFault::OtherData => texts.get("error-other-data"),
+        OpenFault::OtherDimension => texts.get("error-other-dimension"),
+    }
+}
+
+fn line_and_column(texts: &Texts, key: &str, [line, column]: [usize; 2]) -> String {
+    texts.format(key, &[("line", line.into()), ("column", column.into())])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::open::open;
+    use crate::text::texts;
+    use octoscope_core::progress::Progress;
+    use octoscope_core::text::Language;
+    use std::fs;
+
+    #[test]
+    fn errors_of_files_are_told_in_both_languages_with_the_path_at_their_end() {
+        let folder = tempfile::tempdir().unwrap();
+        let picture = include_bytes!("../assets/scenes/landscape.png");
+        let data = br#"{"octoscope": 1, "dimension": 2, "scene": {"file": "missing.png"}}"#;
+        let cases: [(&str, &[u8], &str, &str); 8] = [
+            ("empty.png", b"", "is empty", "ist leer"),
+            ("some.kind", b"?", "cannot be opened", "lassen sich nicht öffnen"),
+            ("mesh.png", b"v 0 0 0\nv 1 0 0\n", "holds", "darin ist"),
+            ("cut.png", &picture[..999], "damaged", "beschädigt"),
+            ("hole.obj", b"v 0 0 0\nf 1 2 3\n", "line 2", "Zeile 2"),
+            ("bad.octo", b"{", "line 1", "Zeile 1"),
+            ("new.octo", br#"{"octoscope": 9}"#, "version 9", "Fassung 9"),
+            ("data.octo", data, "data file", "Datendatei"),
+        ];
+        for (name, bytes, english, german) in cases {
+            let path = folder.path().join(name);
+            fs::write(&path, bytes).unwrap();
+            let error = open(&path, &Progress::default()).unwrap_err();
+            for (language, fact) in [(Language::English, english), (Language::German, german)] {
+                let told = told(&texts(language), &error);
+                assert!(told.contains(fact), "{name}: {told}");
+                let last = if name == "data.octo" { "missing.png" } else { name };
+                assert!(told.contains(&format!(": {}", folder.path().display())), "{told}");
+                assert!(told.contains(last), "{told}");
+            }
+        }
+        let missing = open(&folder.path().join("none"), &Progress::default()).unwrap_err();
+        let german = told(&texts(Language::German), &missing);
+        assert!(german.starts_with("Es gibt keine solche Datei"), "{german}");
+    }
+
+    #[test]
+    fn the_command_line_tells_errors_as_before() {
+        let missing = open(std::path::Path::new("no/such.file"), &Progress::default());
+        let message = format!("{:#}", missing.unwrap_err());
+        assert_eq!(message, "there is no such file or folder: no/such.file");
+    }
+}
