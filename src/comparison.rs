@@ -4,7 +4,9 @@ use octoscope_core::event::{Event, Observer};
 use octoscope_core::geometry::Ray;
 use octoscope_core::query::{Arithmetic, Query};
 use octoscope_core::trace::Counters;
-use octoscope_core::traverse::{Algorithm, Options, Slivers, Variants, first_difference};
+use octoscope_core::traverse::{
+    Algorithm, Options, Slivers, StopAt, Variants, first_difference_of_run,
+};
 use octoscope_core::tree::{NodeId, Tree};
 
 /// What one algorithm did on the ray.
@@ -58,10 +60,19 @@ pub fn compare<const D: usize>(tree: &Tree<D>, ray: &Ray<D>, options: Options) -
     let options = Options { variants: Variants::NONE, ..options };
     let wanted = Algorithm::ALL.into_iter().filter(|&algorithm| is_quick(algorithm, tree));
     let mut runs: Vec<Run> = wanted.map(|algorithm| run(tree, ray, algorithm, options)).collect();
-    let reference = runs.iter().find(|run| run.algorithm == Algorithm::Exhaustive);
-    let expected = reference.or(runs.first()).map(|run| run.leaves.clone()).unwrap_or_default();
+    let oracle = runs.iter().find(|run| run.algorithm == Algorithm::Exhaustive);
+    let Some(reference) = oracle.or(runs.first()) else { return runs };
+    let expected = match options.stop_at {
+        StopAt::End => reference.leaves.clone(),
+        StopAt::FirstFull => {
+            let whole = Options { stop_at: StopAt::End, ..options };
+            run(tree, ray, reference.algorithm, whole).leaves
+        }
+    };
     for run in &mut runs {
-        let difference = first_difference(tree, ray, &expected, &run.leaves, Slivers::Ignore);
+        let slivers = Slivers::Ignore;
+        let difference =
+            first_difference_of_run(tree, ray, options, &expected, &run.leaves, slivers);
         run.agrees = difference.is_none();
     }
     runs

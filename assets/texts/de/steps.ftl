@@ -150,6 +150,7 @@ resume = Zurück zu { $node }, der auf dem Weg hinab behalten wurde.
 corners = Die Ecken { $min } und { $max } des Bereichs haben binär die Codes { $from } und { $to }.
 
 leaf-full = { $node } liegt von t = { $enter } bis t = { $exit } auf dem Strahl und ist belegt.
+leaf-printed = Nach der gedruckten Regel, { $rule }, wird { $node } gemeldet, von t = { $enter } bis t = { $exit }.
 leaf-empty = { $node } liegt von t = { $enter } bis t = { $exit } auf dem Strahl und ist leer.
 touch = { $node } wird nur berührt, in einem Punkt bei t = { $at }.
 found-leaf = Gefunden: { $node }, ein Blatt.

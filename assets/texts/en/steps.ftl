@@ -141,6 +141,7 @@ resume = Back to { $node }, which was kept on the way down.
 corners = The corners { $min } and { $max } of the region have the codes { $from } and { $to } in binary.
 
 leaf-full = { $node } is on the ray from t = { $enter } to t = { $exit }, and it is occupied.
+leaf-printed = By the printed rule, { $rule }, { $node } is reported, from t = { $enter } to t = { $exit }.
 leaf-empty = { $node } is on the ray from t = { $enter } to t = { $exit }, and it is empty.
 touch = { $node } is only touched, in one point at t = { $at }.
 found-leaf = The search has found { $node }, a leaf.

@@ -1,10 +1,10 @@
 //! Whether the algorithms agree on a ray.
 
 use super::line::{Met, line, met, push_token, visited};
-use super::{Answer, Asked};
+use super::{Answer, Asked, Touches};
 use octoscope_core::geometry::Ray;
 use octoscope_core::query::Arithmetic;
-use octoscope_core::traverse::{Algorithm, Method, Slivers, first_difference};
+use octoscope_core::traverse::{Algorithm, Method, Slivers, StopAt, first_difference_of_run};
 use octoscope_core::tree::{NodeId, Tree};
 
 /// Line of a ray, and the first difference between `methods` in words. The
@@ -20,7 +20,8 @@ pub fn compared_line<const D: usize>(
         return (String::new(), None);
     };
     let expected = met(tree, ray, reference, asked);
-    let expected_leaves = visited(&expected);
+    let whole = Asked { stop_at: StopAt::End, touches: Touches::LeftOut, ..asked };
+    let all_leaves = visited(&met(tree, ray, reference, whole));
     let slivers = match asked.arithmetic {
         Arithmetic::Exact => Slivers::Count,
         Arithmetic::Doubles => Slivers::Ignore,
@@ -29,7 +30,8 @@ pub fn compared_line<const D: usize>(
     let difference = others
         .filter_map(|&method| {
             let found = visited(&met(tree, ray, method, asked));
-            let at = first_difference(tree, ray, &expected_leaves, &found, slivers)?;
+            let options = asked.options(method.variants);
+            let at = first_difference_of_run(tree, ray, options, &all_leaves, &found, slivers)?;
             let leaf = |node: Option<NodeId>| named(tree, node);
             Some(format!(
                 "{} finds {} as leaf {} where {} finds {}",

@@ -14,7 +14,7 @@ use octoscope_core::geometry::Ray;
 use octoscope_core::progress::Progress;
 use octoscope_core::query::{Arithmetic, Query};
 use octoscope_core::scene::Content;
-use octoscope_core::traverse::{Algorithm, Method, MethodError, Options, StopAt};
+use octoscope_core::traverse::{Algorithm, Method, MethodError, Options, StopAt, Variants};
 use octoscope_core::tree::{Domain, MAX_ROOT_LEVEL, Merge, Recipe, Tree, build};
 use std::fmt::Display;
 use std::io::Write;
@@ -156,9 +156,13 @@ struct Asked {
 impl Asked {
     /// The question to a tree, by this method.
     fn along<const D: usize>(self, Method { algorithm, variants }: Method) -> Query<D> {
-        let Self { stop_at, segment_end, arithmetic, .. } = self;
-        let options = Options { stop_at, segment_end, variants };
-        Query::Ray { algorithm, options, arithmetic }
+        let options = self.options(variants);
+        Query::Ray { algorithm, options, arithmetic: self.arithmetic }
+    }
+
+    fn options(self, variants: Variants) -> Options {
+        let Self { stop_at, segment_end, .. } = self;
+        Options { stop_at, segment_end, variants }
     }
 }
 

@@ -42,6 +42,16 @@ pub(super) fn with_printed_rules<const D: usize>(
                 return words.say("first-printed", &[("state", state), ("rule", rule)]);
             }
         }
+        // What a misprint reports need not be on the ray.
+        Event::Leaf { node, enter, exit, .. } => {
+            let misprints: Vec<Variant> = variants.iter().filter(|v| v.is_misprint()).collect();
+            if let Some(rule) = at_work(&misprints) {
+                let leaf = words.leaf(node);
+                let interval = [("enter", approx(enter)), ("exit", approx(exit))];
+                let arguments = [&interval[..], &[("node", leaf), ("rule", rule)]].concat();
+                return words.say("leaf-printed", &arguments);
+            }
+        }
         _ => {}
     }
     let Some(rule) = at_work(candidates(event)) else {

@@ -3,7 +3,7 @@
 use super::number::distinct;
 use super::rich::{on_axis, strong};
 use super::teller::Teller;
-use super::words::{chain, equation, relation, t};
+use super::words::{Decided, chain, equation, relation, t};
 use crate::event::Halves;
 use crate::geometry::{AXIS_NAMES, Axes};
 use crate::query::Query;
@@ -150,7 +150,17 @@ impl<const D: usize> Teller<'_, D> {
         let comparisons = words.list(told.iter().map(|e| {
             let left = equation(&t(e, "m"), &values[e]);
             let right = equation(&entry_name, &values[D]);
-            format!("{left} {} {right}", relation(mid[e], entry))
+            let sign = match self.decided() {
+                Decided::Exactly if mid[e] == entry => {
+                    if upper.contains(e) {
+                        "≤"
+                    } else {
+                        ">"
+                    }
+                }
+                Decided::Exactly | Decided::InDoubles => relation(mid[e], entry),
+            };
+            format!("{left} {sign} {right}")
         }));
         let key = match upper.count() {
             0 => "first-none",
@@ -178,8 +188,11 @@ impl<const D: usize> Teller<'_, D> {
         let words = self.words;
         let name = if self.mask().is_empty() { "child" } else { "state" };
         let child = words.say(name, &[("state", state.0.to_string())]);
-        let mut arguments =
-            vec![("child", child), ("axes", words.axes(axes)), ("exits", chain(exits, "1", axes))];
+        let mut arguments = vec![
+            ("child", child),
+            ("axes", words.axes(axes)),
+            ("exits", chain(exits, "1", axes, self.decided())),
+        ];
         let one = axes.count() == 1;
         if let Some(next) = next {
             arguments.push(("next", strong(&next.0.to_string())));

@@ -4,7 +4,7 @@ use super::as_printed::with_printed_rules;
 use super::number::{approx, distinct};
 use super::rich::{on_axis, strong};
 use super::rounding::{Disagreement, double_would_differ};
-use super::words::{Words, chain, equation, point, signs, t, tuple, typographic};
+use super::words::{Decided, Words, chain, equation, point, signs, t, tuple, typographic};
 use crate::event::{End, Event};
 use crate::geometry::{AXIS_NAMES, Axes, Ray};
 use crate::trace::{Frame, Moment, Trace};
@@ -32,6 +32,17 @@ impl<const D: usize> Teller<'_, D> {
             Some(Disagreement { ulps, .. }) => {
                 told + &words.texts.format("doubles-differ", &[("ulps", ulps.into())])
             }
+        }
+    }
+
+    /// How this run decides. Whoever takes one of equal planes has not found it to
+    /// be the smaller one.
+    pub(super) fn decided(&self) -> Decided {
+        let query = &self.trace.query;
+        let is_exact = query.is_exact(self.words.tree.domain(), self.ray);
+        match is_exact && !query.variants().has(Variant::OneByOne) {
+            true => Decided::Exactly,
+            false => Decided::InDoubles,
         }
     }
 
@@ -126,7 +137,7 @@ impl<const D: usize> Teller<'_, D> {
                     (false, false) => "cross-out-many",
                 };
                 let cell = tuple(cell.map(|c| c.to_string().replace('-', "−")));
-                let planes = chain(next, "max", axes);
+                let planes = chain(next, "max", axes, self.decided());
                 let arguments = [("axes", words.axes(axes)), ("cell", cell), ("planes", planes)];
                 words.say(key, &arguments) + &self.tie(next, axes)
             }
@@ -219,7 +230,10 @@ impl<const D: usize> Teller<'_, D> {
                     equation(&name, &typographic(planes[e]))
                 }));
                 let key = if axes.count() == 1 { "exits-one" } else { "exits-many" };
-                words.say(key, &[("planes", planes), ("exits", chain(exits, "1", axes))])
+                words.say(
+                    key,
+                    &[("planes", planes), ("exits", chain(exits, "1", axes, self.decided()))],
+                )
             }
             Event::Target { from, to, axes, .. } => words.say(
                 "target",
@@ -246,7 +260,13 @@ impl<const D: usize> Teller<'_, D> {
             ),
             Event::Leave { exits, axes } => {
                 let key = if axes.count() == 1 { "leave-one" } else { "leave-many" };
-                words.say(key, &[("axes", words.axes(axes)), ("exits", chain(exits, "1", axes))])
+                words.say(
+                    key,
+                    &[
+                        ("axes", words.axes(axes)),
+                        ("exits", chain(exits, "1", axes, self.decided())),
+                    ],
+                )
             }
             Event::Resume { node, .. } => words.say("resume", &[("node", words.node(node))]),
             Event::Climb { node, level } => {

@@ -27,9 +27,14 @@ pub fn variables<const D: usize>(tree: &Tree<D>, moment: &Moment<D>) -> Vec<Vari
     let in_binary = |code: Code<D>| tuple(code.map(|c| binary(c, levels)));
 
     // Where it is.
-    if let Some(node) = moment.current {
+    // The node of the parameters, and where the algorithm is if that is another one.
+    let frame = moment.frame().map(|frame| frame.node);
+    if let Some(node) = frame.or(moment.current) {
         list.node("node", tree, node);
         list.push("level", &tree.level(node).to_string());
+    }
+    if let Some(current) = moment.current.filter(|&current| frame.is_some_and(|f| f != current)) {
+        list.node("at", tree, current);
     }
 
     // Parameters, the state and the mirror mask.

@@ -127,9 +127,23 @@ pub(super) fn relation(a: f64, b: f64) -> &'static str {
     }
 }
 
+/// How comparisons were decided.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Decided {
+    /// By the doubles that are told.
+    InDoubles,
+    /// By exact numbers, which may differ where the doubles are the same.
+    Exactly,
+}
+
 /// "t_x1 = 0.2 < t_y1 = 0.5": parameters at planes of all axes, in order, those
 /// of `first` in front of equal ones.
-pub(super) fn chain<const D: usize>(values: [f64; D], plane: &str, first: Axes<D>) -> String {
+pub(super) fn chain<const D: usize>(
+    values: [f64; D],
+    plane: &str,
+    first: Axes<D>,
+    decided: Decided,
+) -> String {
     let mut order: Vec<usize> = (0..D).collect();
     order.sort_by(|&a, &b| {
         values[a].total_cmp(&values[b]).then(first.contains(b).cmp(&first.contains(a)))
@@ -141,7 +155,12 @@ pub(super) fn chain<const D: usize>(values: [f64; D], plane: &str, first: Axes<D
     let mut chain = String::new();
     for (i, &e) in order.iter().enumerate() {
         if i > 0 {
-            chain.push_str(&format!(" {} ", relation(values[order[i - 1]], values[e])));
+            let before = order[i - 1];
+            // Only what is met first at once was found to be equal.
+            let is_less =
+                decided == Decided::Exactly && first.contains(before) && !first.contains(e);
+            let sign = if is_less { "<" } else { relation(values[before], values[e]) };
+            chain.push_str(&format!(" {sign} "));
         }
         chain.push_str(&equation(&t(e, plane), &texts[e]));
     }

@@ -4,7 +4,7 @@ use crate::event::Event;
 use crate::geometry::Ray;
 use crate::query::{Arithmetic, Query};
 use crate::trace::{Trace, record};
-use crate::traverse::{Algorithm, Options, Slivers, Variants, first_difference};
+use crate::traverse::{Algorithm, Options, Slivers, StopAt, Variants, first_difference_of_run};
 use crate::tree::{NodeId, Tree};
 
 /// What a trace should have come to.
@@ -15,9 +15,9 @@ pub struct Verdict {
     /// Whether the trace has found just these.
     pub agrees: bool,
     /// Number of events up to and with the first one that is wrong, if the trace
-    /// does not agree: the report of another leaf than expected, or, of a query
-    /// without a ray, the step to a node off the path of the right rules; else
-    /// the end before all are found.
+    /// does not agree: along a ray the first event that is another than with the
+    /// right rules, of other queries the step to a node off their path; else the
+    /// end before all are found.
     pub first_wrong_step: Option<usize>,
 }
 
@@ -27,7 +27,7 @@ pub fn verdict<const D: usize>(tree: &Tree<D>, ray: &Ray<D>, trace: &Trace<D>) -
     let right = match trace.query {
         Query::Ray { options, .. } => Query::Ray {
             algorithm: Algorithm::Exhaustive,
-            options: Options { variants: Variants::NONE, ..options },
+            options: Options { variants: Variants::NONE, stop_at: StopAt::End, ..options },
             arithmetic: Arithmetic::Exact,
         },
         Query::Point { .. } | Query::Region { .. } | Query::Neighbour { .. } => {
@@ -39,9 +39,14 @@ pub fn verdict<const D: usize>(tree: &Tree<D>, ray: &Ray<D>, trace: &Trace<D>) -
         |trace: &Trace<D>| -> Vec<NodeId> { trace.events.iter().filter_map(result).collect() };
     let (expected, found) = (results(&right), results(trace));
     let first_wrong_step = match trace.query {
-        Query::Ray { .. } => {
-            let difference = first_difference(tree, ray, &expected, &found, Slivers::Ignore);
-            difference.map(|difference| step_of(trace, difference.found))
+        Query::Ray { options, .. } => {
+            let slivers = Slivers::Ignore;
+            let difference =
+                first_difference_of_run(tree, ray, options, &expected, &found, slivers);
+            difference.map(|difference| {
+                let corrected = record(tree, ray, &trace.query.corrected());
+                step_of(trace, difference.found).min(step_apart(trace, &corrected))
+            })
         }
         Query::Point { .. } | Query::Region { .. } | Query::Neighbour { .. } => {
             (expected != found).then(|| step_off_path(trace, &right))
@@ -55,6 +60,15 @@ fn step_of<const D: usize>(trace: &Trace<D>, wrong: Option<NodeId>) -> usize {
     let is_wrong = |event: &Event<D>| wrong.is_some() && result(event) == wrong;
     let index = trace.events.iter().position(is_wrong);
     index.map_or(trace.events.len(), |index| index + 1)
+}
+
+/// Number of events up to and with the first one that is another than that of the
+/// `corrected` run of the same algorithm.
+fn step_apart<const D: usize>(trace: &Trace<D>, corrected: &Trace<D>) -> usize {
+    let pairs = trace.events.iter().zip(&corrected.events);
+    // Numbers that are none differ from themselves, but not as they are printed.
+    let same = |(a, b): &(&Event<D>, &Event<D>)| format!("{a:?}") == format!("{b:?}");
+    (pairs.take_while(same).count() + 1).min(trace.events.len())
 }
 
 /// Number of events up to and with the first one at another node than that of

@@ -1,5 +1,6 @@
 //! Whether two traversals of one ray agree.
 
+use super::algorithm::{Options, StopAt};
 use crate::geometry::Ray;
 use crate::tree::{Domain, NodeId, Tree};
 
@@ -36,9 +37,45 @@ pub fn first_difference<const D: usize>(
     found: &[NodeId],
     slivers: Slivers,
 ) -> Option<Difference> {
+    first_difference_until(tree, ray, f64::INFINITY, expected, found, slivers)
+}
+
+/// The same for a run with `options`, which may stop at the first full leaf or at the
+/// end of a segment; `expected` are all leaves up to that end, also where the run
+/// stops earlier. O(length of the lists).
+pub fn first_difference_of_run<const D: usize>(
+    tree: &Tree<D>,
+    ray: &Ray<D>,
+    options: Options,
+    expected: &[NodeId],
+    found: &[NodeId],
+    slivers: Slivers,
+) -> Option<Difference> {
+    // A run that has found a full leaf need not go on; whether it was right to stop
+    // there, the leaves up to it tell.
+    let stopped = options.stop_at == StopAt::FirstFull
+        && found.last().is_some_and(|&leaf| tree.node(leaf).is_full());
+    let n_expected = if stopped {
+        let is_found = |leaf: &NodeId| found.contains(leaf);
+        expected.iter().rposition(is_found).map_or(0, |last| last + 1)
+    } else {
+        expected.len()
+    };
+    let end = options.segment_end.unwrap_or(f64::INFINITY);
+    first_difference_until(tree, ray, end, &expected[..n_expected], found, slivers)
+}
+
+fn first_difference_until<const D: usize>(
+    tree: &Tree<D>,
+    ray: &Ray<D>,
+    end: f64,
+    expected: &[NodeId],
+    found: &[NodeId],
+    slivers: Slivers,
+) -> Option<Difference> {
     let may_lack = |id: NodeId| match slivers {
         Slivers::Count => false,
-        Slivers::Ignore => is_sliver(tree, ray, id),
+        Slivers::Ignore => is_sliver(tree, ray, end, id),
     };
     let (mut i, mut j) = (0, 0);
     loop {
@@ -69,11 +106,12 @@ pub fn doubles_suffice<const D: usize>(domain: &Domain<D>, ray: &Ray<D>) -> bool
     near && (1e-290..1e290).contains(&duration)
 }
 
-/// Whether the ray is in the leaf, or misses it, by no more than a sliver.
-fn is_sliver<const D: usize>(tree: &Tree<D>, ray: &Ray<D>, leaf: NodeId) -> bool {
+/// Whether the ray, up to the parameter `end`, is in the leaf, or misses it, by no more
+/// than a sliver.
+fn is_sliver<const D: usize>(tree: &Tree<D>, ray: &Ray<D>, end: f64, leaf: NodeId) -> bool {
     let bounds = tree.node_box(leaf);
     let (origin, direction) = (ray.origin(), ray.direction());
-    let (mut enter, mut exit) = (0.0f64, f64::INFINITY);
+    let (mut enter, mut exit) = (0.0f64, end);
     for e in 0..D {
         let [a, b] = [bounds.min[e], bounds.max[e]].map(|plane| (plane - origin[e]) / direction[e]);
         if direction[e] != 0.0 {
@@ -133,6 +171,39 @@ mod tests {
         assert_eq!(check(&ray, &[1, 2, 4], &[1, 3, 2, 4], Slivers::Ignore), Some(1));
         let level = Ray::new([0.0, 0.25], [1.0, 0.0]).unwrap();
         assert_eq!(check(&level, &[1, 3], &[2, 1, 3], Slivers::Ignore), Some(0));
+    }
+
+    #[test]
+    fn a_run_may_stop_at_a_full_leaf_and_at_the_end_of_a_segment() {
+        let full = |leaf: u32| {
+            grow(Domain::unit(1), 0, &Progress::default(), |cell, at| match (cell.level, at) {
+                (0, at) if at == leaf => Split::Full(vec![]),
+                (0, _) => Split::Empty,
+                _ => Split::Inner(vec![1, 2, 3, 4]),
+            })
+            .unwrap()
+        };
+        let ids = |ids: &[u32]| ids.iter().copied().map(NodeId).collect::<Vec<_>>();
+        let differ = |full_leaf: u32, ray: &Ray<2>, options, found: &[u32]| {
+            let (tree, expected): (Tree<2>, _) = (full(full_leaf), ids(&[1, 2, 4]));
+            let slivers = Slivers::Ignore;
+            let found = ids(found);
+            first_difference_of_run(&tree, ray, options, &expected, &found, slivers).is_some()
+        };
+        let first = Options { stop_at: StopAt::FirstFull, ..Options::default() };
+        let ray = Ray::new([0.0, 0.25], [1.0, 1.0]).unwrap();
+        assert!(!differ(2, &ray, first, &[1, 2]));
+        assert!(differ(2, &ray, first, &[1]), "the full leaf is missing");
+        assert!(differ(4, &ray, first, &[1, 2]), "leaf 2 is not full");
+        // Leaf 2 is a sliver: it may be found, or the run goes on.
+        let sliver = Ray::new([0.0, 1e-13], [1.0, 1.0]).unwrap();
+        assert!(!differ(2, &sliver, first, &[1, 2]) && !differ(2, &sliver, first, &[1, 4]));
+        // The segment ends a sliver into leaf 2.
+        let end = Options { segment_end: Some(0.25 + 1e-13), ..Options::default() };
+        let tree = four_leaves();
+        let found =
+            first_difference_of_run(&tree, &ray, end, &ids(&[1, 2]), &ids(&[1]), Slivers::Ignore);
+        assert_eq!(found, None);
     }
 
     #[test]

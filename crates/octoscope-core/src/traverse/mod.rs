@@ -27,7 +27,9 @@ mod samet_corner;
 mod samet_net;
 mod variant;
 
-pub use agree::{Difference, SLIVER, Slivers, doubles_suffice, first_difference};
+pub use agree::{
+    Difference, SLIVER, Slivers, doubles_suffice, first_difference, first_difference_of_run,
+};
 pub use algorithm::{Algorithm, Method, MethodError, Options, StopAt, UnknownAlgorithm};
 pub(crate) use beyond::{Exit, code_of_entry, target_of};
 pub(crate) use bsp::halves;
