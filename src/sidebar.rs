@@ -21,8 +21,6 @@ const LEAST_VIEW: f32 = 320.0;
 const LEAST_NARROW_VIEW: f32 = 240.0;
 /// Width of the question's side, margins included.
 const QUESTION: f32 = 280.0;
-/// The same where the window is not wide.
-const SMALL_QUESTION: f32 = 264.0;
 
 /// What a panel wishes the window to do.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -59,8 +57,7 @@ pub fn ui<const D: usize>(
     let shown = view.question.unwrap_or(!lecture && !narrow);
     view.question_shown = shown;
     if shown && !narrow {
-        let size = if room < WIDE { SMALL_QUESTION } else { QUESTION };
-        let left = Panel::left(("question", room < WIDE)).frame(frame).default_size(size);
+        let left = Panel::left("question").frame(frame).default_size(QUESTION);
         left.size_range(240.0..=360.0).show(ui, |ui| {
             scrolled(ui, |ui| scene = question(ui, look, document, view, notice));
         });
@@ -101,7 +98,7 @@ fn width(preset: Preset, room: f32) -> f32 {
     match preset {
         Preset::Debug if room >= WIDE => 616.0,
         Preset::Lecture => 320.0,
-        Preset::Compare if room >= WIDE => 412.0,
+        Preset::Compare if room >= WIDE => 440.0,
         Preset::Bits | Preset::Rail | Preset::Automaton | Preset::Debug | Preset::Compare => {
             if room < WIDE { 320.0 } else { 392.0 }
         }

@@ -384,7 +384,9 @@ impl App {
         let (path, folder) =
             with_document!(&self.document, d => (d.path.clone(), d.folder.clone()));
         match purpose {
-            Purpose::Open => folder,
+            // With a separator at its end, behind which the name is typed.
+            Purpose::Open if folder.as_os_str().is_empty() => folder,
+            Purpose::Open => folder.join(""),
             Purpose::Save => path.unwrap_or_else(|| folder.join("scenario.octo")),
             Purpose::Export(ending) => folder.join("octoscope").with_extension(ending),
         }

@@ -5,6 +5,7 @@
 
 mod algorithms;
 mod camera;
+mod complaints;
 mod controls;
 mod desk;
 mod files;

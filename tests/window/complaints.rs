@@ -1,0 +1,47 @@
+//! Errors, in the language of the window.
+
+use octoscope::complaint::told;
+use octoscope::open::open;
+use octoscope::text::texts;
+use octoscope_core::progress::Progress;
+use octoscope_core::text::Language;
+use std::fs;
+
+#[test]
+fn errors_of_files_are_told_in_both_languages_with_the_path_at_their_end() {
+    let folder = tempfile::tempdir().unwrap();
+    let picture = include_bytes!("../../assets/scenes/landscape.png");
+    let data = br#"{"octoscope": 1, "dimension": 2, "scene": {"file": "missing.png"}}"#;
+    let cases: [(&str, &[u8], &str, &str); 8] = [
+        ("empty.png", b"", "is empty", "ist leer"),
+        ("some.kind", b"?", "cannot be opened", "lassen sich nicht öffnen"),
+        ("mesh.png", b"v 0 0 0\nv 1 0 0\n", "holds", "darin ist"),
+        ("cut.png", &picture[..999], "damaged", "beschädigt"),
+        ("hole.obj", b"v 0 0 0\nf 1 2 3\n", "line 2", "Zeile 2"),
+        ("bad.octo", b"{", "line 1", "Zeile 1"),
+        ("new.octo", br#"{"octoscope": 9}"#, "version 9", "Fassung 9"),
+        ("data.octo", data, "data file", "Datendatei"),
+    ];
+    for (name, bytes, english, german) in cases {
+        let path = folder.path().join(name);
+        fs::write(&path, bytes).unwrap();
+        let error = open(&path, &Progress::default()).unwrap_err();
+        for (language, fact) in [(Language::English, english), (Language::German, german)] {
+            let told = told(&texts(language), &error);
+            assert!(told.contains(fact), "{name}: {told}");
+            let last = if name == "data.octo" { "missing.png" } else { name };
+            assert!(told.contains(&format!(": {}", folder.path().display())), "{told}");
+            assert!(told.contains(last), "{told}");
+        }
+    }
+    let missing = open(&folder.path().join("none"), &Progress::default()).unwrap_err();
+    let german = told(&texts(Language::German), &missing);
+    assert!(german.starts_with("Es gibt keine solche Datei"), "{german}");
+}
+
+#[test]
+fn the_command_line_tells_errors_as_before() {
+    let missing = open(std::path::Path::new("no/such.file"), &Progress::default());
+    let message = format!("{:#}", missing.unwrap_err());
+    assert_eq!(message, "there is no such file or folder: no/such.file");
+}
