@@ -195,3 +195,26 @@ fn shown<const D: usize>(document: &Document<D>, view: &View) -> anyhow::Result<
     };
     figure_of(document, &wanted)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::open::open_built_in;
+    use octoscope_core::progress::Progress;
+    use octoscope_figure::views::FigureView;
+
+    #[test]
+    fn the_chosen_view_is_written_at_the_present_step() {
+        let document = open_built_in("figure-7", &Progress::default()).unwrap();
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("a.svg");
+        let mut view = View { exported: FigureView::Automaton, ..View::default() };
+        view.playback.step = 8;
+        shown_view(&document, &document.scenario_at(8), &view, &path).unwrap();
+        let svg = std::fs::read_to_string(&path).unwrap();
+        assert!(svg.contains("transition-taken-y") && svg.contains("<metadata>"));
+        view.exported = FigureView::Region;
+        let error = shown_view(&document, &document.scenario_at(8), &view, &path).unwrap_err();
+        assert!(error.to_string().contains("query is ‘region’"), "{error}");
+    }
+}

@@ -112,10 +112,10 @@ impl<const D: usize> Painter<'_, D> {
     /// Draws what lies in a cell that was halved `n_cuts` times, along the axes in turn.
     fn sort(&mut self, cell: &Aabb<D>, content: Content<D>, n_cuts: u8) {
         let Content { boxes, flats, pieces } = content;
-        if boxes.is_empty() && flats.is_empty() {
-            return self.draw_pieces(pieces);
+        if boxes.is_empty() {
+            return self.sort_flats(flats, pieces);
         }
-        let is_alone = boxes.len() + flats.len() == 1 && pieces.is_empty();
+        let is_alone = boxes.len() == 1 && flats.is_empty() && pieces.is_empty();
         if is_alone || n_cuts == MOST_LEVELS * D as u8 {
             self.draw_pieces(pieces);
             self.order.extend(flats.iter().map(|flat| Painted::Flat(flat.index, flat.bounds)));
@@ -148,23 +148,11 @@ impl<const D: usize> Painter<'_, D> {
             let is_upper = self.boxes[index].centre()[axis] >= plane;
             halves[usize::from(is_upper)].boxes.push(index);
         }
-        for flat in flats {
-            let [low, high] = [flat.bounds.min[axis], flat.bounds.max[axis]];
-            if flat.axis == axis && (low - plane).abs() < tolerance {
-                between.push(flat);
-            } else if low < plane - tolerance && high > plane + tolerance {
-                let mut parts = [flat; 2];
-                (parts[0].bounds.max[axis], parts[1].bounds.min[axis]) = (plane, plane);
-                halves[0].flats.push(parts[0]);
-                halves[1].flats.push(parts[1]);
-            } else {
-                halves[usize::from(0.5 * (low + high) >= plane)].flats.push(flat);
-            }
-        }
-        for piece in pieces.into_iter().flat_map(|piece| self.cut(piece, axis, plane)) {
-            let is_upper = self.middle(piece)[axis] >= plane;
-            halves[usize::from(is_upper)].pieces.push(piece);
-        }
+        let [lower, on, upper] = parted(flats, axis, plane, tolerance);
+        between.extend(on);
+        (halves[0].flats, halves[1].flats) = (lower, upper);
+        let [lower, upper] = self.parted_pieces(pieces, axis, plane);
+        (halves[0].pieces, halves[1].pieces) = (lower, upper);
 
         let near_is_upper = self.eye_is_above(axis, middle);
         for is_upper in [!near_is_upper, near_is_upper] {
@@ -179,6 +167,32 @@ impl<const D: usize> Painter<'_, D> {
 
         self.draw_flats(&near_sides);
         self.order.extend(around.iter().rev().map(|&index| Painted::Half(index, Half::Front)));
+    }
+
+    /// Draws flat boxes and pieces among which there is nothing else: the plane of one
+    /// of them parts the others. O(n²) for n flat boxes, which are few.
+    fn sort_flats(&mut self, flats: Vec<Flat<D>>, pieces: Vec<Piece>) {
+        let Some(&Flat { axis, bounds, .. }) = flats.first() else {
+            return self.draw_pieces(pieces);
+        };
+        let plane = bounds.min[axis];
+        let [lower, on, upper] = parted(flats, axis, plane, 1e-9 * length(&bounds));
+        let [lower_pieces, upper_pieces] = self.parted_pieces(pieces, axis, plane);
+        let (far, near) = if self.eye_is_above(axis, bounds.min) {
+            ((lower, lower_pieces), (upper, upper_pieces))
+        } else {
+            ((upper, upper_pieces), (lower, lower_pieces))
+        };
+        self.sort_flats(far.0, far.1);
+        self.draw_flats(&on);
+        self.sort_flats(near.0, near.1);
+    }
+
+    /// The pieces below and above a plane, cut where they cross it.
+    fn parted_pieces(&self, pieces: Vec<Piece>, axis: usize, plane: f64) -> [Vec<Piece>; 2] {
+        let cut = pieces.into_iter().flat_map(|piece| self.cut(piece, axis, plane));
+        let (upper, lower) = cut.partition(|piece| self.middle(*piece)[axis] >= plane);
+        [lower, upper]
     }
 
     fn draw_flats(&mut self, flats: &[Flat<D>]) {
@@ -270,6 +284,30 @@ impl<const D: usize> Painter<'_, D> {
 /// The point at a share of the way from one end to the other.
 pub(crate) fn at_share<const D: usize>([from, to]: [[f64; D]; 2], share: f64) -> [f64; D] {
     std::array::from_fn(|e| from[e] * (1.0 - share) + to[e] * share)
+}
+
+/// Flat boxes below, in and above a plane, cut where they cross it.
+fn parted<const D: usize>(
+    flats: Vec<Flat<D>>,
+    axis: usize,
+    plane: f64,
+    tolerance: f64,
+) -> [Vec<Flat<D>>; 3] {
+    let mut parts = [Vec::new(), Vec::new(), Vec::new()];
+    for flat in flats {
+        let [low, high] = [flat.bounds.min[axis], flat.bounds.max[axis]];
+        if flat.axis == axis && (low - plane).abs() <= tolerance {
+            parts[1].push(flat);
+        } else if low < plane - tolerance && high > plane + tolerance {
+            let [mut lower, mut upper] = [flat; 2];
+            (lower.bounds.max[axis], upper.bounds.min[axis]) = (plane, plane);
+            parts[0].push(lower);
+            parts[2].push(upper);
+        } else {
+            parts[if 0.5 * (low + high) < plane { 0 } else { 2 }].push(flat);
+        }
+    }
+    parts
 }
 
 /// Whether a box is about as large as a cell along every axis.

@@ -78,8 +78,14 @@ fn painted<const D: usize>(
 ) -> Vec<Drawn> {
     let boxes: Vec<Aabb<D>> = in_space.iter().map(|item| item.bounds).collect();
     let lines: Vec<[[f64; D]; 2]> = arrows.iter().map(|arrow| arrow.ends).collect();
-    let ends = boxes.iter().map(|b| b.min).chain(lines.iter().flatten().copied());
-    let Some(root) = root.copied().or_else(|| Aabb::around(ends)) else {
+    // Without a root, around the boxes: one alone is its own.
+    let ends = boxes.iter().flat_map(|b| [b.min, b.max]);
+    let all = if boxes.is_empty() {
+        Aabb::around(lines.iter().flatten().copied())
+    } else {
+        Aabb::around(ends)
+    };
+    let Some(root) = root.copied().or(all) else {
         return Vec::new();
     };
     let mut drawn = Vec::new();

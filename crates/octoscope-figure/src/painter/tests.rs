@@ -213,6 +213,25 @@ fn planes_that_cross_each_other_are_cut_where_they_do() {
 }
 
 #[test]
+fn planes_off_the_middle_of_everything_are_parted_by_each_other_alone() {
+    let plane = |axis: usize| {
+        let mut bounds = Aabb { min: [0.13; 3], max: [0.77; 3] };
+        (bounds.min[axis], bounds.max[axis]) = (0.31, 0.31);
+        bounds
+    };
+    let camera = Camera { yaw: 0.5, pitch: 0.3, ..Camera::framing(&ROOT, PAGE) };
+    let lines = [[[-0.4, 0.2, 0.3], [1.4, 0.5, 0.6]]];
+    for around in [vec![], vec![Aabb { min: [0.1; 3], max: [0.8; 3] }, ROOT]] {
+        let boxes = [vec![plane(0), plane(1), plane(2)], around].concat();
+        let order = back_to_front(&ROOT, &boxes, &lines, &camera);
+        let n_parts = order.iter().filter(|p| matches!(p, Painted::Flat(..))).count();
+        // One whole, the next one halved, the last one in quarters; more where boxes
+        // are, but not many more.
+        assert!((7..300).contains(&n_parts), "{n_parts} parts");
+    }
+}
+
+#[test]
 fn halves_and_quarters_of_a_node_are_drawn_beside_each_other() {
     let part = |min: [f64; 3], max: [f64; 3]| Aabb { min, max };
     let boxes = [
