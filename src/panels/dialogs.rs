@@ -1,11 +1,12 @@
 //! Windows over the window.
 
+mod find;
+
 use crate::command::{COMMANDS, Command, Menu};
 use crate::files::Purpose;
 use crate::finder::Target;
 use crate::look::Look;
 use crate::notice::Notice;
-use crate::panels::find;
 use crate::shortcut;
 use crate::view::{Dialog, Typed};
 use eframe::egui::{

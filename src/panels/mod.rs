@@ -7,7 +7,6 @@ pub mod compare;
 pub mod counters;
 pub mod cuts;
 pub mod dialogs;
-pub mod find;
 pub mod grid;
 pub mod halves;
 pub mod links;

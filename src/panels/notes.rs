@@ -2,7 +2,7 @@
 //! one, and how long the lecture has run.
 
 use crate::look::Look;
-use crate::panels::sentence;
+use crate::widgets::rich_label;
 use eframe::egui::{RichText as Words, Ui};
 use octoscope_core::explain::RichText;
 
@@ -29,11 +29,11 @@ pub fn ui(ui: &mut Ui, look: &Look, notes: &Notes) -> bool {
         restart = ui.button(look.text("notes-restart")).clicked();
     });
     ui.separator();
-    sentence::label(ui, look, &notes.now, 24.0);
+    rich_label(ui, look, &notes.now, 24.0);
     ui.add_space(16.0);
     ui.label(Words::new(look.text("notes-next")).color(look.palette.quiet));
     match &notes.next {
-        Some(next) => sentence::label(ui, look, next, 18.0),
+        Some(next) => rich_label(ui, look, next, 18.0),
         None => ui.label(look.text("notes-end")),
     };
     restart

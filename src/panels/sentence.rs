@@ -1,8 +1,8 @@
 //! The sentence of the step, readable from the back row.
 
 use crate::look::Look;
-use crate::widgets::rich_job;
-use eframe::egui::{Label, Response, Ui, WidgetInfo, accesskit::Role};
+use crate::widgets::rich_label;
+use eframe::egui::Ui;
 use octoscope_core::explain::{RichText, Span};
 
 /// With less room than this, in points, the type is smaller.
@@ -17,18 +17,9 @@ pub fn ui(ui: &mut Ui, look: &Look, mut sentence: RichText, step: usize) {
     }
     let width = ui.available_width();
     let size = if width < NARROW { 18.0 } else { 22.0 };
-    let response = label(ui, look, &sentence, size);
+    let response = rich_label(ui, look, &sentence, size);
     ui.ctx().accesskit_node_builder(response.id, |node| {
         node.set_live(eframe::egui::accesskit::Live::Polite);
         node.set_author_id("sentence");
     });
-}
-
-/// A sentence in type of this size; a screen reader hears it in plain letters.
-pub fn label(ui: &mut Ui, look: &Look, sentence: &RichText, size: f32) -> Response {
-    let job = rich_job(sentence, look, size, ui.available_width());
-    let response = ui.add(Label::new(job).wrap());
-    let text = sentence.plain();
-    response.widget_info(|| WidgetInfo::labeled(Role::Label, true, text.as_str()));
-    response
 }

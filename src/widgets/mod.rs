@@ -21,7 +21,7 @@ pub use heading::heading;
 pub use lit::{Lit, caption, lit, per_axis};
 pub use number_field::{number_field, refused_number};
 pub use panel_heading::{Place, panel_heading};
-pub use rich::rich_job;
+pub use rich::{rich_job, rich_label};
 pub use segments::{explained_segments, segments};
 pub use table::{Setting, table};
 pub use tick::tick;
