@@ -2,21 +2,22 @@
 
 use crate::look::Look;
 use crate::widgets::{paint_figure, room};
-use eframe::egui::{Label, RichText, Sense, Ui, WidgetInfo, accesskit::Role, vec2};
+use eframe::egui::{Label, Pos2, RichText, Sense, Ui, WidgetInfo, accesskit::Role, vec2};
 use octoscope_core::event::Event;
 use octoscope_core::explain::approx;
 use octoscope_core::trace::{Moment, Trace};
+use octoscope_core::tree::NodeId;
 use octoscope_figure::views::t_rail;
 
 /// One bar per axis from t0 to t1 with tm, in rows of height `row`; dragging goes to the leaf at that t.
-/// Returns the step to go to.
+/// Returns what is pointed at.
 pub fn ui<const D: usize>(
     ui: &mut Ui,
     look: &Look,
     trace: &Trace<D>,
     moment: &Moment<D>,
     row: f32,
-) -> Option<usize> {
+) -> Pointed {
     let title = look.text("panel-t-rail");
     let width = ui.available_width();
     let Some(rail) = t_rail(&look.texts, moment, [f64::from(width), f64::from(row)]) else {
@@ -25,7 +26,7 @@ pub fn ui<const D: usize>(
         let hint = RichText::new(look.text("t-rail-none")).color(look.palette.quiet);
         ui.put(rect, Label::new(hint).wrap());
         response.widget_info(|| WidgetInfo::labeled(Role::Canvas, true, title.as_str()));
-        return None;
+        return Pointed::default();
     };
     let (rect, response) = room(ui, rail.figure.page, Sense::click_and_drag());
     let [enter, exit] = rail.interval;
@@ -38,8 +39,25 @@ pub fn ui<const D: usize>(
     );
     response.widget_info(|| WidgetInfo::labeled(Role::Slider, true, spoken.as_str()));
     paint_figure(ui, look, rect, &rail.figure);
-    let pointer = response.interact_pointer_pos()?;
-    Some(step_at(trace, rail.t_at(f64::from(pointer.x - rect.left()))))
+    let t_at = |pointer: Pos2| rail.t_at(f64::from(pointer.x - rect.left()));
+    Pointed {
+        step: response.interact_pointer_pos().map(|pointer| step_at(trace, t_at(pointer))),
+        node: response.hover_pos().and_then(|pointer| leaf_at(trace, t_at(pointer))),
+    }
+}
+
+/// What is pointed at on the rail.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Pointed {
+    /// The step to go to, while it is dragged.
+    pub step: Option<usize>,
+    /// The leaf in which the ray is at this parameter.
+    pub node: Option<NodeId>,
+}
+
+fn leaf_at<const D: usize>(trace: &Trace<D>, t: f64) -> Option<NodeId> {
+    let mut leaves = trace.leaves();
+    leaves.find(|(_, [enter, exit])| (*enter..*exit).contains(&t)).map(|(node, _)| node)
 }
 
 /// Number of events until the leaf in which the ray is at parameter `t`.

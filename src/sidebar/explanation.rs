@@ -120,10 +120,12 @@ fn body<const D: usize>(
             // A lecture in space has no other panel, one in the plane the codes.
             let lecture = if D == 3 { 80.0 } else { 34.0 };
             let row = if view.preset == Preset::Lecture { lecture } else { 40.0 };
-            if let Some(step) = t_rail::ui(ui, look, &trace, moment, row) {
+            let pointed = t_rail::ui(ui, look, &trace, moment, row);
+            if let Some(step) = pointed.step {
                 view.playback.playing = false;
                 view.playback.go_to(step, trace.events.len());
             }
+            pointed.node.into_iter().for_each(|node| view.hover.offer(node));
         }
         PanelKind::Automaton => automaton::ui(ui, look, moment, event),
         PanelKind::Listing => {

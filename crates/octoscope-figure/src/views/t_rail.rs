@@ -3,7 +3,7 @@
 use super::sheet::Sheet;
 use super::subject::Subject;
 use super::words::{joined, on_axis, parameter};
-use crate::{Anchor, Figure, Role, metrics};
+use crate::{Anchor, Figure, Form, Part, Role, metrics};
 use octoscope_core::explain::{RichText, approx};
 use octoscope_core::geometry::AXIS_NAMES;
 use octoscope_core::text::Texts;
@@ -73,6 +73,9 @@ struct Rail<const D: usize> {
     far: [f64; D],
 }
 
+/// Planes are shown in their place up to so many lengths of an interval outside it.
+const NEAR: f64 = 3.0;
+
 /// Names of the near and the far plane.
 const PLANES: [Option<&str>; 2] = [Some("0"), Some("1")];
 
@@ -95,9 +98,9 @@ impl<const D: usize> Rail<D> {
             return Some(Self::interval(interval, None));
         }
         if let Some(grid) = moment.grid {
-            // From where the ray was last to the planes ahead.
-            let left = moment.leaves.last().map(|leaf| leaf.exit);
-            let near = [left.unwrap_or_else(|| entered(moment)); D];
+            // From where the ray came into the leaf to the planes ahead.
+            let into = moment.leaves.last().map(|leaf| leaf.enter);
+            let near = [into.unwrap_or_else(|| entered(moment)); D];
             return Some(Self { ends: [None, Some("max")], near, mid: None, far: grid.next });
         }
         if let Some(exits) = moment.exits {
@@ -122,11 +125,21 @@ impl<const D: usize> Rail<D> {
         self.far.into_iter().fold(f64::INFINITY, f64::min)
     }
 
-    /// Range of t that is shown: all finite parameters and the origin, with a margin.
+    /// Range of t that is shown: all finite parameters, with a margin. Where all
+    /// begins at once, in an interval, planes far outside would leave no room for
+    /// it: they are left out, and lie beyond the ends.
     fn range(&self) -> [f64; 2] {
         let mids = self.mid.into_iter().flatten();
         let all = self.near.into_iter().chain(self.far).chain(mids);
-        let finite: Vec<f64> = all.filter(|t| t.is_finite()).collect();
+        let (enter, exit) = (self.enter(), self.exit());
+        let length = exit - enter;
+        let is_interval = self.near.iter().all(|&t| t == enter);
+        let cuts = is_interval && length > 0.0 && length.is_finite();
+        let is_near = |t: f64| {
+            let reach = NEAR * length;
+            !cuts || (enter - reach <= t && t <= exit + reach)
+        };
+        let finite: Vec<f64> = all.filter(|&t| t.is_finite() && is_near(t)).collect();
         let low = finite.iter().copied().fold(f64::INFINITY, f64::min);
         let high = finite.iter().copied().fold(f64::NEG_INFINITY, f64::max);
         if low > high {
@@ -222,11 +235,14 @@ impl<const D: usize> Drawing<'_, D> {
         }
         for (t, _) in self.rail.stops(axis) {
             let x = self.x_of(t);
-            if t.is_finite() {
+            let [low, high] = self.range;
+            if (low..=high).contains(&t) {
                 sheet.line(Role::Stop(axis), [[x, y - 8.0], [x, y + 8.0]]);
             } else if !t.is_nan() {
-                let way = 8.0_f64.copysign(t);
-                sheet.arrow(Role::Stop(axis), [[x - way, y], [x + 0.5 * way, y]], 8.0);
+                // Beyond the end: a head that is higher than the bar.
+                let way = if t > high { 9.0 } else { -9.0 };
+                let head = vec![[x, y], [x - way, y + 7.0], [x - way, y - 7.0]];
+                sheet.push(Role::Stop(axis), Part::Head, Form::Polygon(head));
             }
         }
     }
@@ -387,6 +403,19 @@ mod tests {
         check(&[[40.0, 20.0], [40.0, 20.0]], &[29.0, 51.0]);
         check(&[[-5.0, 20.0], [-5.0, 20.0], [0.0, 10.0]], &[0.0, 22.0, 44.0]);
         check(&[[50.0, 20.0], [95.0, 20.0], [99.0, 20.0]], &[36.0, 58.0, 80.0]);
+    }
+
+    #[test]
+    fn planes_far_outside_leave_room_for_the_interval() {
+        let near_by = Rail { mid: Some([1.5, 4.5]), ..rail(1.0, 2.0) };
+        let [low, high] = near_by.range();
+        assert!(low < 1.0 && 4.5 < high && high < 5.0, "{low} {high}");
+        let far_off = Rail { mid: Some([-50.0, 1e9]), ..rail(1.0, 2.0) };
+        let [low, high] = far_off.range();
+        assert!(0.9 < low && low < 1.0 && 2.0 < high && high < 2.1, "{low} {high}");
+        let ahead = Rail { far: [1.5, 80.0], ..rail(1.0, 1.0) };
+        let [low, high] = ahead.range();
+        assert!(0.9 < low && high < 1.6, "{low} {high}");
     }
 
     #[test]
