@@ -4,7 +4,7 @@ use super::rail::Rail;
 use super::sheet::Sheet;
 use super::subject::Subject;
 use super::words::{joined, on_axis, parameter};
-use crate::{Anchor, Figure, Role, metrics};
+use crate::{Anchor, Figure, Form, Part, Role, metrics};
 use octoscope_core::explain::{RichText, approx};
 use octoscope_core::geometry::AXIS_NAMES;
 use octoscope_core::text::Texts;
@@ -150,9 +150,10 @@ impl<const D: usize> Drawing<'_, D> {
             if (low..=high).contains(&t) {
                 sheet.line(Role::Stop(axis), [[x, y - 8.0], [x, y + 8.0]]);
             } else if !t.is_nan() {
-                // Beyond the end of the rail.
-                let way = if t > high { 8.0 } else { -8.0 };
-                sheet.arrow(Role::Stop(axis), [[x - way, y], [x + 0.5 * way, y]], 8.0);
+                // Beyond the end: a head that is higher than the bar.
+                let way = if t > high { 9.0 } else { -9.0 };
+                let head = vec![[x, y], [x - way, y + 7.0], [x - way, y - 7.0]];
+                sheet.push(Role::Stop(axis), Part::Head, Form::Polygon(head));
             }
         }
     }
