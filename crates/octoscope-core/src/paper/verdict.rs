@@ -27,7 +27,7 @@ pub fn verdict<const D: usize>(tree: &Tree<D>, ray: &Ray<D>, trace: &Trace<D>) -
     let right = match trace.query {
         Query::Ray { options, .. } => Query::Ray {
             algorithm: Algorithm::Exhaustive,
-            options: Options { variants: Variants::NONE, stop_at: StopAt::End, ..options },
+            options: Options { variants: Variants::NONE, ..options },
             arithmetic: Arithmetic::Exact,
         },
         Query::Point { .. } | Query::Region { .. } | Query::Neighbour { .. } => {
@@ -40,9 +40,10 @@ pub fn verdict<const D: usize>(tree: &Tree<D>, ray: &Ray<D>, trace: &Trace<D>) -
     let (expected, found) = (results(&right), results(trace));
     let first_wrong_step = match trace.query {
         Query::Ray { options, .. } => {
+            // Both stop where they are to: a misprint must not stop at a touch.
+            let whole = Options { stop_at: StopAt::End, ..options };
             let slivers = Slivers::Ignore;
-            let difference =
-                first_difference_of_run(tree, ray, options, &expected, &found, slivers);
+            let difference = first_difference_of_run(tree, ray, whole, &expected, &found, slivers);
             difference.map(|difference| {
                 let corrected = record(tree, ray, &trace.query.corrected());
                 step_of(trace, difference.found).min(step_apart(trace, &corrected))
