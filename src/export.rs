@@ -8,8 +8,9 @@ use anyhow::bail;
 use octoscope_core::scenario::AnyScenario;
 use octoscope_core::scene::Content;
 use octoscope_figure::{
-    Background, Camera, Figure, Mark, Page, Role, Shape, Show, SvgOptions, Theme, axes, content,
-    leaves, marks, png, space_figure, svg, svg_scaled,
+    Background, Camera, Diagram, DiagramLens, DiagramOf, Figure, Mark, Page, Role, Shape, Show,
+    SvgOptions, Theme, axes, content, leaves, marks, png, space_figure, svg, svg_scaled,
+    tree_diagram,
 };
 use std::path::Path;
 
@@ -68,6 +69,19 @@ pub fn space<const D: usize>(
     all.extend(marks(&document.tree, &scenario.ray, &scenario.query, &moment, event, show));
     all.sort_by_key(|mark| mark.role.layer());
     space_figure(&all, &camera, page)
+}
+
+/// Diagram of the tree of `document` after `step` events, fitted to `page`.
+pub fn tree<const D: usize>(document: &Document<D>, page: Page, step: usize) -> Diagram {
+    let moment = document.moment(step);
+    let of = DiagramOf {
+        tree: &document.tree,
+        ray: &document.scenario.ray,
+        query: &document.scenario.query,
+        moment: &moment,
+        event: step.checked_sub(1).and_then(|index| document.trace.events.get(index)),
+    };
+    tree_diagram(&of, &[], None, page, DiagramLens::default())
 }
 
 /// Leaves of a picture in their mean colours.

@@ -21,6 +21,7 @@ pub mod sidebar;
 pub mod space;
 pub mod text;
 pub mod theme;
+pub mod tree_view;
 pub mod view;
 pub mod widgets;
 pub mod window;

@@ -86,8 +86,17 @@ fn width(preset: Preset, room: f32) -> f32 {
     match preset {
         Preset::Debug if room >= WIDE => 616.0,
         Preset::Lecture => 320.0,
-        Preset::Bits | Preset::Rail | Preset::Automaton | Preset::Debug | Preset::Compare => {
-            if room < NARROW { 320.0 } else { 392.0 }
+        Preset::Bits
+        | Preset::Rail
+        | Preset::Automaton
+        | Preset::Debug
+        | Preset::Compare
+        | Preset::Tree => {
+            if room < NARROW {
+                320.0
+            } else {
+                392.0
+            }
         }
     }
 }

@@ -4,7 +4,7 @@ use super::ray::RayChoice;
 use super::values::{Numbers, language};
 use super::{Answer, tell};
 use crate::document::Document;
-use crate::export::{Format, MARGIN, Style, bytes, left_out, space};
+use crate::export::{Format, MARGIN, Style, bytes, left_out, space, tree};
 use crate::files::Output;
 use crate::open::open;
 use crate::space::interesting;
@@ -29,11 +29,13 @@ use std::str::FromStr;
     octoscope export scene:quadtree-82 --view space --step last -o figure.svg\n  \
     octoscope export lecture.octo --view space --format png --step 12 \\\n    \
         --size 1280x720 --scale 2 --theme projector -o step-12.png\n  \
+    octoscope export scene:points-3d --view tree --step 40 -o tree.svg\n  \
     octoscope export scene:cloud --step last --camera=-30,20,1.5 --theme dark -o cloud.png")]
 pub struct Export {
     /// Scenario (.octo), data file, or built-in scene as scene:NAME.
     file: PathBuf,
-    /// What is drawn: space (the tree, the ray and the state of the algorithm).
+    /// What is drawn: space (the tree, the ray and the state of the algorithm) or
+    /// tree (the same as a diagram of nodes, what is off the path folded).
     #[arg(long, value_name = "VIEW", default_value = "space")]
     view: View,
     /// svg or png; without it, the ending of the output tells.
@@ -75,16 +77,19 @@ pub struct Export {
 enum View {
     /// The tree, the ray and the state of the algorithm.
     Space,
+    /// The same as a diagram of nodes.
+    Tree,
 }
 
 impl FromStr for View {
     type Err = String;
 
     fn from_str(id: &str) -> Result<Self, String> {
-        if id == "space" {
-            return Ok(Self::Space);
+        match id {
+            "space" => Ok(Self::Space),
+            "tree" => Ok(Self::Tree),
+            _ => Err(format!("there is no view ‘{id}’ to export; there are space and tree")),
         }
-        Err(format!("there is no view ‘{id}’ to export; there is space"))
     }
 }
 
@@ -204,7 +209,9 @@ pub fn export(arguments: &Export) -> anyhow::Result<Answer> {
         );
         (figure(document, arguments, step), title.plain())
     });
-    if let Some(note) = with_document!(&document, d => left_out_of(d)) {
+    if arguments.view == View::Space
+        && let Some(note) = with_document!(&document, d => left_out_of(d))
+    {
         tell(&note);
     }
     let style = Style { format, theme: arguments.theme, scale: arguments.scale, title: &title };
@@ -240,9 +247,23 @@ fn figure<const D: usize>(document: &Document<D>, arguments: &Export, step: usiz
     let page = arguments
         .size
         .map_or(PAGE, |size| Page { width: f64::from(size.width), height: f64::from(size.height) });
-    let View::Space = arguments.view;
-    let camera = arguments.camera.map(|eye| eye.camera(document, page));
-    let figure = space(document, camera, page, &Show::at_first::<D>(), step);
+    let figure = match arguments.view {
+        View::Space => {
+            let camera = arguments.camera.map(|eye| eye.camera(document, page));
+            space(document, camera, page, &Show::at_first::<D>(), step)
+        }
+        View::Tree => {
+            let diagram = tree(document, page, step);
+            // A diagram that is smaller than the page begins at its left edge.
+            let fits = diagram.natural.width < page.width;
+            let fitted = if fits { Page { width: diagram.natural.width, ..page } } else { page };
+            if arguments.size.is_some() {
+                diagram.figure
+            } else {
+                tree(document, fitted, step).figure
+            }
+        }
+    };
     if arguments.size.is_some() { figure } else { figure.cropped(MARGIN) }
 }
 

@@ -4,7 +4,7 @@ use crate::document::Document;
 use crate::look::Look;
 use crate::panels::{
     automaton, children, codes, compare, counters, cuts, grid, halves, links, listing, neighbour,
-    paper, region, stack, t_rail, tables, variables, way_down,
+    paper, region, stack, t_rail, tables, tree, variables, way_down, why_not,
 };
 use crate::sidebar::Wish;
 use crate::view::{PanelKind, Preset, View};
@@ -13,12 +13,17 @@ use eframe::egui::{Rect, Ui, UiBuilder, vec2};
 use octoscope_core::explain::{label, listing as listing_of, variables as variables_of};
 use octoscope_core::query::Query;
 use octoscope_core::trace::{Counters, Moment};
+use octoscope_figure::DiagramOf;
 use std::sync::Arc;
 
 /// Sides of at least this width, in points, have two columns of panels.
 const TWO_COLUMNS: f32 = 520.0;
 /// Distance between two columns.
 const GAP: f32 = 24.0;
+/// Height of the tree's diagram where it is what the preset is about.
+const TREE: f32 = 286.0;
+/// Its height beside other panels.
+const SMALL_TREE: f32 = 236.0;
 
 /// The panels from top to bottom; where there is room in two columns, in turn
 /// to the left and to the right.
@@ -84,6 +89,8 @@ fn note<const D: usize>(
         PanelKind::Stack => stack::note(moment),
         PanelKind::WayDown => way_down::note(look, moment),
         PanelKind::Grid => grid::note(look, moment),
+        PanelKind::Tree => tree::note(look, &diagram_of(document, moment)),
+        PanelKind::WhyNot => why_not::note(look, &diagram_of(document, moment)),
         PanelKind::Cuts
         | PanelKind::Children
         | PanelKind::Links
@@ -155,6 +162,18 @@ fn body<const D: usize>(
             let query = &mut document.scenario.query;
             return paper::ui(ui, look, query, verdict.as_deref());
         }
+        PanelKind::Tree => {
+            let of = diagram_of(document, moment);
+            let (theme, language) = (view.theme, view.language);
+            let height = if view.preset == Preset::Tree { TREE } else { SMALL_TREE };
+            let shown = tree::Shown { of, trace: &trace, theme, language, height };
+            let step = tree::ui(ui, look, &shown, &mut view.tree, &mut view.hover);
+            return step.map(Wish::Step);
+        }
+        PanelKind::WhyNot => {
+            let of = diagram_of(document, moment);
+            why_not::ui(ui, look, &of, view.language, &mut view.hover);
+        }
         PanelKind::Stack => stack::ui(ui, look, &tree, moment),
         PanelKind::Counters => {
             let mut step = Counters::default();
@@ -171,6 +190,19 @@ fn body<const D: usize>(
         }
     }
     None
+}
+
+fn diagram_of<'a, const D: usize>(
+    document: &'a Document<D>,
+    moment: &'a Moment<D>,
+) -> DiagramOf<'a, D> {
+    DiagramOf {
+        tree: &document.tree,
+        ray: &document.scenario.ray,
+        query: &document.trace.query,
+        moment,
+        event: moment.step.checked_sub(1).and_then(|n| document.trace.events.get(n)),
+    }
 }
 
 fn comparison<const D: usize>(ui: &mut Ui, look: &Look, document: &mut Document<D>) {

@@ -17,6 +17,7 @@ use octoscope_core::tree::NodeId;
 use octoscope_figure::{
     Camera, Mark, Page, Role as MarkRole, Shape, axes, content, leaves, marks, space_figure,
 };
+pub use paint::figure as paint_figure;
 
 /// What the view shows and changes.
 pub struct Space<'a, const D: usize> {

@@ -94,12 +94,20 @@ pub enum Role {
     OwnedSide,
     /// Name or number on an axis, 0 = x.
     AxisLabel(usize),
+    /// A level of a diagram, and its number.
+    Level,
+    /// Branch of a diagram to a child, and what is written beside it.
+    Branch,
+    /// Branch on the way that the algorithm has taken.
+    Path,
+    /// A node of a diagram.
+    Node,
 }
 
 impl Role {
     /// One role of every kind, in the order in which they cover each other,
     /// the lowest first.
-    pub const KINDS: [Self; 50] = [
+    pub const KINDS: [Self; 54] = [
         Self::Pixel([128; 3]),
         Self::EmptyLeaf,
         Self::FullLeaf,
@@ -150,6 +158,10 @@ impl Role {
         Self::ChildIndex,
         Self::OrderNumber,
         Self::AxisLabel(0),
+        Self::Level,
+        Self::Branch,
+        Self::Path,
+        Self::Node,
     ];
 
     /// Name for classes in SVG and styles in TikZ: lower case, with hyphens.
@@ -199,6 +211,10 @@ impl Role {
             Self::CellCode => "cell-code",
             Self::OwnedSide => "owned-side",
             Self::AxisLabel(axis) => ["axis-x", "axis-y", "axis-z"][axis],
+            Self::Level => "level",
+            Self::Branch => "branch",
+            Self::Path => "path",
+            Self::Node => "node",
         }
     }
 
