@@ -4,10 +4,10 @@ use crate::look::Look;
 use crate::space::{PageInWindow, paint_figure};
 use crate::tree_view::TreeView;
 use crate::view::Hover;
-use crate::widgets::{caption, rich_job};
+use crate::widgets::{caption, rich_label};
 use eframe::egui::{
-    Key, Label, Painter, Rect, Response, Sense, Stroke, StrokeKind, Ui, Vec2, WidgetInfo,
-    accesskit::Role, vec2,
+    Key, Painter, Rect, Response, Sense, Stroke, StrokeKind, Ui, Vec2, WidgetInfo, accesskit::Role,
+    vec2,
 };
 use octoscope_core::explain::{Naming, fate_sentence};
 use octoscope_core::text::Language;
@@ -213,7 +213,7 @@ fn tell<const D: usize>(
     let DiagramOf { tree, ray, query, moment, .. } = shown.of;
     if let Some(fate) = fate(tree, ray, query, moment, node.node) {
         let text = fate_sentence(tree, node.node, fate, Naming::ByIndex, shown.language);
-        ui.add(Label::new(rich_job(&text, look, 14.0, 300.0)));
+        rich_label(ui, look, &text, 14.0, 300.0);
     }
     let hint = |key: &str, n: usize| look.texts.format(key, &[("n", (n as u64).into())]);
     match (click_on(shown, view, node, false), node.kind) {

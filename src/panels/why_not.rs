@@ -2,14 +2,17 @@
 
 use crate::look::Look;
 use crate::view::Hover;
-use crate::widgets::{Lit, caption, child_bits, lit, rich_job};
-use eframe::egui::{Grid, Label, RichText, Ui};
+use crate::widgets::{Lit, caption, child_bits, lit, rich_label};
+use eframe::egui::{Grid, RichText, Ui};
 use octoscope_core::explain::{Naming, fate_name, fate_numbers, fate_sentence};
 use octoscope_core::geometry::Axes;
 use octoscope_core::text::Language;
 use octoscope_core::trace::{Fate, fate};
 use octoscope_core::tree::{Child, NodeId};
 use octoscope_figure::DiagramOf;
+
+/// Panels of less than this, in points, have no room for the bits of children.
+const WITH_BITS: f32 = 340.0;
 
 /// The node whose children are chosen among.
 pub fn note<const D: usize>(look: &Look, of: &DiagramOf<D>) -> String {
@@ -43,23 +46,26 @@ pub fn ui<const D: usize>(
         caption(ui, look, look.text("why-not-none"));
         return;
     }
+    let has_bits = ui.available_width() >= WITH_BITS;
     let pointed = hover.lit(tree);
     let is_pointed = |node: NodeId| pointed.is_some_and(|inner| tree.holds(node, inner));
-    let grid = Grid::new("why-not").num_columns(4).spacing([12.0, 0.0]).min_col_width(18.0);
+    let n_columns = if has_bits { 4 } else { 3 };
+    let grid = Grid::new("why-not").num_columns(n_columns).spacing([12.0, 0.0]).min_col_width(18.0);
     grid.min_row_height(20.0).show(ui, |ui| {
         for &(child, node, fate) in &fates {
             let top = ui.cursor().min;
             let tone = if is_pointed(node) { Lit::Line } else { Lit::No };
             ui.label(lit(look, child.0.to_string(), tone));
-            child_bits(ui, look, child, Axes::NONE);
+            if has_bits {
+                child_bits(ui, look, child, Axes::NONE);
+            }
             let color = match fate {
                 Fate::RuledOut(_) | Fate::Strayed(_) | Fate::PassedBy(_) => look.palette.rejected,
                 Fate::Visited(_) | Fate::Entered(_) => look.palette.ink,
                 Fate::Ahead(_) => look.palette.quiet,
             };
             ui.label(RichText::new(fate_name(fate, language)).size(13.0).color(color));
-            let numbers = Label::new(rich_job(&fate_numbers(fate), look, 13.0, f32::INFINITY));
-            ui.add(numbers.extend());
+            rich_label(ui, look, &fate_numbers(fate), 13.0, f32::INFINITY);
             let mut row = ui.max_rect();
             (row.min.y, row.max.y) = (top.y, top.y + 20.0);
             if ui.rect_contains_pointer(row) {
@@ -73,7 +79,7 @@ pub fn ui<const D: usize>(
         Some(&(_, node, fate)) => {
             let text = fate_sentence(tree, node, fate, Naming::ByIndex, language);
             let width = ui.available_width();
-            ui.add(Label::new(rich_job(&text, look, 14.0, width)));
+            rich_label(ui, look, &text, 14.0, width);
         }
         None => caption(ui, look, look.text("why-not-all")),
     }

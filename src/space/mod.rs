@@ -15,7 +15,8 @@ use octoscope_core::paper::erratum_of;
 use octoscope_core::trace::Moment;
 use octoscope_core::tree::NodeId;
 use octoscope_figure::{
-    Camera, Mark, Page, Role as MarkRole, Shape, axes, content, leaves, marks, space_figure,
+    Camera, DiagramOf, Mark, Page, Role as MarkRole, Shape, axes, content, leaves, marks,
+    space_figure,
 };
 pub use paint::figure as paint_figure;
 
@@ -81,7 +82,10 @@ pub fn ui<const D: usize>(ui: &mut Ui, look: &Look, space: Space<'_, D>) {
     let figure = space_figure(&painted, &camera, frame.page);
     paint::figure(&painter, look, view.theme, frame, &figure);
     gesture::paint_region_being_drawn(ui, &painter, look, &response);
-    hover::labels(ui, look, (rect, frame), &tree, hovered, under.as_ref());
+    let (ray, query) = (&document.scenario.ray, &document.trace.query);
+    let of = DiagramOf { tree: &tree, ray, query, moment, event };
+    let why = hovered.and_then(|node| hover::why(&of, node, view.language));
+    hover::labels(ui, look, (rect, frame), &tree, hovered, under.as_ref(), why.as_ref());
 }
 
 /// What would be right, where a misprint is followed and the panel about it has

@@ -17,5 +17,5 @@ pub use heading::heading;
 pub use lit::{Lit, caption, lit, per_axis};
 pub use number_field::number_field;
 pub use panel_heading::{Place, panel_heading};
-pub use rich::rich_job;
+pub use rich::{rich_job, rich_label};
 pub use segments::segments;

@@ -56,7 +56,14 @@ fn room(scene: &str, language: Language) -> f32 {
 
 #[test]
 fn at_1280_by_800_nothing_scrolls() {
-    let presets = [Preset::Bits, Preset::Rail, Preset::Automaton, Preset::Debug, Preset::Compare];
+    let presets = [
+        Preset::Bits,
+        Preset::Rail,
+        Preset::Automaton,
+        Preset::Debug,
+        Preset::Compare,
+        Preset::Tree,
+    ];
     for (scene, language) in
         SCENES.into_iter().flat_map(|scene| Language::ALL.map(|language| (scene, language)))
     {

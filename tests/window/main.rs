@@ -14,3 +14,4 @@ mod pictures;
 mod queries;
 mod ray;
 mod steps;
+mod tree;

@@ -394,3 +394,44 @@ fn the_tables_of_all_directions() {
         desk.run();
     });
 }
+
+#[test]
+fn the_preset_of_the_tree() {
+    compare("preset-tree", |desk| {
+        desk.open_scenario(&plane("quadtree-82", |_| ()));
+        desk.state_mut().view.preset = Preset::Tree;
+        desk.go_to(&At::Nth(5, "Step"));
+    });
+}
+
+#[test]
+fn the_tree_in_space_in_dark_colours_and_german() {
+    compare("tree-space-german-dark", |desk| {
+        desk.open_scenario(&built_in("points-3d").unwrap());
+        desk.state_mut().view.theme = Theme::Dark;
+        desk.state_mut().view.language = Language::German;
+        desk.state_mut().view.preset = Preset::Tree;
+        desk.go_to(&At::Nth(9, "Step"));
+    });
+}
+
+#[test]
+fn a_child_that_is_ruled_out_tells_why() {
+    compare("hover-why-not", |desk| {
+        desk.open_scenario(&plane("quadtree-82", |_| ()));
+        desk.state_mut().view.preset = Preset::Tree;
+        desk.go_to(&At::Nth(17, "First"));
+        desk.hover_at(desk.place([0.55, 0.87]));
+        desk.run();
+    });
+}
+
+#[test]
+fn the_tree_in_a_small_window_with_the_largest_type() {
+    compare_sized("small-large-type-tree", [1024.0, 768.0], |desk| {
+        desk.open_scenario(&built_in("points-3d").unwrap());
+        desk.state_mut().view.scale = View::SCALES[1];
+        desk.state_mut().view.preset = Preset::Tree;
+        desk.go_to(&At::Nth(9, "Step"));
+    });
+}

@@ -198,7 +198,8 @@ impl<const D: usize> Drawing<'_, D> {
             (Some(_), _) if !self.is_unfolded(n) => Some(visited),
             (_, Some(above)) => Some(Role::Ancestor { above }),
             (Some(_), None) => None,
-            (None, None) => state.is_rejected.then_some(Role::Rejected),
+            // Of the smallest forms too little would be left by the dashes.
+            (None, None) => (state.is_rejected && self.is_folded(n)).then_some(Role::Rejected),
         }
     }
 

@@ -109,6 +109,8 @@ const MARGIN: [f64; 3] = [14.0, 22.0, 6.0];
 /// Less than this, across and down, is not readable: what has no room even so
 /// is cut off by the page.
 const LEAST_SCALE: [f64; 2] = [0.72, 0.64];
+/// More than this would take nodes apart that belong together.
+const LARGEST_SCALE: [f64; 2] = [1.0, 1.3];
 
 /// Diagram on `page`; the nodes `unfolded` show their children wherever they are,
 /// and the node under the pointer, or what it lies in, is lit. O(path).
@@ -129,8 +131,9 @@ pub fn tree_diagram<const D: usize>(
     let sides = width(&items);
     let depth = items.iter().map(|item| item.depth).max().unwrap_or(0) as f64;
     let extent = [sides[1] - sides[0], (depth * LEVEL).max(1.0)];
-    let scale: [f64; 2] =
-        std::array::from_fn(|e| lens.zoom * (area[e] / extent[e]).clamp(LEAST_SCALE[e], 1.0));
+    let scale: [f64; 2] = std::array::from_fn(|e| {
+        lens.zoom * (area[e] / extent[e]).clamp(LEAST_SCALE[e], LARGEST_SCALE[e])
+    });
     let focus = states.focus.map_or([0.0; 2], |n| [items[n].x, items[n].depth as f64 * LEVEL]);
     let ends = [sides, [0.0, depth * LEVEL]];
     let centre = lens.centre.unwrap_or_else(|| {
