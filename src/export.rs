@@ -3,10 +3,11 @@
 use crate::document::{AnyDocument, Document};
 use crate::files;
 use crate::space::interesting;
-use crate::view::View;
+use crate::view::{Exported, View};
 use anyhow::bail;
 use octoscope_core::scenario::AnyScenario;
 use octoscope_core::scene::Content;
+use octoscope_core::tree::NodeId;
 use octoscope_figure::{
     Background, Camera, Diagram, DiagramLens, DiagramOf, Figure, Mark, Page, Role, Shape, Show,
     SvgOptions, Theme, axes, content, leaves, marks, png, space_figure, svg, svg_scaled,
@@ -41,6 +42,9 @@ impl Format {
     }
 }
 
+/// Page of figures of which no size is asked for.
+pub const PAGE: Page = Page { width: 960.0, height: 720.0 };
+
 /// Room around a figure that is cropped, in page units.
 pub const MARGIN: f64 = 6.0;
 
@@ -71,8 +75,14 @@ pub fn space<const D: usize>(
     space_figure(&all, &camera, page)
 }
 
-/// Diagram of the tree of `document` after `step` events, fitted to `page`.
-pub fn tree<const D: usize>(document: &Document<D>, page: Page, step: usize) -> Diagram {
+/// Diagram of the tree of `document` after `step` events, fitted to `page`; the
+/// nodes `unfolded` show their children wherever they are.
+pub fn tree<const D: usize>(
+    document: &Document<D>,
+    unfolded: &[NodeId],
+    page: Page,
+    step: usize,
+) -> Diagram {
     let moment = document.moment(step);
     let of = DiagramOf {
         tree: &document.tree,
@@ -81,7 +91,18 @@ pub fn tree<const D: usize>(document: &Document<D>, page: Page, step: usize) -> 
         moment: &moment,
         event: step.checked_sub(1).and_then(|index| document.trace.events.get(index)),
     };
-    tree_diagram(&of, &[], None, page, DiagramLens::default())
+    tree_diagram(&of, unfolded, None, page, DiagramLens::default())
+}
+
+/// The same on a page that is no wider than what is drawn.
+pub fn whole_tree<const D: usize>(
+    document: &Document<D>,
+    unfolded: &[NodeId],
+    step: usize,
+) -> Figure {
+    let diagram = tree(document, unfolded, PAGE, step);
+    let width = diagram.natural.width.min(PAGE.width);
+    tree(document, unfolded, Page { width, ..PAGE }, step).figure
 }
 
 /// Leaves of a picture in their mean colours.
@@ -163,18 +184,17 @@ pub fn bytes(figure: &Figure, style: Style, scenario: &AnyScenario) -> anyhow::R
     })
 }
 
-/// Writes the space view as the window shows it to `path`, whose ending tells
-/// the format.
+/// Writes the view that is to be exported, as the window shows it, to `path`, whose
+/// ending tells the format.
 ///
 /// # Errors
 /// Refuses endings without a format; says why the file cannot be written.
-pub fn space_view(
+pub fn shown_view(
     document: &AnyDocument,
     scenario: &AnyScenario,
     view: &View,
     path: &Path,
 ) -> anyhow::Result<()> {
-    const PAGE: Page = Page { width: 960.0, height: 720.0 };
     let ending = path.extension().unwrap_or_default().to_string_lossy().into_owned();
     let Some(format) = Format::of_ending(&ending) else {
         bail!(
@@ -184,12 +204,8 @@ pub fn space_view(
     };
     let step = view.playback.step;
     let figure = match document {
-        AnyDocument::Plane(document) => {
-            space(document, view.camera(), PAGE, &view.plane_show, step)
-        }
-        AnyDocument::Space(document) => {
-            space(document, view.camera(), PAGE, &view.space_show, step)
-        }
+        AnyDocument::Plane(document) => figure_of(document, view, step),
+        AnyDocument::Space(document) => figure_of(document, view, step),
     };
     let scale = match format {
         Format::Svg => 1.0,
@@ -197,4 +213,11 @@ pub fn space_view(
     };
     let style = Style { format, theme: view.theme, scale, title: "Octoscope" };
     files::write(path, &bytes(&figure.cropped(MARGIN), style, scenario)?)
+}
+
+fn figure_of<const D: usize>(document: &Document<D>, view: &View, step: usize) -> Figure {
+    match view.exported {
+        Exported::Space => space(document, view.camera(), PAGE, view.show::<D>(), step),
+        Exported::Tree => whole_tree(document, view.tree.unfolded(&document.tree), step),
+    }
 }

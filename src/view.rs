@@ -53,6 +53,19 @@ pub struct View {
     /// The window that lies over everything else.
     #[serde(skip)]
     pub dialog: Option<Dialog>,
+    /// What is exported.
+    #[serde(skip)]
+    pub exported: Exported,
+}
+
+/// View that can be exported.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Exported {
+    /// The tree in space, or in the plane.
+    #[default]
+    Space,
+    /// The tree as a diagram.
+    Tree,
 }
 
 /// The node under the pointer: every view lights it, and the one that is pointed
@@ -426,6 +439,7 @@ impl Default for View {
             tree: TreeView::default(),
             blank: false,
             dialog: None,
+            exported: Exported::default(),
         }
     }
 }

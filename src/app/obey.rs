@@ -267,7 +267,7 @@ impl App {
     }
 
     fn export_to(&mut self, path: &Path) {
-        match export::space_view(&self.document, &self.scenario_now(), &self.view, path) {
+        match export::shown_view(&self.document, &self.scenario_now(), &self.view, path) {
             Ok(()) => {
                 let name = file_name(path);
                 self.status = self.look.texts.format("status-exported", &[("name", name.into())]);

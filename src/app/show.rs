@@ -5,6 +5,7 @@ use crate::command::Command;
 use crate::panels::menu::Entry;
 use crate::panels::{dialogs, menu, sentence, timeline};
 use crate::sidebar::{self, Wish};
+use crate::view::View;
 use crate::with_document;
 use eframe::egui::{Frame, Margin, Panel, Ui, vec2};
 use octoscope_core::explain::{sentence as sentence_of, short_title};
@@ -67,7 +68,8 @@ impl App {
         {
             job.progress.cancel();
         }
-        let answer = dialogs::ui(&context, &self.look, &mut self.view.dialog, commands);
+        let View { dialog, exported, .. } = &mut self.view;
+        let answer = dialogs::ui(&context, &self.look, dialog, exported, commands);
         match answer {
             None => {}
             Some(dialogs::Answer::Export(format)) => self.chosen.ask_export(&context, format),

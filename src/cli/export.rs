@@ -4,7 +4,7 @@ use super::ray::RayChoice;
 use super::values::{Numbers, language};
 use super::{Answer, tell};
 use crate::document::Document;
-use crate::export::{Format, MARGIN, Style, bytes, left_out, space, tree};
+use crate::export::{Format, MARGIN, PAGE, Style, bytes, left_out, space, tree, whole_tree};
 use crate::files::Output;
 use crate::open::open;
 use crate::space::interesting;
@@ -243,7 +243,6 @@ fn left_out_of<const D: usize>(document: &Document<D>) -> Option<String> {
 }
 
 fn figure<const D: usize>(document: &Document<D>, arguments: &Export, step: usize) -> Figure {
-    const PAGE: Page = Page { width: 960.0, height: 720.0 };
     let page = arguments
         .size
         .map_or(PAGE, |size| Page { width: f64::from(size.width), height: f64::from(size.height) });
@@ -252,17 +251,8 @@ fn figure<const D: usize>(document: &Document<D>, arguments: &Export, step: usiz
             let camera = arguments.camera.map(|eye| eye.camera(document, page));
             space(document, camera, page, &Show::at_first::<D>(), step)
         }
-        View::Tree => {
-            let diagram = tree(document, page, step);
-            // A diagram that is smaller than the page begins at its left edge.
-            let fits = diagram.natural.width < page.width;
-            let fitted = if fits { Page { width: diagram.natural.width, ..page } } else { page };
-            if arguments.size.is_some() {
-                diagram.figure
-            } else {
-                tree(document, fitted, step).figure
-            }
-        }
+        View::Tree if arguments.size.is_some() => tree(document, &[], page, step).figure,
+        View::Tree => whole_tree(document, &[], step),
     };
     if arguments.size.is_some() { figure } else { figure.cropped(MARGIN) }
 }

@@ -2,7 +2,8 @@
 
 use crate::command::{COMMANDS, Command, Menu};
 use crate::look::Look;
-use crate::view::Dialog;
+use crate::view::{Dialog, Exported};
+use crate::widgets::segments;
 use eframe::egui::{
     Align2, Area, Context, Frame, Grid, Id, Key, Label, Modal, Order, ProgressBar, RichText,
     ScrollArea, Spinner, Ui, vec2,
@@ -24,6 +25,7 @@ pub fn ui(
     context: &Context,
     look: &Look,
     dialog: &mut Option<Dialog>,
+    exported: &mut Exported,
     commands: &mut Vec<Command>,
 ) -> Option<Answer> {
     let shown = dialog.as_mut()?;
@@ -44,6 +46,9 @@ pub fn ui(
             Dialog::Export => {
                 title(ui, &look.text("dialog-export"));
                 ui.label(look.text("dialog-export-text"));
+                let views = [(Exported::Space, "space-name"), (Exported::Tree, "tree-name")];
+                segments(ui, exported, &views.map(|(view, key)| (view, look.text(key))));
+                ui.add_space(4.0);
                 ui.horizontal(|ui| {
                     for (key, ending) in
                         [("dialog-export-svg", "svg"), ("dialog-export-png", "png")]

@@ -24,6 +24,8 @@ const GAP: f32 = 24.0;
 const TREE: f32 = 286.0;
 /// Its height beside other panels.
 const SMALL_TREE: f32 = 236.0;
+/// Its height in the lowest windows.
+const LEAST_TREE: f32 = 170.0;
 
 /// The panels from top to bottom; where there is room in two columns, in turn
 /// to the left and to the right.
@@ -165,7 +167,9 @@ fn body<const D: usize>(
         PanelKind::Tree => {
             let of = diagram_of(document, moment);
             let (theme, language) = (view.theme, view.language);
-            let height = if view.preset == Preset::Tree { TREE } else { SMALL_TREE };
+            let wanted = if view.preset == Preset::Tree { TREE } else { SMALL_TREE };
+            // In a low window all of it is seen at once.
+            let height = wanted.min((ui.clip_rect().height() - 56.0).max(LEAST_TREE));
             let shown = tree::Shown { of, trace: &trace, theme, language, height };
             let step = tree::ui(ui, look, &shown, &mut view.tree, &mut view.hover);
             return step.map(Wish::Step);

@@ -421,7 +421,7 @@ fn a_child_that_is_ruled_out_tells_why() {
         desk.open_scenario(&plane("quadtree-82", |_| ()));
         desk.state_mut().view.preset = Preset::Tree;
         desk.go_to(&At::Nth(17, "First"));
-        desk.hover_at(desk.place([0.55, 0.87]));
+        desk.hover_at(desk.place([0.8, 0.55]));
         desk.run();
     });
 }

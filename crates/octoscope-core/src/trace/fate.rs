@@ -122,11 +122,16 @@ pub fn fate<const D: usize>(
     moment: &Moment<D>,
     node: NodeId,
 ) -> Option<Fate> {
-    let is_in = |inner: NodeId| tree.holds(node, inner);
+    let (level, code) = (tree.level(node), tree.code(node));
+    let is_in = |inner: NodeId| {
+        let other = tree.code(inner);
+        tree.level(inner) <= level && (0..D).all(|e| other[e] >> level == code[e] >> level)
+    };
     let entered = moment.end.is_none() && moment.current.is_some_and(is_in);
     match query {
         Query::Ray { options, .. } => {
-            let visited = moment.leaves.iter().any(|leaf| is_in(leaf.node));
+            // The last ones most often.
+            let visited = moment.leaves.iter().rev().any(|leaf| is_in(leaf.node));
             let interval = match met(tree, ray, options.segment_end, node) {
                 Ok(interval) => interval,
                 Err(reason) if visited => return Some(Fate::Strayed(reason)),

@@ -221,7 +221,9 @@ impl<const D: usize> Drawing<'_, D> {
             } else {
                 Role::Branch
             };
-            push([x, y - node.half - 0.5 * NUMBER], child.0.to_string(), role);
+            // The line around the current node is thick.
+            let line = if state.above_current == Some(0) { 1.5 } else { 0.0 };
+            push([x, y - node.half - line - 0.5 * NUMBER], child.0.to_string(), role);
         }
         match (node.kind, state.visited) {
             (NodeKind::Leaf, Some([_, number])) => {
@@ -234,19 +236,33 @@ impl<const D: usize> Drawing<'_, D> {
             (NodeKind::Folded { .. }, Some([first, last])) => {
                 let text =
                     if first == last { first.to_string() } else { format!("{first}–{last}") };
-                self.write_below(figure, node, text, Role::OrderNumber);
+                self.write_below(figure, (n, node), text, Role::OrderNumber);
             }
             (NodeKind::Folded { n_leaves }, None) => {
-                self.write_below(figure, node, short(n_leaves), Role::Branch);
+                self.write_below(figure, (n, node), short(n_leaves), Role::Branch);
             }
             (NodeKind::Leaf | NodeKind::Unfolded, _) => {}
         }
     }
 
     /// Writes below a node, if its neighbours leave room for that.
-    fn write_below(&self, figure: &mut Figure, node: &DiagramNode, text: String, role: Role) {
+    fn write_below(
+        &self,
+        figure: &mut Figure,
+        (n, node): (usize, &DiagramNode),
+        text: String,
+        role: Role,
+    ) {
         let [wide, high] = text_reach(role, &text);
-        if 2.0 * wide > self.spacing + 4.0 {
+        let is_beside = |&other: &usize| {
+            let apart = (self.placed[other][0] - node.at[0]).abs();
+            other != n
+                && self.items[other].depth == self.items[n].depth
+                && apart < 1.5 * self.spacing
+        };
+        let beside = (0..self.items.len()).filter(is_beside).any(|other| self.is_folded(other));
+        let room = if beside { self.spacing + 4.0 } else { 2.0 * self.spacing };
+        if 2.0 * wide > room {
             return;
         }
         let at = [node.at[0], node.at[1] + node.half + high + 2.0];

@@ -32,7 +32,7 @@ pub(super) struct State {
     pub is_touched: bool,
 }
 
-/// States of the items of a layout. O(visited leaves · levels).
+/// States of the items of a layout. O(visited leaves + items · levels).
 pub(super) fn states<const D: usize>(of: &DiagramOf<D>, items: &[Item]) -> States {
     let DiagramOf { tree, ray, query, moment, .. } = *of;
     let index: HashMap<NodeId, usize> =
@@ -45,15 +45,20 @@ pub(super) fn states<const D: usize>(of: &DiagramOf<D>, items: &[Item]) -> State
 
     // Leaves on the ray, and everything above them.
     let root = of.root_interval();
+    let mut last: Option<usize> = None;
     for (n, leaf) in moment.leaves.iter().enumerate() {
-        let number = n + 1;
-        let share = ((leaf.enter - root[0]) / (root[1] - root[0])).clamp(0.0, 1.0);
-        let mut next = drawn(leaf.node);
-        while let Some(item) = next {
-            let state = &mut states[item];
-            let first = state.visited.map_or(number, |[first, _]| first);
-            (state.visited, state.share) = (Some([first, number]), share);
-            next = items[item].parent;
+        // Leaves that follow one another often lie in the same folded node.
+        let same = last.filter(|&item| tree.holds(items[item].node.id, leaf.node));
+        last = same.or_else(|| drawn(leaf.node));
+        if let Some(item) = last {
+            let share = ((leaf.enter - root[0]) / (root[1] - root[0])).clamp(0.0, 1.0);
+            states[item].visit([n + 1; 2], share);
+        }
+    }
+    for n in (1..items.len()).rev() {
+        if let (Some(parent), Some(numbers)) = (items[n].parent, states[n].visited) {
+            let share = states[n].share;
+            states[parent].visit(numbers, share);
         }
     }
     for &(node, _) in &moment.touches {
@@ -100,6 +105,16 @@ pub(super) fn states<const D: usize>(of: &DiagramOf<D>, items: &[Item]) -> State
 }
 
 impl State {
+    /// Visited leaves with these numbers lie in it, the last of which begins at
+    /// `share` of the way.
+    fn visit(&mut self, [first, last]: [usize; 2], share: f64) {
+        let [least, most] = self.visited.unwrap_or([first, 0]);
+        if last > most {
+            self.share = share;
+        }
+        self.visited = Some([least.min(first), most.max(last)]);
+    }
+
     /// Whether the algorithm is or was in it.
     pub fn is_lit(&self) -> bool {
         self.visited.is_some() || self.above_current.is_some()
