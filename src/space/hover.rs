@@ -31,7 +31,10 @@ pub fn why<const D: usize>(of: &DiagramOf<D>, node: NodeId, language: Language) 
         Fate::Visited(_) | Fate::Entered(_) | Fate::Ahead(_) => return None,
     }
     let parent = tree.parent(decided);
-    let is_in_question = moment.end.is_none() && parent.is_some() && parent == moment.at_work(tree);
+    let is_in_question = moment.current.is_some()
+        && moment.end.is_none()
+        && parent.is_some()
+        && parent == moment.at_work(tree);
     let naming = if is_in_question { Naming::ByIndex } else { Naming::ByCode };
     Some(Why { text: fate_sentence(tree, decided, fate, naming, language), is_in_question })
 }

@@ -22,8 +22,12 @@ pub(super) struct Drawing<'a, const D: usize> {
     pub gutter: f64,
 }
 
+/// Share of a visited leaf that the disc for its number takes.
+const DISC: f64 = 0.9;
 /// Room above a node for its number.
 const NUMBER: f64 = 13.0;
+/// Distance of levels below which there is no room for a line below a node.
+const ROOM_BELOW: f64 = 42.0;
 /// More than this beyond the page is not drawn.
 const BEYOND: f64 = 40.0;
 
@@ -170,7 +174,7 @@ impl<const D: usize> Drawing<'_, D> {
             push(Form::Circle { centre: node.at, radius: 0.5 * half }, Role::Content);
         }
         if state.visited.is_some() && !self.is_unfolded(n) && item.node.is_leaf() {
-            let disc = Form::Circle { centre: node.at, radius: 0.84 * half };
+            let disc = Form::Circle { centre: node.at, radius: DISC * half };
             push(disc, Role::OrderNumber);
         }
         if state.is_touched {
@@ -229,45 +233,49 @@ impl<const D: usize> Drawing<'_, D> {
             (NodeKind::Leaf, Some([_, number])) => {
                 let text = number.to_string();
                 let wide = text_reach(Role::OrderNumber, &text)[0];
-                if wide <= 0.84 * node.half + 2.0 {
+                if wide <= DISC * node.half + 1.0 {
                     push(node.at, text, Role::OrderNumber);
                 }
             }
-            (NodeKind::Folded { .. }, Some([first, last])) => {
-                let text =
-                    if first == last { first.to_string() } else { format!("{first}–{last}") };
-                self.write_below(figure, (n, node), text, Role::OrderNumber);
-            }
-            (NodeKind::Folded { n_leaves }, None) => {
-                self.write_below(figure, (n, node), short(n_leaves), Role::Branch);
-            }
+            (NodeKind::Folded { .. }, _) => self.write_below(figure, n, node),
             (NodeKind::Leaf | NodeKind::Unfolded, _) => {}
         }
     }
 
-    /// Writes below a node, if its neighbours leave room for that.
-    fn write_below(
-        &self,
-        figure: &mut Figure,
-        (n, node): (usize, &DiagramNode),
-        text: String,
-        role: Role,
-    ) {
-        let [wide, high] = text_reach(role, &text);
-        let is_beside = |&other: &usize| {
-            let apart = (self.placed[other][0] - node.at[0]).abs();
-            other != n
-                && self.items[other].depth == self.items[n].depth
-                && apart < 1.5 * self.spacing
-        };
-        let beside = (0..self.items.len()).filter(is_beside).any(|other| self.is_folded(other));
-        let room = if beside { self.spacing + 4.0 } else { 2.0 * self.spacing };
-        if 2.0 * wide > room {
+    /// What is written below a folded node: the numbers of its visited leaves, or
+    /// how many leaves it has.
+    fn text_below(&self, n: usize) -> (String, Role) {
+        match self.state(n).visited {
+            Some([first, last]) if first == last => (first.to_string(), Role::OrderNumber),
+            Some([first, last]) => (format!("{first}–{last}"), Role::OrderNumber),
+            None => (short(self.of.tree.n_leaves_in(self.items[n].node.id)), Role::Branch),
+        }
+    }
+
+    /// Writes below a folded node; every other one lower, where they have no room
+    /// beside each other.
+    fn write_below(&self, figure: &mut Figure, n: usize, node: &DiagramNode) {
+        const LINE: f64 = 10.0;
+        if self.levels < ROOM_BELOW {
             return;
         }
-        let at = [node.at[0], node.at[1] + node.half + high + 2.0];
+        let (text, role) = self.text_below(n);
+        let [wide, high] = text_reach(role, &text);
+        let is_in_the_way = |&other: &usize| {
+            let apart = (self.placed[other][0] - node.at[0]).abs();
+            let same = self.items[other].depth == self.items[n].depth;
+            if other == n || !same || !self.is_folded(other) || apart > 2.0 * self.spacing {
+                return false;
+            }
+            let (text, role) = self.text_below(other);
+            apart < wide + text_reach(role, &text)[0] + 3.0
+        };
+        let is_tight = (0..self.items.len()).any(|other| is_in_the_way(&other));
+        let is_odd = self.of.tree.child_index(node.node).is_some_and(|child| child.0 % 2 == 1);
+        let lower = if is_tight && is_odd { LINE } else { 0.0 };
+        let at = [node.at[0], node.at[1] + node.half + high + 1.5 + lower];
         let [left, right] = [at[0] - wide, at[0] + wide];
-        let [above, below] = [at[1] - high, at[1] + high];
+        let [above, below] = [at[1] - high + 1.0, at[1] + high - 1.0];
         let behind = vec![[left, above], [right, above], [right, below], [left, below]];
         figure.drawn.push(ground(Form::Polygon(behind), node.node));
         figure.drawn.push(drawn(Form::Text { at, text }, role, node.node));
