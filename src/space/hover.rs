@@ -1,43 +1,13 @@
 //! What the view tells of the cell under the pointer: its outline, its level
-//! and codes, why it is not visited, and what a click there asks for.
+//! and codes, and what a click there asks for.
 
 use super::PageInWindow;
 use super::gesture::{Click, Under};
 use crate::look::Look;
-use crate::widgets::rich_job;
-use eframe::egui::{
-    Align2, FontId, Label, Pos2, Rect, RichText, TextStyle, TextWrapMode, Ui, WidgetText, vec2,
-};
-use octoscope_core::explain::{Naming, RichText as Coloured, fate_sentence};
+use eframe::egui::{Align2, FontId, Label, Pos2, Rect, RichText, Ui, vec2};
 use octoscope_core::locate::Direction;
-use octoscope_core::text::Language;
-use octoscope_core::trace::{Fate, deciding_fate};
 use octoscope_core::tree::{NodeId, Tree};
-use octoscope_figure::{DiagramOf, Mark, Role, Shape};
-
-/// Why a node is not visited.
-pub struct Why {
-    text: Coloured,
-    /// Whether it is a child of the node at work that is ruled out.
-    is_in_question: bool,
-}
-
-/// What rules out a node, or a node that it lies in.
-pub fn why<const D: usize>(of: &DiagramOf<D>, node: NodeId, language: Language) -> Option<Why> {
-    let DiagramOf { tree, ray, query, moment, .. } = *of;
-    let (decided, fate) = deciding_fate(tree, ray, query, moment, node)?;
-    match fate {
-        Fate::RuledOut(_) | Fate::Strayed(_) | Fate::PassedBy(_) => {}
-        Fate::Visited(_) | Fate::Entered(_) | Fate::Ahead(_) => return None,
-    }
-    let parent = tree.parent(decided);
-    let is_in_question = moment.current.is_some()
-        && moment.end.is_none()
-        && parent.is_some()
-        && parent == moment.at_work(tree);
-    let naming = if is_in_question { Naming::ByIndex } else { Naming::ByCode };
-    Some(Why { text: fate_sentence(tree, decided, fate, naming, language), is_in_question })
-}
+use octoscope_figure::{Mark, Role, Shape};
 
 /// Marks of a hovered node, and of the side of it that a click would cross.
 pub fn marks<const D: usize>(
@@ -69,9 +39,8 @@ fn side_mark<const D: usize>(
     Some(Mark::new(Shape::Plane { axis, bounds }, Role::HoverSide).of_node(leaf))
 }
 
-/// Writes level and codes of a node into the corner of the view, and beside the
-/// pointer what a click does. Why the node is not visited stands beside the
-/// pointer as well if that is decided now, else in the corner.
+/// Writes level and codes of a node into the corner of the view, and beside
+/// the pointer what a click does.
 pub fn labels<const D: usize>(
     ui: &mut Ui,
     look: &Look,
@@ -79,59 +48,27 @@ pub fn labels<const D: usize>(
     tree: &Tree<D>,
     hovered: Option<NodeId>,
     under: Option<&Under<D>>,
-    why: Option<&Why>,
 ) {
     let Some(node) = hovered else { return };
     let codes = tree.code(node).map(|code| code.to_string()).join(", ");
     let arguments = [("level", tree.level(node).into()), ("codes", codes.into())];
     let note = look.texts.format("node-note", &arguments);
-    let quiet = |text: String| {
-        let text = RichText::new(text).font(FontId::proportional(13.0));
-        text.color(look.palette.quiet).into()
-    };
-    let corner = rect.left_bottom() + vec2(10.0, -10.0);
-    let whole = rect.width() - 32.0;
-    let ground = label(ui, look, (rect, whole), corner, Align2::LEFT_BOTTOM, quiet(note));
-    let mut beside = under.map(|under| frame.on_screen(under.at) + vec2(14.0, 18.0));
-    if let Some(Why { text, is_in_question }) = why {
-        let place = beside.filter(|_| *is_in_question);
-        let job = rich_job(text, look, 14.0, whole).into();
-        match place {
-            Some(at) => {
-                let card = label(ui, look, (rect, CARD.min(whole)), at, Align2::LEFT_TOP, job);
-                beside = Some(card.left_bottom() + vec2(0.0, 4.0));
-            }
-            None => {
-                let above = ground.left_top() + vec2(0.0, -4.0);
-                label(ui, look, (rect, whole), above, Align2::LEFT_BOTTOM, job);
-            }
-        }
-    }
-    if let (Some(at), Some(Click::Neighbour(_))) = (beside, under.and_then(|under| under.click)) {
-        let hint = quiet(look.text("space-click-neighbour"));
-        label(ui, look, (rect, whole), at, Align2::LEFT_TOP, hint);
+    label(ui, look, rect, rect.left_bottom() + vec2(10.0, -10.0), Align2::LEFT_BOTTOM, note);
+    if let Some(Under { at, click: Some(Click::Neighbour(_)), .. }) = under {
+        let hint = look.text("space-click-neighbour");
+        label(ui, look, rect, frame.on_screen(*at) + vec2(14.0, 18.0), Align2::LEFT_TOP, hint);
     }
 }
 
-/// Width of a text beside the pointer, in points.
-const CARD: f32 = 290.0;
-
-/// A text of `most` points on its own ground, within `rect`. Returns the ground.
-fn label(
-    ui: &mut Ui,
-    look: &Look,
-    (rect, most): (Rect, f32),
-    at: Pos2,
-    anchor: Align2,
-    text: WidgetText,
-) -> Rect {
-    let wrap = Some(TextWrapMode::Wrap);
-    let galley = text.into_galley(ui, wrap, most, TextStyle::Body);
-    let size = galley.size();
+/// A line of quiet text on its own ground, within `rect`.
+fn label(ui: &mut Ui, look: &Look, rect: Rect, at: Pos2, anchor: Align2, text: String) {
+    let font = FontId::proportional(13.0);
+    let color = look.palette.quiet;
+    let size = ui.painter().layout_no_wrap(text.clone(), font.clone(), color).size();
     let ground = anchor.anchor_size(at, size + vec2(12.0, 6.0));
     let overhang = (ground.max - rect.shrink(8.0).max).max(vec2(0.0, 0.0));
     let ground = ground.translate(-overhang);
     ui.painter().rect_filled(ground, 4.0, look.palette.panel);
-    ui.put(ground, Label::new(galley).selectable(false));
-    ground
+    let text = RichText::new(text).font(font).color(color);
+    ui.put(ground, Label::new(text).selectable(false));
 }

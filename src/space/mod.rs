@@ -4,6 +4,7 @@ mod base;
 mod gesture;
 mod hover;
 mod paint;
+mod why;
 
 use crate::document::Document;
 use crate::look::Look;
@@ -84,8 +85,10 @@ pub fn ui<const D: usize>(ui: &mut Ui, look: &Look, space: Space<'_, D>) {
     gesture::paint_region_being_drawn(ui, &painter, look, &response);
     let (ray, query) = (&document.scenario.ray, &document.trace.query);
     let of = DiagramOf { tree: &tree, ray, query, moment, event };
-    let why = hovered.and_then(|node| hover::why(&of, node, view.language));
-    hover::labels(ui, look, (rect, frame), &tree, hovered, under.as_ref(), why.as_ref());
+    if let Some(why) = hovered.and_then(|node| why::why(&of, node, view.language)) {
+        why::label(ui, look, (rect, frame), &why, under.as_ref());
+    }
+    hover::labels(ui, look, (rect, frame), &tree, hovered, under.as_ref());
 }
 
 /// What would be right, where a misprint is followed and the panel about it has
