@@ -127,7 +127,7 @@ pub fn fate<const D: usize>(
         let other = tree.code(inner);
         tree.level(inner) <= level && (0..D).all(|e| other[e] >> level == code[e] >> level)
     };
-    let entered = moment.end.is_none() && moment.current.is_some_and(is_in);
+    let entered = !is_over(moment) && moment.current.is_some_and(is_in);
     match query {
         Query::Ray { options, .. } => {
             // The last ones most often.
@@ -195,13 +195,29 @@ fn unvisited<const D: usize>(
             (planes(tree, ray, node), planes(tree, ray, leaf.node));
         exit.not_after(enter)
     });
-    match (moment.end, last) {
-        (Some(End::FirstFull), Some(full)) if !beyond => {
-            Fate::RuledOut(Reason::AfterFull { enter: interval[0], full: full.enter })
-        }
-        (Some(_), _) => Fate::PassedBy(interval),
-        (None, _) if beyond => Fate::PassedBy(interval),
-        (None, _) => Fate::Ahead(Some(interval)),
+    let full = last.filter(|_| moment.end == Some(End::FirstFull) && !beyond);
+    if let Some(full) = full {
+        return Fate::RuledOut(Reason::AfterFull { enter: interval[0], full: full.enter });
+    }
+    if beyond || is_over(moment) {
+        return Fate::PassedBy(interval);
+    }
+    Fate::Ahead(Some(interval))
+}
+
+/// Whether the search has come to its end.
+fn is_over<const D: usize>(moment: &Moment<D>) -> bool {
+    match moment.end {
+        Some(
+            End::Missed
+            | End::LeftRoot
+            | End::FirstFull
+            | End::SegmentEnd
+            | End::Looped
+            | End::Found
+            | End::Outside,
+        ) => true,
+        None => false,
     }
 }
 
