@@ -4,7 +4,7 @@
 //! `TEST_GPU=require` does not accept.
 
 use crate::desk::{Desk, sample};
-use eframe::egui::{Key, accesskit::Role};
+use eframe::egui::{Key, accesskit::Role, vec2};
 use eframe::egui_wgpu::WgpuSetup;
 use eframe::wgpu::{Backends, DeviceType};
 use egui_kittest::kittest::Queryable;
@@ -421,7 +421,10 @@ fn a_child_that_is_ruled_out_tells_why() {
         desk.open_scenario(&plane("quadtree-82", |_| ()));
         desk.state_mut().view.preset = Preset::Tree;
         desk.go_to(&At::Nth(17, "First"));
-        desk.hover_at(desk.place([0.8, 0.55]));
+        let place = desk.place([0.8, 0.55]);
+        desk.hover_at(place - vec2(3.0, 3.0));
+        desk.step();
+        desk.hover_at(place);
         desk.run();
     });
 }

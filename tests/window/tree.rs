@@ -1,7 +1,7 @@
 //! The diagram of the tree, linked with the picture, and why children are left out.
 
 use crate::desk::{Desk, spoken};
-use eframe::egui::{Key, Modifiers, Pos2, accesskit::Role};
+use eframe::egui::{Key, Modifiers, Pos2, accesskit::Role, vec2};
 use egui_kittest::kittest::{NodeT, Queryable};
 use octoscope::export::shown_view;
 use octoscope::view::Exported;
@@ -23,6 +23,14 @@ impl Desk {
     fn node(&self, name: &str) -> Pos2 {
         let found = self.diagram().into_iter().find(|(other, _)| other.starts_with(name));
         found.unwrap_or_else(|| panic!("{name}: {:?}", self.diagram())).1
+    }
+
+    /// Moves the pointer to a place in the picture, over which it is already.
+    fn move_to(&mut self, place: Pos2) {
+        self.hover_at(place + vec2(3.0, 3.0));
+        self.step();
+        self.hover_at(place);
+        self.run();
     }
 
     fn lit(&self) -> Option<NodeId> {
@@ -70,8 +78,7 @@ fn a_node_pointed_at_in_the_diagram_is_lit_in_the_picture_and_the_other_way_roun
     assert!(desk.says("level 2, codes 0, 8"), "the corner of the picture names it");
 
     let in_picture = desk.place([0.1, 0.2]);
-    desk.hover_at(in_picture);
-    desk.run();
+    desk.move_to(in_picture);
     let lit = desk.lit().unwrap();
     assert_eq!(desk.plane().tree.node_box(lit).max, [0.125, 0.25]);
 }
@@ -145,8 +152,8 @@ fn the_diagram_is_dragged_until_the_next_step() {
     let name = "Child 0, level 4, codes 0, 0";
     let before = desk.node(name);
     let canvas = desk.get_by_role_and_label(Role::Canvas, "Tree view").rect();
-    let empty = canvas.left_bottom() + eframe::egui::vec2(60.0, -30.0);
-    let by = eframe::egui::vec2(40.0, -20.0);
+    let empty = canvas.left_bottom() + vec2(60.0, -30.0);
+    let by = vec2(40.0, -20.0);
     desk.drag([empty, empty + by], Modifiers::NONE);
     let after = desk.node(name);
     assert!((after - before - by).length() < 4.0, "{before} {after}");
@@ -172,12 +179,10 @@ fn the_picture_tells_why_a_child_under_the_pointer_is_left_out() {
     desk.run();
     // Child 1 of the node at work, and a leaf far away.
     let place = desk.place([0.14, 0.36]);
-    desk.hover_at(place);
-    desk.run();
+    desk.move_to(place);
     assert!(desk.says("Child 1 is not met"), "{:?}", desk.texts());
     let place = desk.place([0.7, 0.1]);
-    desk.hover_at(place);
-    desk.run();
+    desk.move_to(place);
     assert!(desk.says("Node (16, 0) of level 4 is not met"), "{:?}", desk.texts());
 }
 
