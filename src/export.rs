@@ -9,10 +9,12 @@ use crate::with_document;
 use anyhow::bail;
 use octoscope_core::scenario::AnyScenario;
 use octoscope_core::scene::Content;
+use octoscope_core::tree::NodeId;
 use octoscope_figure::views::Fields;
 use octoscope_figure::{
-    Background, Camera, Figure, Mark, Page, Role, Shape, Show, SvgOptions, Theme, axes, content,
-    leaves, marks, png, space_figure, svg, svg_scaled,
+    Background, Camera, Diagram, DiagramLens, DiagramOf, Figure, Mark, Page, Role, Shape, Show,
+    SvgOptions, Theme, axes, content, leaves, marks, png, space_figure, svg, svg_scaled,
+    tree_diagram,
 };
 use std::path::Path;
 
@@ -43,6 +45,9 @@ impl Format {
     }
 }
 
+/// Page of figures of which no size is asked for.
+pub const PAGE: Page = Page { width: 960.0, height: 720.0 };
+
 /// Room around a figure that is cropped, in page units.
 pub const MARGIN: f64 = 6.0;
 
@@ -71,6 +76,36 @@ pub fn space<const D: usize>(
     all.extend(marks(&document.tree, &scenario.ray, &scenario.query, &moment, event, show));
     all.sort_by_key(|mark| mark.role.layer());
     space_figure(&all, &camera, page)
+}
+
+/// Diagram of the tree of `document` after `step` events, fitted to `page`; the
+/// nodes `unfolded` show their children wherever they are.
+pub fn tree<const D: usize>(
+    document: &Document<D>,
+    unfolded: &[NodeId],
+    page: Page,
+    step: usize,
+) -> Diagram {
+    let moment = document.moment(step);
+    let of = DiagramOf {
+        tree: &document.tree,
+        ray: &document.scenario.ray,
+        query: &document.scenario.query,
+        moment: &moment,
+        event: step.checked_sub(1).and_then(|index| document.trace.events.get(index)),
+    };
+    tree_diagram(&of, unfolded, None, page, DiagramLens::default())
+}
+
+/// The same on a page that is no wider than what is drawn.
+pub fn whole_tree<const D: usize>(
+    document: &Document<D>,
+    unfolded: &[NodeId],
+    step: usize,
+) -> Figure {
+    let diagram = tree(document, unfolded, PAGE, step);
+    let width = diagram.natural.width.min(PAGE.width);
+    tree(document, unfolded, Page { width, ..PAGE }, step).figure
 }
 
 /// Leaves of a picture in their mean colours.
@@ -182,13 +217,13 @@ pub fn shown_view(
 
 /// Figure of the view that is to be exported.
 fn shown<const D: usize>(document: &Document<D>, view: &View) -> anyhow::Result<Figure> {
-    const PAGE: Page = Page { width: 960.0, height: 720.0 };
     let wanted = Wanted {
         view: view.exported,
         step: view.playback.step,
         moments: Moments::default(),
         exercise: (None, Fields::Empty),
         page: PAGE,
+        unfolded: view.tree.unfolded(&document.tree).to_vec(),
         camera: view.camera(),
         show: *view.show::<D>(),
         language: view.language,

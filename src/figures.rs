@@ -1,12 +1,13 @@
 //! The figure of any view of a document.
 
 use crate::document::Document;
-use crate::export::{MARGIN, space};
+use crate::export::{MARGIN, space, whole_tree};
 use crate::text::texts;
 use octoscope_core::event::Event;
 use octoscope_core::explain::sentence;
 use octoscope_core::query::Query;
 use octoscope_core::text::Language;
+use octoscope_core::tree::NodeId;
 use octoscope_figure::views::{
     Exercise, Fields, FigureView, Layout, Panel, Subject, common_extent, figure, storyboard,
     worksheet,
@@ -26,6 +27,8 @@ pub struct Wanted<const D: usize> {
     pub exercise: (Option<u64>, Fields),
     /// Page of the view in space.
     pub page: Page,
+    /// Nodes of the diagram that show their children wherever they are.
+    pub unfolded: Vec<NodeId>,
     /// Camera of pictures of space; none fits everything.
     pub camera: Option<Camera<D>>,
     /// What such pictures show.
@@ -97,6 +100,7 @@ pub fn figure_of<const D: usize>(
     let Wanted { view, step, page, camera, show, language, .. } = *wanted;
     let figure = match view {
         FigureView::Space => return Ok(space(document, camera, page, &show, step)),
+        FigureView::Tree => whole_tree(document, &wanted.unfolded, step),
         FigureView::Storyboard => story(document, wanted),
         FigureView::Worksheet => exercise(document, wanted)?,
         FigureView::Automaton
@@ -234,6 +238,7 @@ mod tests {
             moments: moments.clone(),
             exercise: (None, Fields::Empty),
             page: Page { width: 960.0, height: 720.0 },
+            unfolded: Vec::new(),
             camera: None,
             show: Show::at_first::<D>(),
             language,

@@ -27,6 +27,7 @@ pub mod space;
 pub mod text;
 pub mod theme;
 pub mod traced;
+pub mod tree_view;
 pub mod view;
 pub mod widgets;
 pub mod window;

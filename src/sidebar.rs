@@ -99,8 +99,17 @@ fn width(preset: Preset, room: f32) -> f32 {
         Preset::Debug if room >= WIDE => 616.0,
         Preset::Lecture => 320.0,
         Preset::Compare if room >= WIDE => 440.0,
-        Preset::Bits | Preset::Rail | Preset::Automaton | Preset::Debug | Preset::Compare => {
-            if room < WIDE { 320.0 } else { 392.0 }
+        Preset::Bits
+        | Preset::Rail
+        | Preset::Automaton
+        | Preset::Debug
+        | Preset::Compare
+        | Preset::Tree => {
+            if room < WIDE {
+                320.0
+            } else {
+                392.0
+            }
         }
     }
 }

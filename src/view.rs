@@ -7,6 +7,7 @@ use crate::arrangement::Arrangement;
 
 use crate::playback::Playback;
 use crate::space::Standpoint;
+use crate::tree_view::TreeView;
 use eframe::egui::{Rect, Vec2};
 use octoscope_core::locate::NeighbourMethod;
 use octoscope_core::paper::erratum_of;
@@ -83,6 +84,9 @@ pub struct View {
     /// The node under the pointer.
     #[serde(skip)]
     pub hover: Hover,
+    /// What is unfolded in the diagram of the tree, and how it is looked at.
+    #[serde(skip)]
+    pub tree: TreeView,
     /// Whether the window is blank.
     #[serde(skip)]
     pub blank: bool,
@@ -116,6 +120,8 @@ pub enum Preset {
     Compare,
     /// Large picture, large sentence, one panel.
     Lecture,
+    /// The tree as a diagram, and what rules children out.
+    Tree,
 }
 
 /// One panel.
@@ -157,11 +163,17 @@ pub enum PanelKind {
     Compare,
     /// Rules as printed against corrected.
     Paper,
+    /// The tree as a diagram.
+    Tree,
+    /// What rules the children of a node out.
+    WhyNot,
 }
 
 impl PanelKind {
     /// All panels, in the order of the menu.
-    pub const ALL: [Self; 18] = [
+    pub const ALL: [Self; 20] = [
+        Self::Tree,
+        Self::WhyNot,
         Self::Rail,
         Self::Automaton,
         Self::Codes,
@@ -203,25 +215,36 @@ impl PanelKind {
             Self::Grid => "panel-grid",
             Self::Compare => "panel-compare",
             Self::Paper => "panel-paper",
+            Self::Tree => "panel-tree",
+            Self::WhyNot => "panel-why-not",
         }
     }
 }
 
 impl Preset {
     /// All presets, in the order of their keys.
-    pub const ALL: [Self; 6] =
-        [Self::Bits, Self::Rail, Self::Automaton, Self::Debug, Self::Compare, Self::Lecture];
+    pub const ALL: [Self; 7] = [
+        Self::Bits,
+        Self::Rail,
+        Self::Automaton,
+        Self::Debug,
+        Self::Compare,
+        Self::Lecture,
+        Self::Tree,
+    ];
 
     /// The panels from top to bottom, for a query: those that have nothing to
     /// say about it give way to the one that explains it.
     pub fn panels<const D: usize>(self, query: &Query<D>) -> Vec<PanelKind> {
         use PanelKind::{
             Automaton, Children, Codes, Compare, Counters, Cuts, Grid, Halves, Links, Listing,
-            Neighbour, Paper, Rail, Region, Stack, Tables, Variables, WayDown,
+            Neighbour, Paper, Rail, Region, Stack, Tables, Tree, Variables, WayDown, WhyNot,
         };
         let own = own_panel(query);
         let about_rays = matches!(query, Query::Ray { .. });
         let chosen: &[PanelKind] = match self {
+            // The path through the tree is what the codes say, bit by bit.
+            Self::Bits if own.is_none() => &[Codes, Tree, Counters],
             Self::Bits => &[Codes, Neighbour, Counters],
             // In space, rail and automaton fill a side each.
             Self::Rail if D == 2 => &[Rail, Automaton, Codes, Counters],
@@ -235,6 +258,7 @@ impl Preset {
             Self::Compare => &[Counters],
             Self::Lecture if D == 2 && own.is_none() => &[Rail, Codes],
             Self::Lecture => &[Rail],
+            Self::Tree => &[Tree, WhyNot],
         };
         let has_states = matches!(
             query,
@@ -253,11 +277,12 @@ impl Preset {
             }
             // Beside these there is no room for them.
             Codes => self != Self::Rail || !matches!(own, Some(Tables | Halves)),
-            Listing | Variables | Counters | Paper => true,
+            WhyNot => matches!(query, Query::Ray { .. } | Query::Point { .. }),
+            Listing | Variables | Counters | Paper | Tree => true,
         };
         let mut panels: Vec<_> = chosen.iter().copied().filter(says_something).collect();
         if let Some(own) = own.filter(|own| !panels.contains(own))
-            && self != Self::Debug
+            && !matches!(self, Self::Debug | Self::Tree)
         {
             panels.insert(usize::from(about_rays).min(panels.len()), own);
             // What waits on the stack is half of what its panel shows.
@@ -275,7 +300,12 @@ impl Preset {
     pub fn scale(self) -> f32 {
         match self {
             Self::Lecture => 1.6,
-            Self::Bits | Self::Rail | Self::Automaton | Self::Debug | Self::Compare => 1.0,
+            Self::Bits
+            | Self::Rail
+            | Self::Automaton
+            | Self::Debug
+            | Self::Compare
+            | Self::Tree => 1.0,
         }
     }
 }
@@ -421,6 +451,7 @@ impl Default for View {
             followed: None,
             standpoint: None,
             hover: Hover::default(),
+            tree: TreeView::default(),
             blank: false,
             spotlight: false,
             notes_since: None,

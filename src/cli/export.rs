@@ -4,7 +4,7 @@ use super::ray::RayChoice;
 use super::values::{Numbers, language};
 use super::{Answer, tell};
 use crate::document::Document;
-use crate::export::{Format, MARGIN, Style, bytes, left_out};
+use crate::export::{Format, MARGIN, PAGE, Style, bytes, left_out};
 use crate::figures::{Moments, Wanted, figure_of, fitted, take_exercise};
 use crate::files::Output;
 use crate::open::open;
@@ -32,6 +32,7 @@ use std::str::FromStr;
     octoscope export scene:quadtree-82 --view space --step last -o figure.svg\n  \
     octoscope export lecture.octo --view space --format png --step 12 \\\n    \
         --size 1280x720 --scale 2 --theme projector -o step-12.png\n  \
+    octoscope export scene:points-3d --view tree --step 40 -o tree.svg\n  \
     octoscope export scene:quadtree-82 --view t-rail --step 12 -o rail.svg\n  \
     octoscope export scene:figure-7 --view storyboard --steps leaves:6 -o story.svg\n  \
     octoscope export scene:figure-1 --view worksheet --seed 17 --lang de -o sheet.svg\n  \
@@ -40,7 +41,8 @@ pub struct Export {
     /// Scenario (.octo), data file, or built-in scene as scene:NAME.
     file: PathBuf,
     /// What is drawn: space (the tree, the ray and the state of the algorithm),
-    /// automaton, t-rail, codes, region, neighbour, listing (with variables),
+    /// tree (the same as a diagram of nodes, what is off the path folded), automaton,
+    /// t-rail, codes, region, neighbour, listing (with variables),
     /// table (of the steps), chart (of the costs), storyboard (several steps with
     /// their sentences) or worksheet (an exercise to be solved on paper).
     #[arg(long, value_name = "VIEW", default_value = "space")]
@@ -284,7 +286,8 @@ fn left_out_of<const D: usize>(document: &Document<D>, arguments: &Export) -> Op
         FigureView::Space | FigureView::Storyboard | FigureView::Worksheet => {
             left_out(document, &Show::at_first::<D>())
         }
-        FigureView::Automaton
+        FigureView::Tree
+        | FigureView::Automaton
         | FigureView::TRail
         | FigureView::Codes
         | FigureView::Region
@@ -300,7 +303,6 @@ fn figure<const D: usize>(
     arguments: &Export,
     step: usize,
 ) -> anyhow::Result<Figure> {
-    const PAGE: Page = Page { width: 960.0, height: 720.0 };
     let page = arguments.size.map_or(PAGE, Size::page);
     let wanted = Wanted {
         view: arguments.view,
@@ -308,6 +310,7 @@ fn figure<const D: usize>(
         moments: arguments.steps.clone(),
         exercise: (arguments.seed, if arguments.solution { Fields::Solved } else { Fields::Empty }),
         page,
+        unfolded: Vec::new(),
         camera: arguments.camera.map(|eye| eye.camera(document, page)),
         show: Show::at_first::<D>(),
         language: arguments.lang,

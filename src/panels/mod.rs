@@ -26,5 +26,7 @@ pub mod stack;
 pub mod t_rail;
 pub mod tables;
 pub mod timeline;
+pub mod tree;
 pub mod variables;
 pub mod way_down;
+pub mod why_not;

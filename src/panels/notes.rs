@@ -29,11 +29,12 @@ pub fn ui(ui: &mut Ui, look: &Look, notes: &Notes) -> bool {
         restart = ui.button(look.text("notes-restart")).clicked();
     });
     ui.separator();
-    rich_label(ui, look, &notes.now, 24.0);
+    let width = ui.available_width();
+    rich_label(ui, look, &notes.now, 24.0, width);
     ui.add_space(16.0);
     ui.label(Words::new(look.text("notes-next")).color(look.palette.quiet));
     match &notes.next {
-        Some(next) => rich_label(ui, look, next, 18.0),
+        Some(next) => rich_label(ui, look, next, 18.0, width),
         None => ui.label(look.text("notes-end")),
     };
     restart

@@ -17,7 +17,7 @@ pub fn ui(ui: &mut Ui, look: &Look, mut sentence: RichText, step: usize) {
     }
     let width = ui.available_width();
     let size = if width < NARROW { 18.0 } else { 22.0 };
-    let response = rich_label(ui, look, &sentence, size);
+    let response = rich_label(ui, look, &sentence, size, width);
     ui.ctx().accesskit_node_builder(response.id, |node| {
         node.set_live(eframe::egui::accesskit::Live::Polite);
         node.set_author_id("sentence");

@@ -4,7 +4,7 @@ use crate::document::Document;
 use crate::look::Look;
 use crate::panels::{
     automaton, children, codes, compare, counters, cuts, grid, halves, links, listing, neighbour,
-    paper, region, stack, t_rail, tables, variables, way_down,
+    paper, region, stack, t_rail, tables, tree, variables, way_down, why_not,
 };
 use crate::sidebar::Wish;
 use crate::view::{PanelKind, Preset, View};
@@ -15,6 +15,7 @@ use octoscope_core::explain::{label, listing as listing_of};
 use octoscope_core::query::Query;
 use octoscope_core::trace::{Counters, Moment};
 use octoscope_core::tree::NodeId;
+use octoscope_figure::DiagramOf;
 use octoscope_figure::views::changed_variables;
 use std::sync::Arc;
 
@@ -22,6 +23,12 @@ use std::sync::Arc;
 const TWO_COLUMNS: f32 = 520.0;
 /// Distance between two columns.
 const GAP: f32 = 24.0;
+/// Height of the tree's diagram where it is what the preset is about.
+const TREE: f32 = 286.0;
+/// Its height beside other panels.
+const SMALL_TREE: f32 = 236.0;
+/// Its height in the lowest windows.
+const LEAST_TREE: f32 = 170.0;
 
 /// The panels from top to bottom; where there is room in two columns, in turn
 /// to the left and to the right.
@@ -83,6 +90,8 @@ fn note<const D: usize>(
         PanelKind::Stack => stack::note(moment),
         PanelKind::WayDown => way_down::note(look, moment),
         PanelKind::Grid => grid::note(look, moment),
+        PanelKind::Tree => tree::note(look, &diagram_of(document, moment)),
+        PanelKind::WhyNot => why_not::note(look, &diagram_of(document, moment)),
         PanelKind::Cuts
         | PanelKind::Children
         | PanelKind::Links
@@ -158,6 +167,20 @@ fn body<const D: usize>(
             let query = &mut document.scenario.query;
             return paper::ui(ui, look, query, verdict.as_deref());
         }
+        PanelKind::Tree => {
+            let of = diagram_of(document, moment);
+            let (theme, language) = (view.theme, view.language);
+            let wanted = if view.preset == Preset::Tree { TREE } else { SMALL_TREE };
+            // In a low window all of it is seen at once.
+            let height = wanted.min((ui.clip_rect().height() - 56.0).max(LEAST_TREE));
+            let shown = tree::Shown { of, trace: &trace, theme, language, height };
+            let step = tree::ui(ui, look, &shown, &mut view.tree, &mut view.hover);
+            return step.map(Wish::Step);
+        }
+        PanelKind::WhyNot => {
+            let of = diagram_of(document, moment);
+            why_not::ui(ui, look, &of, view.language, &mut view.hover);
+        }
         PanelKind::Stack => {
             let pointed = stack::ui(ui, look, &tree, moment);
             pointed.into_iter().for_each(|node| view.hover.offer(node));
@@ -185,6 +208,19 @@ fn offer_if_pointed(ui: &Ui, rect: Rect, node: Option<NodeId>, view: &mut View) 
         && ui.rect_contains_pointer(rect)
     {
         view.hover.offer(node);
+    }
+}
+
+fn diagram_of<'a, const D: usize>(
+    document: &'a Document<D>,
+    moment: &'a Moment<D>,
+) -> DiagramOf<'a, D> {
+    DiagramOf {
+        tree: &document.tree,
+        ray: &document.scenario.ray,
+        query: &document.trace.query,
+        moment,
+        event: moment.step.checked_sub(1).and_then(|n| document.trace.events.get(n)),
     }
 }
 

@@ -7,6 +7,7 @@ mod hover;
 pub(crate) mod paint;
 mod pick;
 mod standpoint;
+mod why;
 
 use crate::document::Document;
 use crate::look::Look;
@@ -18,8 +19,10 @@ use octoscope_core::paper::erratum_of;
 use octoscope_core::trace::Moment;
 use octoscope_core::tree::NodeId;
 use octoscope_figure::{
-    Camera, Mark, Page, Role as MarkRole, Shape, axes, content, leaves, marks, space_figure,
+    Camera, DiagramOf, Mark, Page, Role as MarkRole, Shape, axes, content, leaves, marks,
+    space_figure,
 };
+pub use paint::figure as paint_figure;
 pub use standpoint::Standpoint;
 
 /// What the view shows and changes.
@@ -99,6 +102,11 @@ pub fn ui<const D: usize>(ui: &mut Ui, look: &Look, space: Space<'_, D>) {
         view.pointed = Some(moment.step);
     }
     let hint = under.filter(|_| view.pointed == Some(moment.step));
+    let (ray, query) = (&document.scenario.ray, &document.trace.query);
+    let of = DiagramOf { tree: &tree, ray, query, moment, event };
+    if let Some(why) = hovered.and_then(|node| why::why(&of, node, view.language)) {
+        why::label(ui, look, (rect, frame), &why, hint.as_ref());
+    }
     hover::labels(ui, look, (rect, frame), &tree, hovered, hint.as_ref());
 }
 

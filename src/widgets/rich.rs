@@ -5,6 +5,15 @@ use eframe::egui::text::{LayoutJob, TextFormat};
 use eframe::egui::{Align, FontFamily, FontId, Label, Response, Ui, WidgetInfo, accesskit::Role};
 use octoscope_core::explain::RichText;
 
+/// Shows `text` in type of `size` points, wrapped at `width`; a screen reader says
+/// its subscripts as such.
+pub fn rich_label(ui: &mut Ui, look: &Look, text: &RichText, size: f32, width: f32) -> Response {
+    let label = Label::new(rich_job(text, look, size, width));
+    let response = ui.add(if width.is_finite() { label.wrap() } else { label.extend() });
+    response.widget_info(|| WidgetInfo::labeled(Role::Label, true, text.plain()));
+    response
+}
+
 /// Layout of `text` in type of `size` points; wraps at `width`.
 pub fn rich_job(text: &RichText, look: &Look, size: f32, width: f32) -> LayoutJob {
     let mut job = LayoutJob::default();
@@ -22,13 +31,4 @@ pub fn rich_job(text: &RichText, look: &Look, size: f32, width: f32) -> LayoutJo
         job.append(&span.text, 0.0, TextFormat { font_id, color, valign, ..TextFormat::default() });
     }
     job
-}
-
-/// A sentence in type of this size; a screen reader hears it in plain letters.
-pub fn rich_label(ui: &mut Ui, look: &Look, sentence: &RichText, size: f32) -> Response {
-    let job = rich_job(sentence, look, size, ui.available_width());
-    let response = ui.add(Label::new(job).wrap());
-    let text = sentence.plain();
-    response.widget_info(|| WidgetInfo::labeled(Role::Label, true, text.as_str()));
-    response
 }

@@ -22,7 +22,11 @@ fn an_exported_svg_is_well_formed_and_opens_as_the_scenario_again() {
 #[test]
 fn equal_exports_have_equal_bytes() {
     let desk = desk_with_scenario();
-    for figure in ["a.octo --step last", "scene:figure-7 --camera -30,20,1.2 --theme dark"] {
+    for figure in [
+        "a.octo --step last",
+        "a.octo --view tree --step last",
+        "scene:figure-7 --camera -30,20,1.2 --theme dark",
+    ] {
         for format in ["svg", "png"] {
             let [a, b] = ["a", "b"].map(|name| {
                 desk.prints(&format!("export {figure} --format {format} -o {name}"));
@@ -34,12 +38,31 @@ fn equal_exports_have_equal_bytes() {
 }
 
 #[test]
+fn the_tree_is_exported_as_a_diagram_with_its_text_as_text() {
+    let desk = desk_with_scenario();
+    desk.prints("export scene:points-3d --view tree --step 46 -o tree.svg");
+    let svg = fs::read_to_string(desk.0.path().join("tree.svg")).unwrap();
+    let document = roxmltree::Document::parse(&svg).unwrap();
+    let of_class = |class: &str| -> Vec<String> {
+        let shapes = document.descendants().filter(|node| node.attribute("class") == Some(class));
+        shapes.map(|node| node.text().unwrap_or_default().to_owned()).collect()
+    };
+    let levels: Vec<String> = of_class("level").into_iter().filter(|n| !n.is_empty()).collect();
+    assert_eq!(levels, ["5", "4", "3", "2"]);
+    let numbers = of_class("order-number");
+    assert!((1..=6).all(|n| numbers.contains(&n.to_string())), "{numbers:?}");
+    assert_eq!(of_class("current").len(), 1);
+    assert_eq!(of_class("rejected edge").len(), 7);
+}
+
+#[test]
 fn an_exported_png_has_the_size_asked_for() {
     let desk = desk_with_scenario();
     for (arguments, size) in [
         ("a.octo --size 320x200", [320, 200]),
         ("a.octo --size 320x200 --scale 2", [640, 400]),
         ("scene:figure-7 --size 101x333 --theme print", [101, 333]),
+        ("a.octo --view tree --size 200x150", [200, 150]),
     ] {
         desk.prints(&format!("export {arguments} --step last -o a.png"));
         let png = fs::read(desk.0.path().join("a.png")).unwrap();

@@ -59,7 +59,14 @@ fn room(scene: &str, language: Language) -> f32 {
 
 #[test]
 fn at_1280_by_800_nothing_scrolls() {
-    let presets = [Preset::Bits, Preset::Rail, Preset::Automaton, Preset::Debug, Preset::Compare];
+    let presets = [
+        Preset::Bits,
+        Preset::Rail,
+        Preset::Automaton,
+        Preset::Debug,
+        Preset::Compare,
+        Preset::Tree,
+    ];
     for (scene, language) in
         SCENES.into_iter().flat_map(|scene| Language::ALL.map(|language| (scene, language)))
     {
@@ -240,7 +247,8 @@ fn all_columns_of_the_comparison_are_seen_in_both_languages() {
         let end = desk.ctx.content_rect().right() - 8.0;
         let texts = texts(language);
         for key in ["compare-leaves", "compare-tests", "compare-quotients"] {
-            let head = desk.get_by_role_and_label(Role::Label, &texts.get(key)).rect();
+            let name = texts.format("compare-sort", &[("column", texts.get(key).into())]);
+            let head = desk.get_by_role_and_label(Role::Button, &name).rect();
             assert!(head.right() <= end, "{scene} {language:?} {key}: {head:?}");
         }
         let name = texts.format("panel-menu", &[("title", texts.get("panel-compare").into())]);

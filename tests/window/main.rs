@@ -21,3 +21,4 @@ mod pictures;
 mod queries;
 mod ray;
 mod steps;
+mod tree;

@@ -94,7 +94,7 @@ fn each_preset_has_its_own_arrangement() {
     let mut desk = Desk::new();
     desk.choose("Codes", "Close");
     desk.press(Key::Num1);
-    assert_eq!(desk.panels(), ["Codes", "Counters"]);
+    assert_eq!(desk.panels(), ["Codes", "Tree", "Counters"]);
     desk.press(Key::Num2);
     assert_eq!(desk.panels(), ["t-rail", "Automaton", "Counters"]);
 }

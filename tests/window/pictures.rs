@@ -4,7 +4,7 @@
 //! `TEST_GPU=require` does not accept.
 
 use crate::desk::{Desk, sample};
-use eframe::egui::{Event as Input, Key, accesskit::Role, pos2};
+use eframe::egui::{Event as Input, Key, accesskit::Role, pos2, vec2};
 use eframe::egui_wgpu::WgpuSetup;
 use eframe::wgpu::{Backends, DeviceType};
 use egui_kittest::kittest::Queryable;
@@ -433,5 +433,49 @@ fn the_tables_of_all_directions() {
         desk.go_to(&At::Nth(4, "Parent"));
         desk.get_by_label("Alle Richtungen").click();
         desk.run();
+    });
+}
+
+#[test]
+fn the_preset_of_the_tree() {
+    compare("preset-tree", |desk| {
+        desk.open_scenario(&plane("quadtree-82", |_| ()));
+        desk.state_mut().view.preset = Preset::Tree;
+        desk.go_to(&At::Nth(5, "Step"));
+    });
+}
+
+#[test]
+fn the_tree_in_space_in_dark_colours_and_german() {
+    compare("tree-space-german-dark", |desk| {
+        desk.open_scenario(&built_in("points-3d").unwrap());
+        desk.state_mut().view.theme = Theme::Dark;
+        desk.state_mut().view.language = Language::German;
+        desk.state_mut().view.preset = Preset::Tree;
+        desk.go_to(&At::Nth(9, "Step"));
+    });
+}
+
+#[test]
+fn a_child_that_is_ruled_out_tells_why() {
+    compare("hover-why-not", |desk| {
+        desk.open_scenario(&plane("quadtree-82", |_| ()));
+        desk.state_mut().view.preset = Preset::Tree;
+        desk.go_to(&At::Nth(17, "First"));
+        let place = desk.place([0.8, 0.55]);
+        desk.hover_at(place - vec2(3.0, 3.0));
+        desk.step();
+        desk.hover_at(place);
+        desk.run();
+    });
+}
+
+#[test]
+fn the_tree_in_a_small_window_with_the_largest_type() {
+    compare_sized("small-large-type-tree", [1024.0, 768.0], |desk| {
+        desk.open_scenario(&built_in("points-3d").unwrap());
+        desk.state_mut().view.scale = View::SCALES[1];
+        desk.state_mut().view.preset = Preset::Tree;
+        desk.go_to(&At::Nth(9, "Step"));
     });
 }

@@ -18,14 +18,12 @@ fn a_hint_beside_the_pointer_is_for_pointing_not_for_stepping() {
     let mut desk = Desk::new();
     desk.press(Key::Home);
     let inside = desk.place([0.5, 0.75]) + vec2(3.0, 0.0);
-    desk.hover_at(inside);
-    desk.run();
+    desk.point_at(inside);
     let hint = "Click: the neighbour across this side";
     assert!(desk.says(hint), "{:?}", desk.texts());
     desk.press(Key::ArrowRight);
     assert!(!desk.says(hint));
-    desk.hover_at(inside + vec2(1.0, 0.0));
-    desk.run();
+    desk.point_at(inside + vec2(1.0, 0.0));
     assert!(desk.says(hint));
 }
 

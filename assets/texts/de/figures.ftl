@@ -72,6 +72,7 @@ worksheet-path = Pfad
 ray-origin = Startpunkt
 ray-direction = Richtung
 figure-space = Bild des Raums
+figure-tree = Diagramm des Baums
 figure-automaton = Automat
 figure-t-rail = t-Leiste
 figure-codes = Codes

@@ -235,6 +235,38 @@ counter-stack-depth = Stapeltiefe
 counter-leaves = Blätter
 counter-touches = Berührungen
 
+# Was aus einem Knoten wird, und warum.
+fate-child = Kind { $child }
+fate-root = Die Wurzel
+fate-visited-ray = { $who } ist besucht: Der Strahl ist darin von t = { $enter } bis t = { $exit }.
+fate-visited-point = { $who } enthält den Punkt.
+fate-entered-ray = { $who } wird gerade durchsucht: Der Strahl ist darin von t = { $enter } bis t = { $exit }.
+fate-entered-point = { $who } wird gerade durchsucht, denn der Punkt liegt darin.
+fate-ahead-ray = { $who } ist noch nicht an der Reihe: Der Strahl ist darin von t = { $enter } bis t = { $exit }.
+fate-ahead-point = { $who } ist noch nicht an der Reihe; der Punkt liegt darin.
+fate-passed-ray = { $who } wurde ausgelassen, obwohl der Strahl darin ist, von t = { $enter } bis t = { $exit }.
+fate-strayed = { $why } Besucht wurde der Knoten trotzdem.
+why-missed = { $who } wird verfehlt: { $comparison }, der Austritt durch { $exit } käme also vor dem Eintritt durch { $enter }.
+why-touched = { $who } wird nur in einem Punkt berührt: { $comparison }.
+why-touched-origin = { $who } wird nur in einem Punkt berührt, dem Startpunkt: { $comparison }.
+why-behind = { $who } liegt hinter dem Startpunkt: Der Austritt ist bei { $comparison }.
+why-beside = { $who } liegt neben dem Strahl, der sich entlang { $axis } nicht bewegt: { $comparison }.
+why-end = { $who } liegt hinter dem Ende des Strahls: { $comparison }.
+why-full = { $who } wird nicht mehr gebraucht, denn die Suche endet davor am ersten vollen Blatt: { $comparison }.
+why-elsewhere = { $who } enthält den Punkt nicht: { $comparison }.
+fate-name-visited = besucht
+fate-name-entered = in Arbeit
+fate-name-ahead = kommt noch
+fate-name-passed = ausgelassen
+fate-name-strayed = abgeirrt
+fate-name-missed = verfehlt
+fate-name-touched = berührt
+fate-name-behind = dahinter
+fate-name-beside = daneben
+fate-name-end = zu weit
+fate-name-full = unnötig
+fate-name-elsewhere = woanders
+
 # Hinter einem Schritt mit exakten Vergleichen, den Gleitkommazahlen anders gemacht hätten.
 doubles-differ = { $ulps ->
     [0] { " " }Gleitkommazahlen würden hier irren: Beide Parameter werden auf dieselbe Zahl gerundet.

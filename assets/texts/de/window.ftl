@@ -23,6 +23,7 @@ command-preset-debug = Fehlersuche
 command-preset-compare = Verfahren vergleichen
 command-preset-lecture = Vorlesung
 command-question = Szene, Strahl und Anfrage
+command-preset-tree = Geometrie und Baum
 command-restore-panels = Anordnung zurücksetzen
 command-frame-all = Alles zeigen
 command-stand-node = Zum aktuellen Knoten
@@ -82,6 +83,8 @@ panel-counters = Zähler
 panel-paper = Werkstatt zum Aufsatz
 panel-tables = Nachbartabellen
 panel-compare = Vergleich
+panel-tree = Baum
+panel-why-not = Warum nicht?
 panel-menu = Tafel { $title }
 panel-fold = Einklappen
 panel-unfold = Ausklappen
@@ -240,6 +243,25 @@ timeline-cut = Der Lauf ist länger: Nach so vielen Schritten endet die Aufzeich
 timeline-why = Ein Strich je Schritt. Hoch und grün: ein Blatt oder Ergebnis. Blau: in einen Knoten hinein. Gelb: Das nächste Kind, die nächste Zelle oder Ebene wird gewählt. Orange: hinauf zu einem Vorfahren. Violett: nur berührt. Grau: gerechnet.
 timeline-rounded = Schritte mit Dreieck: Gleitkommazahlen würden irren
 
+tree-name = Baumansicht
+tree-hint = Ziehen verschiebt, Strg mit dem Rad vergrößert; ein Doppelklick zeigt alles.
+tree-root = Wurzel
+tree-child = Kind { $child }
+tree-folded = { $n ->
+    [one] ein Blatt eingeklappt
+   *[other] { $n } Blätter eingeklappt
+}
+tree-visited = Nummer { $n } auf dem Strahl
+tree-click-step = Klick: zu Schritt { $n }, dem ersten hierin
+tree-shift-click = Umschalt und Klick: hier ausklappen
+tree-click-unfold = { $n ->
+    [one] Klick: ein Blatt ausklappen
+   *[other] Klick: { $n } Blätter ausklappen
+}
+tree-click-fold = Klick: wieder einklappen
+why-not-none = Zeigt, was die Kinder ausschließt, bei Suchen entlang eines Strahls oder nach einem Punkt.
+why-not-leaf = Die Wurzel ist ein Blatt: Es gibt nichts zu wählen.
+why-not-all = Kein Kind ist ausgeschlossen.
 sentence-begin = Mit → geht es los.
 job-open = { $name } wird geöffnet
 job-restore = Das zuletzt Geöffnete wird geöffnet

@@ -72,6 +72,7 @@ worksheet-path = path
 ray-origin = origin
 ray-direction = direction
 figure-space = Picture of space
+figure-tree = Diagram of the tree
 figure-automaton = Automaton
 figure-t-rail = t-rail
 figure-codes = Codes

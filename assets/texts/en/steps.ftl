@@ -226,6 +226,38 @@ counter-stack-depth = Stack depth
 counter-leaves = Leaves
 counter-touches = Touches
 
+# What becomes of a node, and why.
+fate-child = Child { $child }
+fate-root = The root
+fate-visited-ray = { $who } is visited: the ray is in it from t = { $enter } to t = { $exit }.
+fate-visited-point = { $who } holds the point.
+fate-entered-ray = { $who } is being searched: the ray is in it from t = { $enter } to t = { $exit }.
+fate-entered-point = { $who } is being searched: it holds the point.
+fate-ahead-ray = { $who } is not reached yet: the ray is in it from t = { $enter } to t = { $exit }.
+fate-ahead-point = { $who } is not reached yet: it holds the point.
+fate-passed-ray = { $who } has been passed by, although the ray is in it from t = { $enter } to t = { $exit }.
+fate-strayed = { $why } It has been visited all the same.
+why-missed = { $who } is not met: { $comparison }, so the ray would leave it through { $exit } before it enters it through { $enter }.
+why-touched = { $who } is touched in one point only: { $comparison }.
+why-touched-origin = { $who } is touched in one point only, the origin: { $comparison }.
+why-behind = { $who } lies behind the origin: it is left at { $comparison }.
+why-beside = { $who } lies beside the ray, which does not move along { $axis }: { $comparison }.
+why-end = { $who } lies beyond the end of the ray: { $comparison }.
+why-full = { $who } is not looked at, as the search ends at the first full leaf before it: { $comparison }.
+why-elsewhere = { $who } does not hold the point: { $comparison }.
+fate-name-visited = visited
+fate-name-entered = in search
+fate-name-ahead = to come
+fate-name-passed = passed by
+fate-name-strayed = strayed into
+fate-name-missed = not met
+fate-name-touched = touched
+fate-name-behind = behind
+fate-name-beside = beside
+fate-name-end = beyond
+fate-name-full = not needed
+fate-name-elsewhere = elsewhere
+
 # Added to a step of exact comparisons that doubles would have made otherwise.
 doubles-differ = { $ulps ->
     [0] { " " }Doubles would err here: both parameters round to the same number.

@@ -23,6 +23,7 @@ command-preset-debug = Debug
 command-preset-compare = Compare the algorithms
 command-preset-lecture = Lecture
 command-question = Scene, ray and query
+command-preset-tree = Geometry and tree
 command-restore-panels = Restore this arrangement
 command-frame-all = Show everything
 command-stand-node = Go to the current node
@@ -82,6 +83,8 @@ panel-counters = Counters
 panel-paper = Paper lab
 panel-tables = Neighbour tables
 panel-compare = Comparison
+panel-tree = Tree
+panel-why-not = Why not?
 panel-menu = Panel { $title }
 panel-fold = Fold
 panel-unfold = Unfold
@@ -240,6 +243,25 @@ timeline-cut = The run is longer: the trace ends after so many steps
 timeline-why = A tick for every step. Tall green: a leaf or a result. Blue: into a node. Yellow: the next child, cell or plane is chosen. Orange: up, to an ancestor. Purple: only touched. Grey: computed.
 timeline-rounded = Steps with a triangle: doubles would err
 
+tree-name = Tree view
+tree-hint = Drag to move, Ctrl and the wheel to zoom; a double click shows everything.
+tree-root = Root
+tree-child = Child { $child }
+tree-folded = { $n ->
+    [one] one leaf folded
+   *[other] { $n } leaves folded
+}
+tree-visited = number { $n } on the ray
+tree-click-step = Click: to step { $n }, the first in here
+tree-shift-click = Shift and click: unfold it here
+tree-click-unfold = { $n ->
+    [one] Click: unfold one leaf
+   *[other] Click: unfold { $n } leaves
+}
+tree-click-fold = Click: fold it again
+why-not-none = Shows what rules out the children, in searches along a ray or for a point.
+why-not-leaf = The root is a leaf: there is nothing to choose.
+why-not-all = None of the children is ruled out.
 sentence-begin = Press → to begin.
 job-open = Opening { $name }
 job-restore = Opening what was open last

@@ -8,6 +8,7 @@
 mod camera;
 mod content;
 mod depth_map;
+mod diagram;
 mod figure;
 pub mod fonts;
 mod ground;
@@ -30,6 +31,7 @@ mod ways;
 
 pub use camera::{Camera, Lens, Page, Projected};
 pub use content::{axes, content};
+pub use diagram::{Diagram, DiagramLens, DiagramNode, DiagramOf, NodeKind, tree_diagram};
 pub use figure::{Anchor, Drawn, Extent, Figure, Form, Part};
 pub use handle::HANDLE_DISTANCE;
 pub use mark::{Mark, Shape};

@@ -142,12 +142,20 @@ pub enum Role {
     Transition(usize),
     /// Such a transition as it happens.
     TransitionTaken(usize),
+    /// A level of a diagram, and its number.
+    Level,
+    /// Branch of a diagram to a child, and what is written beside it.
+    Branch,
+    /// Branch on the way that the algorithm has taken.
+    Path,
+    /// A node of a diagram.
+    Node,
 }
 
 impl Role {
     /// One role of every kind, in the order in which they cover each other,
     /// the lowest first.
-    pub const KINDS: [Self; 82] = [
+    pub const KINDS: [Self; 86] = [
         Self::Pixel([128; 3]),
         Self::EmptyLeaf,
         Self::FullLeaf,
@@ -230,6 +238,10 @@ impl Role {
         Self::Spent,
         Self::Planned,
         Self::Blank,
+        Self::Level,
+        Self::Branch,
+        Self::Path,
+        Self::Node,
     ];
 
     /// Name for classes in SVG and styles in TikZ: lower case, with hyphens.
@@ -305,6 +317,10 @@ impl Role {
             Self::TransitionTaken(axis) => {
                 ["transition-taken-x", "transition-taken-y", "transition-taken-z"][axis]
             }
+            Self::Level => "level",
+            Self::Branch => "branch",
+            Self::Path => "path",
+            Self::Node => "node",
         }
     }
 

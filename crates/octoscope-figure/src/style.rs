@@ -238,6 +238,12 @@ impl Style {
             Role::Spent => Self { fill: Some(p.accent), ..Self::default() },
             Role::Planned => Self { fill: Some(p.accent.faded(0.18)), ..line(p.accent, 0.8) },
             Role::Blank => line(p.quiet_ink, 0.8),
+            Role::Level => line(p.grid.faded(0.7), 0.8).lettered(p.quiet_ink, 11.0, Weight::Mono),
+            Role::Branch => {
+                line(p.quiet_ink.faded(0.7), 0.9).lettered(p.quiet_ink, 10.5, Weight::Regular)
+            }
+            Role::Path => line(p.ray, 3.0),
+            Role::Node => Self { fill: Some(p.background), ..line(p.quiet_ink, 1.1) },
         };
         style.for_theme(theme)
     }

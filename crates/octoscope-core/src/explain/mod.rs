@@ -1,7 +1,9 @@
-//! What happens, in words: a sentence a step, the listing, the variables.
+//! What happens, in words: a sentence a step, the listing, the variables, and what
+//! becomes of every node.
 
 mod as_printed;
 mod decision;
+mod fate;
 mod listing;
 mod names;
 mod number;
@@ -14,6 +16,7 @@ mod variables;
 mod words;
 mod write;
 
+pub use fate::{Naming, fate_name, fate_numbers, fate_sentence};
 pub use listing::{Line, Listing, label, listing};
 pub use names::{algorithm_name, counter_name, end_name, query_name, step_texts};
 pub use number::{approx, distinct, number};

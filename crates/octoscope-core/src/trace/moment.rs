@@ -82,6 +82,13 @@ impl<const D: usize> Moment<D> {
         self.current.into_iter().flat_map(|node| tree.ancestors(node))
     }
 
+    /// The node whose children are chosen among: the current one, or its parent if
+    /// it is a leaf; the root before and after everything. `None` if that is a leaf.
+    pub fn at_work(&self, tree: &Tree<D>) -> Option<NodeId> {
+        let node = self.current.unwrap_or(NodeId::ROOT);
+        if tree.node(node).is_leaf() { tree.parent(node) } else { Some(node) }
+    }
+
     /// Advances the state by one event.
     pub fn apply(&mut self, tree: &Tree<D>, event: &Event<D>) {
         self.step += 1;

@@ -1,5 +1,6 @@
 //! The record of one run.
 
+use super::Moment;
 use crate::event::{End, Event, Observer, Outcome};
 use crate::geometry::Ray;
 use crate::progress::{Cancelled, Progress};
@@ -41,6 +42,18 @@ impl<const D: usize> Trace<D> {
             .count()
             .saturating_add(step + 1)
             .min(self.events.len())
+    }
+
+    /// Number of events until the algorithm is first at `node` or in it; `None` if
+    /// it never is. A node that is only tested and missed does not count.
+    pub fn first_step_in(&self, tree: &Tree<D>, node: NodeId) -> Option<usize> {
+        let mut moment = Moment::default();
+        self.events.iter().find_map(|event| {
+            let n_missed = moment.missed.len();
+            moment.apply(tree, event);
+            let is_in = moment.current.is_some_and(|current| tree.holds(node, current));
+            (is_in && moment.missed.len() == n_missed).then_some(moment.step)
+        })
     }
 
     /// Number of events up to and with the last visited leaf or result before

@@ -211,6 +211,13 @@ impl<const D: usize> Tree<D> {
         std::iter::successors(self.parent(id), |&id| self.parent(id))
     }
 
+    /// Whether `inner` is `outer` or lies in it.
+    pub fn holds(&self, outer: NodeId, inner: NodeId) -> bool {
+        let level = self.level(outer);
+        let (a, b) = (self.code(outer), self.code(inner));
+        self.level(inner) <= level && (0..D).all(|e| a[e] >> level == b[e] >> level)
+    }
+
     /// Node of exactly this level and code, or the leaf above that covers it;
     /// the root for any level above. `None` if the code lies outside the domain.
     pub fn node_at(&self, level: u8, code: Code<D>) -> Option<Node> {
@@ -225,6 +232,23 @@ impl<const D: usize> Tree<D> {
             node = self.child(node, super::branch(code, parent_level));
         }
         Some(node)
+    }
+
+    /// Number of leaves in a node, itself if it is one. Rows below a row follow one
+    /// another in every level: O(levels · log nodes), however many leaves there are.
+    pub fn n_leaves_in(&self, id: NodeId) -> usize {
+        let node = self.node(id);
+        if node.is_leaf() {
+            return 1;
+        }
+        let parent_row = |place: &Place<D>| place.id.0.checked_sub(1).map(|n| (n >> D) as usize);
+        let first_below = |row| self.places.partition_point(|p| parent_row(p) < Some(row));
+        let (mut rows, mut n_inner) = (node.row as usize..node.row as usize + 1, 0);
+        while !rows.is_empty() {
+            n_inner += rows.len();
+            rows = first_below(rows.start)..first_below(rows.end);
+        }
+        1 + n_inner * (Child::<D>::COUNT - 1)
     }
 
     /// Row of the parent and index below it; `None` for the root.

@@ -17,7 +17,7 @@ pub struct CodeTable {
     pub table: BitTable,
     /// The child that the framed bits select, in words.
     pub child: Option<String>,
-    /// The Morton code, in words.
+    /// The Morton code, in words, or that there is none yet.
     pub morton: String,
 }
 
@@ -32,6 +32,7 @@ pub fn code_table<const D: usize>(texts: &Texts, tree: &Tree<D>, moment: &Moment
         (None, Some(id)) => (tree.code(id), level),
         (None, None) => ([0; D], root_level),
     };
+    let is_known = moment.codes.is_some() || node.is_some();
     // The bit that led to the current node.
     let framed = moment.codes.map_or((level < root_level).then_some(level), |codes| codes.bit);
     let rows = (0..D).map(|axis| BitRow {
@@ -39,7 +40,11 @@ pub fn code_table<const D: usize>(texts: &Texts, tree: &Tree<D>, moment: &Moment
         axis: Some(axis),
         bits: i64::from(code[axis]),
         known_from,
-        note: format!("{} = {}", code[axis], number(domain.plane(axis, code[axis]))),
+        note: if is_known {
+            format!("{} = {}", code[axis], number(domain.plane(axis, code[axis])))
+        } else {
+            String::new()
+        },
         ..BitRow::default()
     });
     let rows = rows.collect();
@@ -57,8 +62,11 @@ pub fn code_table<const D: usize>(texts: &Texts, tree: &Tree<D>, moment: &Moment
         ];
         texts.format("codes-child", &arguments)
     });
-    let code = morton(code).to_string();
-    let morton = texts.format("codes-morton", &[("code", code.into())]);
+    let morton = if is_known {
+        texts.format("codes-morton", &[("code", morton(code).to_string().into())])
+    } else {
+        texts.get("codes-none")
+    };
     CodeTable { table, child, morton }
 }
 

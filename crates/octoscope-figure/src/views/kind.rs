@@ -12,6 +12,8 @@ pub enum FigureView {
     /// The tree, the ray and the state of the algorithm.
     #[default]
     Space,
+    /// The same as a diagram of nodes.
+    Tree,
     /// States, transitions and tables.
     Automaton,
     /// Parameters t on a common axis.
@@ -76,8 +78,9 @@ pub enum ViewError {
 
 impl FigureView {
     /// All views, in the order of menus and lists.
-    pub const ALL: [Self; 11] = [
+    pub const ALL: [Self; 12] = [
         Self::Space,
+        Self::Tree,
         Self::Automaton,
         Self::TRail,
         Self::Codes,
@@ -94,6 +97,7 @@ impl FigureView {
     pub fn id(self) -> &'static str {
         match self {
             Self::Space => "space",
+            Self::Tree => "tree",
             Self::Automaton => "automaton",
             Self::TRail => "t-rail",
             Self::Codes => "codes",
@@ -114,7 +118,7 @@ impl FigureView {
             Self::TRail | Self::Codes | Self::Region | Self::Neighbour => 360.0,
             Self::Automaton if D == 2 => 360.0,
             Self::Automaton | Self::Listing | Self::Chart => 420.0,
-            Self::Space | Self::Table => 460.0,
+            Self::Space | Self::Tree | Self::Table => 460.0,
             Self::Storyboard | Self::Worksheet => 500.0,
         }
     }
@@ -129,6 +133,7 @@ impl FigureView {
         };
         match self {
             Self::Space
+            | Self::Tree
             | Self::Codes
             | Self::Listing
             | Self::Table

@@ -92,7 +92,9 @@ fn drawn<const D: usize>(view: FigureView, subject: &Subject<D>, width: f64) -> 
         FigureView::Listing => Some(listing::view(subject, width)),
         FigureView::Table => Some(steps::view(subject, width)),
         FigureView::Chart => Some(chart::view(subject, width)),
-        FigureView::Space | FigureView::Storyboard | FigureView::Worksheet => None,
+        FigureView::Space | FigureView::Tree | FigureView::Storyboard | FigureView::Worksheet => {
+            None
+        }
     }
 }
 

@@ -1,0 +1,338 @@
+//! A laid out diagram as a figure.
+
+use super::layout::Item;
+use super::state::{State, States};
+use super::{DiagramNode, DiagramOf, NodeKind};
+use crate::figure::text_reach;
+use crate::{Anchor, Drawn, Figure, Form, Page, Part, Role};
+use octoscope_core::event::Event;
+use octoscope_core::tree::NodeId;
+
+/// A diagram whose nodes have their places on the page.
+pub(super) struct Drawing<'a, const D: usize> {
+    pub of: &'a DiagramOf<'a, D>,
+    pub items: &'a [Item],
+    pub states: &'a States,
+    /// Places of the items on the page.
+    pub placed: &'a [[f64; 2]],
+    /// Distances of siblings and of levels, in page units.
+    pub spacing: f64,
+    pub levels: f64,
+    pub page: Page,
+    pub gutter: f64,
+}
+
+/// Share of a visited leaf that the disc for its number takes.
+const DISC: f64 = 0.9;
+/// Room above a node for its number.
+const NUMBER: f64 = 13.0;
+/// Distance of levels below which there is no room for a line below a node.
+const ROOM_BELOW: f64 = 42.0;
+/// More than this beyond the page is not drawn.
+const BEYOND: f64 = 40.0;
+
+impl<const D: usize> Drawing<'_, D> {
+    /// The nodes on the page, each with the index of its item.
+    pub fn nodes(&self) -> Vec<(usize, DiagramNode)> {
+        let near = |[x, y]: [f64; 2]| {
+            (self.gutter - BEYOND..=self.page.width + BEYOND).contains(&x)
+                && (-BEYOND..=self.page.height + BEYOND).contains(&y)
+        };
+        let on_page = (0..self.items.len()).filter(|&n| near(self.placed[n]));
+        on_page
+            .map(|n| {
+                let Item { node, is_unfolded, .. } = self.items[n];
+                let kind = match (node.is_leaf(), is_unfolded) {
+                    (true, _) => NodeKind::Leaf,
+                    (false, true) => NodeKind::Unfolded,
+                    (false, false) => {
+                        NodeKind::Folded { n_leaves: self.of.tree.n_leaves_in(node.id) }
+                    }
+                };
+                let state = self.state(n);
+                let matters = state.is_lit() || state.is_in_question;
+                let (at, half) = (self.placed[n], self.half(n));
+                (n, DiagramNode { node: node.id, at, half, kind, matters })
+            })
+            .collect()
+    }
+
+    /// The levels, the branches, the nodes and what is written at them.
+    pub fn figure(&self, nodes: &[(usize, DiagramNode)], hovered: Option<NodeId>) -> Figure {
+        let mut figure = Figure { page: self.page, drawn: Vec::new() };
+        self.draw_levels(&mut figure);
+        // What matters lies above the rest.
+        for lit in [false, true] {
+            for n in (1..self.items.len()).filter(|&n| self.state(n).is_lit() == lit) {
+                self.draw_branch(&mut figure, n);
+            }
+        }
+        for (n, node) in nodes {
+            self.draw_node(&mut figure, *n, node);
+        }
+        if let Some(node) = self.hovered(nodes, hovered) {
+            let radius = node.half + 4.0;
+            let ring = Form::Circle { centre: node.at, radius };
+            figure.drawn.push(drawn(ring, Role::Hover, node.node));
+        }
+        for (n, node) in nodes {
+            self.write(&mut figure, *n, node);
+        }
+        figure
+    }
+
+    fn state(&self, n: usize) -> &State {
+        &self.states.of_items[n]
+    }
+
+    /// Half the side of a node's form.
+    fn half(&self, n: usize) -> f64 {
+        let (item, state) = (&self.items[n], self.state(n));
+        let current = state.above_current == Some(0) && !self.is_folded(n);
+        let wanted = match (item.node.is_leaf(), item.is_unfolded) {
+            (true, _) if state.visited.is_some() || current => 9.5,
+            (true, _) => 4.5,
+            (false, true) if current => 8.5,
+            (false, true) => 6.5,
+            (false, false) => 8.5,
+        };
+        f64::min(wanted, wanted / 20.0 * self.spacing)
+    }
+
+    fn is_folded(&self, n: usize) -> bool {
+        !self.items[n].node.is_leaf() && !self.items[n].is_unfolded
+    }
+
+    fn draw_levels(&self, figure: &mut Figure) {
+        let right = self.placed.iter().map(|at| at[0]).fold(self.gutter, f64::max) + 12.0;
+        let right = right.min(self.page.width);
+        let root_level = self.of.tree.domain().root_level();
+        let deepest = self.items.iter().map(|item| item.depth).max().unwrap_or(0);
+        for depth in 0..=deepest {
+            let y = self.placed[0][1] + depth as f64 * self.levels;
+            if !(0.0..=self.page.height).contains(&y) {
+                continue;
+            }
+            let line = Form::Polyline(vec![[self.gutter, y], [right, y]]);
+            let level = usize::from(root_level).saturating_sub(depth).to_string();
+            let text = Form::Text {
+                at: [0.5 * self.gutter - 1.0, y],
+                anchor: Anchor::Middle,
+                text: level.into(),
+            };
+            for (form, part) in [(line, Part::Edge), (text, Part::Whole)] {
+                figure.drawn.push(Drawn { form, role: Role::Level, part, node: None });
+            }
+        }
+    }
+
+    fn draw_branch(&self, figure: &mut Figure, n: usize) {
+        let Some(parent) = self.items[n].parent else { return };
+        let (from, to) = (self.placed[parent], self.placed[n]);
+        let room = if self.has_number(n) { NUMBER } else { 0.0 };
+        let end = [to[0], to[1] - self.half(n) - room];
+        // From the border of the parent, which is not covered.
+        let way = [end[0] - from[0], end[1] - from[1]];
+        let length = way[0].hypot(way[1]).max(1e-9);
+        let start = std::array::from_fn(|e| from[e] + way[e] / length * self.half(parent));
+        let page = [self.page.width, self.page.height];
+        let is_beyond = |e: usize| {
+            (start[e].max(end[e]) < -BEYOND) || (f64::min(start[e], end[e]) > page[e] + BEYOND)
+        };
+        if is_beyond(0) || is_beyond(1) {
+            return;
+        }
+        let state = self.state(n);
+        let (role, part) = match (state.above_current.is_some(), state.visited.is_some()) {
+            (true, _) => (Role::Path, Part::Edge),
+            (false, true) => (Role::Path, Part::Fine),
+            (false, false) if state.is_rejected => (Role::Rejected, Part::Edge),
+            (false, false) => (Role::Branch, Part::Edge),
+        };
+        let form = Form::Polyline(vec![start, end]);
+        figure.drawn.push(Drawn { form, role, part, node: Some(self.items[n].node.id) });
+    }
+
+    fn draw_node(&self, figure: &mut Figure, n: usize, node: &DiagramNode) {
+        let (item, state) = (&self.items[n], self.state(n));
+        let [x, y] = node.at;
+        let half = node.half;
+        let square = |half: f64| {
+            let corners = [[-half, -half], [half, -half], [half, half], [-half, half]];
+            Form::Polygon(corners.map(|[dx, dy]| [x + dx, y + dy]).to_vec())
+        };
+        let form = |half: f64| match node.kind {
+            NodeKind::Leaf => square(half),
+            NodeKind::Unfolded => Form::Circle { centre: node.at, radius: half },
+            NodeKind::Folded { .. } => {
+                Form::Polygon(vec![[x, y - half], [x + half, y + half], [x - half, y + half]])
+            }
+        };
+        let here = state.above_current == Some(0) && !self.is_folded(n);
+        let is_found = self.of.moment.found == Some(node.node);
+        // The ground, so that no level or branch shows through.
+        figure.drawn.push(ground(form(half), node.node));
+        let mut push = |form, role| figure.drawn.push(drawn(form, role, node.node));
+        push(form(half), self.role(n, here, is_found).unwrap_or(Role::Node));
+        if item.node.is_full() && state.visited.is_none() && !here {
+            push(Form::Circle { centre: node.at, radius: 0.5 * half }, Role::Content);
+        }
+        if state.visited.is_some() && !self.is_unfolded(n) && item.node.is_leaf() {
+            let disc = Form::Circle { centre: node.at, radius: DISC * half };
+            push(disc, Role::OrderNumber);
+        }
+        if state.is_touched {
+            push(Form::Circle { centre: node.at, radius: half + 2.5 }, Role::Touch);
+        }
+    }
+
+    fn is_unfolded(&self, n: usize) -> bool {
+        self.items[n].is_unfolded
+    }
+
+    /// What a node means beside that it is one.
+    fn role(&self, n: usize, here: bool, is_found: bool) -> Option<Role> {
+        let state = self.state(n);
+        let missed = matches!(self.of.event, Some(Event::Test { interval: None, .. }));
+        let visited = Role::Visited { share: state.share };
+        if here {
+            return Some(match (is_found, missed) {
+                (true, _) => Role::Found,
+                (false, true) => Role::Missed,
+                (false, false) => Role::Current,
+            });
+        }
+        match (state.visited, state.above_current) {
+            (Some(_), _) if !self.is_unfolded(n) => Some(visited),
+            (_, Some(above)) => Some(Role::Ancestor { above }),
+            (Some(_), None) => None,
+            // Of the smallest forms too little would be left by the dashes.
+            (None, None) => (state.is_rejected && self.is_folded(n)).then_some(Role::Rejected),
+        }
+    }
+
+    /// Whether the number of a child stands above it.
+    fn has_number(&self, n: usize) -> bool {
+        let has_parent = self.items[n].parent.is_some();
+        has_parent && self.spacing >= 9.0 && self.levels >= 30.0
+    }
+
+    fn write(&self, figure: &mut Figure, n: usize, node: &DiagramNode) {
+        let [x, y] = node.at;
+        let state = self.state(n);
+        let mut push = |at: [f64; 2], text: String, role: Role| {
+            figure.drawn.push(drawn(
+                Form::Text { at, anchor: Anchor::Middle, text: text.into() },
+                role,
+                node.node,
+            ));
+        };
+        if let Some(child) = self.of.tree.child_index(node.node).filter(|_| self.has_number(n)) {
+            let role = if state.is_in_question || state.is_lit() {
+                Role::ChildIndex
+            } else {
+                Role::Branch
+            };
+            // The line around the current node is thick.
+            let line = if state.above_current == Some(0) { 1.5 } else { 0.0 };
+            push([x, y - node.half - line - 0.5 * NUMBER], child.0.to_string(), role);
+        }
+        match (node.kind, state.visited) {
+            (NodeKind::Leaf, Some([_, number])) => {
+                let text = number.to_string();
+                let wide = text_reach(Role::OrderNumber, &text)[0];
+                if wide <= DISC * node.half + 1.0 {
+                    push(node.at, text, Role::OrderNumber);
+                }
+            }
+            (NodeKind::Folded { .. }, _) => self.write_below(figure, n, node),
+            (NodeKind::Leaf | NodeKind::Unfolded, _) => {}
+        }
+    }
+
+    /// What is written below a folded node: the numbers of its visited leaves, or
+    /// how many leaves it has.
+    fn text_below(&self, n: usize) -> (String, Role) {
+        match self.state(n).visited {
+            Some([first, last]) if first == last => (first.to_string(), Role::OrderNumber),
+            Some([first, last]) => (format!("{first}–{last}"), Role::OrderNumber),
+            None => (short(self.of.tree.n_leaves_in(self.items[n].node.id)), Role::Branch),
+        }
+    }
+
+    /// Writes below a folded node; every other one lower, where they have no room
+    /// beside each other.
+    fn write_below(&self, figure: &mut Figure, n: usize, node: &DiagramNode) {
+        const LINE: f64 = 10.0;
+        if self.levels < ROOM_BELOW {
+            return;
+        }
+        let (text, role) = self.text_below(n);
+        let [wide, high] = text_reach(role, &text);
+        let is_in_the_way = |&other: &usize| {
+            let apart = (self.placed[other][0] - node.at[0]).abs();
+            let same = self.items[other].depth == self.items[n].depth;
+            if other == n || !same || !self.is_folded(other) || apart > 2.0 * self.spacing {
+                return false;
+            }
+            let (text, role) = self.text_below(other);
+            apart < wide + text_reach(role, &text)[0] + 3.0
+        };
+        let is_tight = (0..self.items.len()).any(|other| is_in_the_way(&other));
+        let is_odd = self.of.tree.child_index(node.node).is_some_and(|child| child.0 % 2 == 1);
+        let lower = if is_tight && is_odd { LINE } else { 0.0 };
+        let at = [node.at[0], node.at[1] + node.half + high + 1.5 + lower];
+        let [left, right] = [at[0] - wide, at[0] + wide];
+        let [above, below] = [at[1] - high + 1.0, at[1] + high - 1.0];
+        let behind = vec![[left, above], [right, above], [right, below], [left, below]];
+        figure.drawn.push(ground(Form::Polygon(behind), node.node));
+        figure.drawn.push(drawn(
+            Form::Text { at, anchor: Anchor::Middle, text: text.into() },
+            role,
+            node.node,
+        ));
+    }
+
+    /// The node under the pointer, or the one on the page in which it lies.
+    fn hovered<'a>(
+        &self,
+        nodes: &'a [(usize, DiagramNode)],
+        hovered: Option<NodeId>,
+    ) -> Option<&'a DiagramNode> {
+        let tree = self.of.tree;
+        let id = hovered.filter(|id| id.index() < tree.n_nodes())?;
+        let own_and_above = std::iter::once(id).chain(tree.ancestors(id));
+        let shown = |id: NodeId| nodes.iter().map(|(_, node)| node).find(|node| node.node == id);
+        own_and_above.into_iter().find_map(shown)
+    }
+}
+
+fn drawn(form: Form, role: Role, node: NodeId) -> Drawn {
+    Drawn { form, role, part: Part::Whole, node: Some(node) }
+}
+
+/// Background that hides branches.
+fn ground(form: Form, node: NodeId) -> Drawn {
+    Drawn { form, role: Role::Node, part: Part::Face(0), node: Some(node) }
+}
+
+/// A number of leaves in four characters: 64, 4096, 65k, 1.2M.
+fn short(n: usize) -> String {
+    match n {
+        0..10_000 => n.to_string(),
+        10_000..1_000_000 => format!("{}k", n / 1000),
+        1_000_000..10_000_000 => format!("{:.1}M", (n / 100_000) as f64 / 10.0),
+        _ => format!("{}M", n / 1_000_000),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::short;
+
+    #[test]
+    fn numbers_of_leaves_are_short() {
+        let numbers = [1, 9_999, 10_000, 262_144, 1_048_576, 16_777_216];
+        assert_eq!(numbers.map(short), ["1", "9999", "10k", "262k", "1.0M", "16M"]);
+    }
+}

@@ -1,0 +1,155 @@
+//! Diagrams of trees, small and large.
+
+use octoscope_core::geometry::Ray;
+use octoscope_core::progress::Progress;
+use octoscope_core::query::{PointMethod, Query};
+use octoscope_core::trace::{Moment, Trace, record};
+use octoscope_core::traverse::Variants;
+use octoscope_core::tree::{Domain, NodeId, Split, Tree, grow};
+use octoscope_figure::{
+    Diagram, DiagramLens, DiagramOf, Form, NodeKind, Page, Part, Role, tree_diagram,
+};
+
+const PAGE: Page = Page { width: 360.0, height: 290.0 };
+
+/// Tree in which every node down to level 0 has children.
+fn full<const D: usize>(depth: u8) -> Tree<D> {
+    grow(Domain::unit(depth), (), &Progress::default(), |cell, ()| match cell.level {
+        0 => Split::Empty,
+        _ => Split::Inner(vec![(); 1 << D]),
+    })
+    .expect("nobody cancels")
+}
+
+struct Run<const D: usize> {
+    tree: Tree<D>,
+    ray: Ray<D>,
+    query: Query<D>,
+    trace: Trace<D>,
+}
+
+fn run<const D: usize>(depth: u8) -> Run<D> {
+    let tree = full(depth);
+    let direction = std::array::from_fn(|e| 1.5 - 0.25 * e as f64);
+    let ray = Ray::new([-0.25; D], direction).expect("the direction is not zero");
+    let query = Query::default();
+    let trace = record(&tree, &ray, &query);
+    Run { tree, ray, query, trace }
+}
+
+impl<const D: usize> Run<D> {
+    fn diagram(&self, step: usize, unfolded: &[NodeId], page: Page) -> Diagram {
+        let moment = Moment::after(&self.tree, &self.trace, step);
+        let event = step.checked_sub(1).and_then(|index| self.trace.events.get(index));
+        let Self { tree, ray, query, .. } = self;
+        let of = DiagramOf { tree, ray, query, moment: &moment, event };
+        tree_diagram(&of, unfolded, None, page, DiagramLens::default())
+    }
+}
+
+fn n_of(diagram: &Diagram, role: Role, part: Part) -> usize {
+    let is_it = |role_of: Role, part_of: Part| role_of.class() == role.class() && part_of == part;
+    diagram.figure.drawn.iter().filter(|drawn| is_it(drawn.role, drawn.part)).count()
+}
+
+#[test]
+fn the_current_node_and_its_children_are_there_at_every_step() {
+    let run = run::<3>(4);
+    for step in 0..=run.trace.events.len() {
+        let diagram = run.diagram(step, &[], PAGE);
+        let moment = Moment::after(&run.tree, &run.trace, step);
+        let at_work = moment.at_work(&run.tree).expect("the root has children");
+        let shown = |id: NodeId| diagram.nodes.iter().any(|node| node.node == id);
+        assert!(shown(at_work), "{step}");
+        let children: Vec<_> =
+            run.tree.children(run.tree.node(at_work)).filter(|child| shown(child.id)).collect();
+        assert!(moment.current.is_none() || children.len() == 8, "{step}: {}", children.len());
+        assert!(moment.current.is_none_or(shown));
+    }
+}
+
+#[test]
+fn every_leaf_is_in_exactly_one_node_of_a_page_with_room_for_all() {
+    let run = run::<2>(5);
+    let page = Page { width: 4000.0, height: 600.0 };
+    for step in [0, 30, run.trace.events.len()] {
+        let diagram = run.diagram(step, &[NodeId(2)], page);
+        let leaves = diagram.nodes.iter().map(|node| match node.kind {
+            NodeKind::Leaf => 1,
+            NodeKind::Folded { n_leaves } => n_leaves,
+            NodeKind::Unfolded => 0,
+        });
+        assert_eq!(leaves.sum::<usize>(), run.tree.n_leaves());
+    }
+}
+
+#[test]
+fn at_the_end_every_visited_leaf_has_its_number_where_there_is_room() {
+    let run = run::<2>(4);
+    let page = Page { width: 4000.0, height: 600.0 };
+    let n_leaves = run.trace.leaves().count();
+    let diagram = run.diagram(usize::MAX, &[], page);
+    let numbers: Vec<String> = diagram
+        .figure
+        .drawn
+        .iter()
+        .filter(|drawn| drawn.role == Role::OrderNumber)
+        .filter_map(|drawn| match &drawn.form {
+            Form::Text { text, .. } => Some(text.plain()),
+            Form::Polygon(_) | Form::Polyline(_) | Form::Circle { .. } => None,
+        })
+        .collect();
+    assert_eq!(numbers.len(), n_leaves);
+    for n in 1..=n_leaves {
+        assert!(numbers.contains(&n.to_string()), "{n}");
+    }
+}
+
+#[test]
+fn children_that_are_ruled_out_have_dashed_branches() {
+    let run = run::<2>(2);
+    // The root is entered; its children are chosen among.
+    let diagram = run.diagram(2, &[], PAGE);
+    assert_eq!(n_of(&diagram, Role::Rejected, Part::Edge), 1);
+}
+
+#[test]
+fn a_point_has_its_path_and_its_node() {
+    let tree = full::<2>(3);
+    let ray = Ray::new([0.0; 2], [1.0; 2]).expect("the direction is not zero");
+    let query =
+        Query::Point { at: [0.3, 0.8], method: PointMethod::Codes, variants: Variants::NONE };
+    let trace = record(&tree, &ray, &query);
+    let run = Run { tree, ray, query, trace };
+    let diagram = run.diagram(usize::MAX, &[], PAGE);
+    assert_eq!(n_of(&diagram, Role::Found, Part::Whole), 1);
+    assert_eq!(n_of(&diagram, Role::Path, Part::Edge), 3);
+}
+
+#[test]
+fn what_is_drawn_of_a_million_leaves_is_what_is_drawn_of_a_thousand() {
+    let small = run::<2>(5);
+    let large = run::<2>(10);
+    assert_eq!(small.tree.n_leaves(), 1 << 10);
+    assert_eq!(large.tree.n_leaves(), 1 << 20);
+    for share in [0.0, 0.3, 0.6, 1.0] {
+        let drawn = |run: &Run<2>| {
+            let step = (run.trace.events.len() as f64 * share).round() as usize;
+            let diagram = run.diagram(step, &[], PAGE);
+            let folded = diagram.nodes.iter().filter_map(|node| match node.kind {
+                NodeKind::Folded { n_leaves } => Some(n_leaves),
+                NodeKind::Leaf | NodeKind::Unfolded => None,
+            });
+            (diagram.nodes.len(), diagram.figure.drawn.len(), folded.max().unwrap_or(0))
+        };
+        let (nodes, shapes, _) = drawn(&large);
+        let (few, _, _) = drawn(&small);
+        assert!(nodes <= few + 5 * 4 && nodes <= 100, "{share}: {nodes} of {few}");
+        assert!(shapes <= 8 * nodes + 30, "{share}: {shapes}");
+        // A quarter of the tree is one triangle.
+        assert!(share == 0.0 || drawn(&large).2 <= 1 << 18);
+    }
+    // The user may unfold nodes, each of which shows its children only.
+    let unfolded: Vec<NodeId> = (1..=40).map(NodeId).collect();
+    assert!(large.diagram(3, &unfolded, PAGE).nodes.len() <= 41 * 4 + 1 + 10 * 4);
+}
