@@ -8,8 +8,8 @@ use anyhow::bail;
 use octoscope_core::scenario::AnyScenario;
 use octoscope_core::scene::Content;
 use octoscope_figure::{
-    Background, Camera, Figure, Mark, Page, Role, Shape, Show, SvgOptions, Theme, axes, content,
-    leaves, marks, png, space_figure, svg, svg_scaled,
+    Background, Camera, Figure, FileOptions, Mark, Page, Role, Scale, Shape, Show, Theme, Unit,
+    axes, content, leaves, marks, png, space_figure, svg,
 };
 use std::path::Path;
 
@@ -134,14 +134,15 @@ pub struct Style<'a> {
 /// Says why it cannot be drawn in pixels.
 pub fn bytes(figure: &Figure, style: Style, scenario: &AnyScenario) -> anyhow::Result<Vec<u8>> {
     let scenario = scenario.print();
-    let options = SvgOptions {
+    let options = FileOptions {
         theme: style.theme,
         background: Background::Filled,
         title: style.title,
         scenario: &scenario,
+        scale: Scale { factor: style.scale, unit: Unit::Pixel },
     };
     Ok(match style.format {
-        Format::Svg => svg_scaled(figure, &options, style.scale).into_bytes(),
+        Format::Svg => svg(figure, &options).into_bytes(),
         Format::Png => {
             let width = (figure.page.width * style.scale).round() as u32;
             png(&svg(figure, &options), width)?

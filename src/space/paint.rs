@@ -4,7 +4,7 @@ use super::PageInWindow;
 use crate::look::Look;
 use crate::theme::color32;
 use eframe::egui::{Align2, Color32, FontFamily, FontId, Painter, Pos2, Shape, Stroke};
-use octoscope_figure::{Colour, Drawn, Figure, Form, Part, Style, Theme, Weight};
+use octoscope_figure::{Colour, Drawn, Figure, Form, Paint, Style, Theme, Weight};
 
 /// Paints `figure` where `frame` says its page lies.
 pub fn figure(painter: &Painter, look: &Look, theme: Theme, frame: PageInWindow, figure: &Figure) {
@@ -14,23 +14,9 @@ pub fn figure(painter: &Painter, look: &Look, theme: Theme, frame: PageInWindow,
 }
 
 fn paint(painter: &Painter, look: &Look, theme: Theme, frame: PageInWindow, drawn: &Drawn) {
-    let style = match drawn.part {
-        Part::Lit(light) => Style::lit(theme, drawn.role, light),
-        Part::Whole | Part::Fine | Part::Face(_) | Part::Head | Part::Edge | Part::HiddenEdge => {
-            Style::of(theme, drawn.role)
-        }
-    };
-    let opacity = drawn.part.opacity();
-    let shown = |colour: Option<Colour>| {
-        colour.map_or(Color32::TRANSPARENT, |c| color32(c.faded(c.opacity * opacity)))
-    };
-    let (fill, line) = match drawn.part {
-        Part::Whole | Part::Fine | Part::Lit(_) => (shown(style.fill), shown(style.stroke)),
-        Part::Face(_) => (shown(style.fill), Color32::TRANSPARENT),
-        Part::Head => (shown(style.stroke), Color32::TRANSPARENT),
-        Part::Edge | Part::HiddenEdge => (Color32::TRANSPARENT, shown(style.stroke)),
-    };
-    let stroke = Stroke::new((style.width * drawn.part.width()) as f32, line);
+    let Paint { fill, stroke, width, dash } = Paint::of(theme, drawn);
+    let shown = |colour: Option<Colour>| colour.map_or(Color32::TRANSPARENT, color32);
+    let (fill, stroke) = (shown(fill), Stroke::new(width as f32, shown(stroke)));
     let place =
         |points: &[[f64; 2]]| -> Vec<Pos2> { points.iter().map(|&p| frame.on_screen(p)).collect() };
     match &drawn.form {
@@ -40,14 +26,14 @@ fn paint(painter: &Painter, look: &Look, theme: Theme, frame: PageInWindow, draw
                 painter.add(Shape::convex_polygon(points.clone(), fill, Stroke::NONE));
             }
             points.extend(points.first().copied());
-            paint_line(painter, &points, stroke, style.dash.pattern());
+            paint_line(painter, &points, stroke, dash.pattern());
         }
-        Form::Polyline(points) => paint_line(painter, &place(points), stroke, style.dash.pattern()),
+        Form::Polyline(points) => paint_line(painter, &place(points), stroke, dash.pattern()),
         Form::Circle { centre, radius } => {
             painter.circle(frame.on_screen(*centre), *radius as f32, fill, stroke);
         }
         Form::Text { at, text } => {
-            let Some(lettering) = style.text else { return };
+            let Some(lettering) = Style::of(theme, drawn.role).text else { return };
             let family = match lettering.weight {
                 Weight::Regular => FontFamily::Proportional,
                 Weight::Strong => look.strong_family(),

@@ -8,7 +8,7 @@ use octoscope_core::trace::{Moment, record};
 use octoscope_core::traverse::{Algorithm, Options};
 use octoscope_core::tree::{Cell, Domain, Split, Tree, grow};
 use octoscope_figure::{
-    Background, Camera, Drawn, Figure, Form, Mark, Page, Part, Role, Shape, Show, SvgOptions,
+    Background, Camera, Drawn, Figure, FileOptions, Form, Mark, Page, Part, Role, Shape, Show,
     Theme, axes, content, leaves, marks, png, space_figure, svg,
 };
 
@@ -49,10 +49,10 @@ fn figure<const D: usize>(step: usize, show: &Show) -> Figure {
 
 #[test]
 fn a_small_figure_is_written_as_expected() {
-    let options = SvgOptions {
+    let options = FileOptions {
         title: "Corner",
         scenario: r#"{"octoscope":1,"note":"a<b"}"#,
-        ..SvgOptions::default()
+        ..FileOptions::default()
     };
     let text = svg(&figure::<2>(4, &Show::default()), &options);
     let path = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/figures/corner.svg");
@@ -84,7 +84,7 @@ fn every_step_is_drawn_within_the_page_in_every_theme() {
             let side = figure.page.width.max(figure.page.height);
             assert!(numbers.iter().all(|x| (0.0..=side).contains(x)));
             for theme in Theme::ALL {
-                let text = svg(&figure, &SvgOptions { theme, ..SvgOptions::default() });
+                let text = svg(&figure, &FileOptions { theme, ..FileOptions::default() });
                 assert!(!text.contains("NaN") && !text.contains("inf"));
             }
         }
@@ -108,7 +108,7 @@ fn everything() -> Show {
 fn a_png_has_the_width_that_is_asked_for() {
     let figure = figure::<3>(9, &Show::default());
     for background in [Background::Filled, Background::Transparent] {
-        let text = svg(&figure, &SvgOptions { background, ..SvgOptions::default() });
+        let text = svg(&figure, &FileOptions { background, ..FileOptions::default() });
         let file = png(&text, 300).unwrap();
         let picture = resvg::tiny_skia::Pixmap::decode_png(&file).unwrap();
         let height = (300.0 * figure.page.height / figure.page.width).round() as u32;
@@ -121,7 +121,7 @@ fn a_png_has_the_width_that_is_asked_for() {
 #[test]
 fn what_is_no_picture_is_refused() {
     assert!(png("no SVG", 100).is_err());
-    let text = svg(&figure::<2>(0, &Show::default()), &SvgOptions::default());
+    let text = svg(&figure::<2>(0, &Show::default()), &FileOptions::default());
     assert!(png(&text, 0).is_err() && png(&text, 1 << 20).is_err());
 }
 
@@ -132,7 +132,7 @@ fn letters_are_drawn() {
         let page = Page { width: 40.0, height: 40.0 };
         let camera = Camera::framing(&corner_tree::<2>().domain().root_box(), page);
         let figure = space_figure(&[mark.with_text(label)], &camera, page);
-        let options = SvgOptions { background: Background::Transparent, ..SvgOptions::default() };
+        let options = FileOptions { background: Background::Transparent, ..FileOptions::default() };
         let file = png(&svg(&figure, &options), 40).unwrap();
         let picture = resvg::tiny_skia::Pixmap::decode_png(&file).unwrap();
         picture.pixels().iter().filter(|pixel| pixel.alpha() > 0).count()
