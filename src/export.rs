@@ -1,47 +1,28 @@
 //! Exporting what the space view shows.
 
+mod format;
+mod order;
+mod size;
+mod steps;
+mod write;
+
+pub use format::Format;
+pub use order::Order;
+pub use size::Size;
+pub use steps::{MOST_STEPS, Steps};
+pub use write::{Series, write};
+
 use crate::document::{AnyDocument, Document};
-use crate::files;
 use crate::space::interesting;
 use crate::view::View;
 use anyhow::bail;
+use octoscope_core::progress::Progress;
 use octoscope_core::scenario::AnyScenario;
 use octoscope_core::scene::Content;
 use octoscope_figure::{
-    Background, Camera, Figure, FileOptions, Mark, Page, Role, Scale, Shape, Show, Theme, Unit,
-    axes, content, leaves, marks, png, space_figure, svg,
+    Camera, Figure, Mark, Page, Role, Shape, Show, axes, content, leaves, marks, space_figure,
 };
 use std::path::Path;
-
-/// Format of an exported figure.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Format {
-    /// Vectors, text as text.
-    Svg,
-    /// Pixels.
-    Png,
-}
-
-impl Format {
-    /// All formats.
-    pub const ALL: [Self; 2] = [Self::Svg, Self::Png];
-
-    /// Its file ending.
-    pub fn ending(self) -> &'static str {
-        match self {
-            Self::Svg => "svg",
-            Self::Png => "png",
-        }
-    }
-
-    /// Format of this file ending or name.
-    pub fn of_ending(ending: &str) -> Option<Self> {
-        Self::ALL.into_iter().find(|format| ending.eq_ignore_ascii_case(format.ending()))
-    }
-}
-
-/// Room around a figure that is cropped, in page units.
-pub const MARGIN: f64 = 6.0;
 
 /// Figure of the space view of `document` after `step` events, on the whole of
 /// `page`. Without a camera, the tree and the ray fill it.
@@ -115,41 +96,6 @@ pub fn left_out<const D: usize>(document: &Document<D>, show: &Show) -> Option<S
     left_out.into_iter().flatten().reduce(|a, b| format!("{a}; {b}"))
 }
 
-/// How a figure becomes a file.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Style<'a> {
-    /// Vectors or pixels.
-    pub format: Format,
-    /// Colours and lines.
-    pub theme: Theme,
-    /// Pixels per page unit; vectors are shown larger by it.
-    pub scale: f64,
-    /// Title for readers that cannot see the figure.
-    pub title: &'a str,
-}
-
-/// Bytes of `figure`, with `scenario` inside if it is of vectors.
-///
-/// # Errors
-/// Says why it cannot be drawn in pixels.
-pub fn bytes(figure: &Figure, style: Style, scenario: &AnyScenario) -> anyhow::Result<Vec<u8>> {
-    let scenario = scenario.print();
-    let options = FileOptions {
-        theme: style.theme,
-        background: Background::Filled,
-        title: style.title,
-        scenario: &scenario,
-        scale: Scale { factor: style.scale, unit: Unit::Pixel },
-    };
-    Ok(match style.format {
-        Format::Svg => svg(figure, &options).into_bytes(),
-        Format::Png => {
-            let width = (figure.page.width * style.scale).round() as u32;
-            png(&svg(figure, &options), width)?
-        }
-    })
-}
-
 /// Writes the space view as the window shows it to `path`, whose ending tells
 /// the format.
 ///
@@ -161,7 +107,6 @@ pub fn space_view(
     view: &View,
     path: &Path,
 ) -> anyhow::Result<()> {
-    const PAGE: Page = Page { width: 960.0, height: 720.0 };
     let ending = path.extension().unwrap_or_default().to_string_lossy().into_owned();
     let Some(format) = Format::of_ending(&ending) else {
         bail!(
@@ -170,18 +115,20 @@ pub fn space_view(
         );
     };
     let step = view.playback.step;
-    let figure = match document {
+    let order = Order { format, theme: view.theme, ..Order::default() };
+    let figure = |page, step| match document {
         AnyDocument::Plane(document) => {
-            space(document, view.camera(), PAGE, &view.plane_show, step)
+            space(document, view.camera(), page, &view.plane_show, step)
         }
         AnyDocument::Space(document) => {
-            space(document, view.camera(), PAGE, &view.space_show, step)
+            space(document, view.camera(), page, &view.space_show, step)
         }
     };
-    let scale = match format {
-        Format::Svg => 1.0,
-        Format::Png => 2.0,
+    let series = Series {
+        steps: step..=step,
+        figure: &figure,
+        title: &|_| "Octoscope".to_owned(),
+        scenario: &|_| scenario.print(),
     };
-    let style = Style { format, theme: view.theme, scale, title: "Octoscope" };
-    files::write(path, &bytes(&figure.cropped(MARGIN), style, scenario)?)
+    write(&order, &series, Some(path), &Progress::default())
 }

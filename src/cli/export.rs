@@ -4,8 +4,7 @@ use super::ray::RayChoice;
 use super::values::{Numbers, language};
 use super::{Answer, tell};
 use crate::document::Document;
-use crate::export::{Format, MARGIN, Style, bytes, left_out, space};
-use crate::files::Output;
+use crate::export::{Format, Order, Series, Size, Steps, left_out, space, write};
 use crate::open::open;
 use crate::space::interesting;
 use crate::with_document;
@@ -15,57 +14,75 @@ use octoscope_core::explain::sentence;
 use octoscope_core::progress::Progress;
 use octoscope_core::scenario::StepAt;
 use octoscope_core::text::Language;
-use octoscope_figure::{Camera, Figure, Page, Show, Theme};
-use std::io::Write;
+use octoscope_figure::{Background, Camera, Figure, Page, Show, Theme, TikzForm};
 use std::path::PathBuf;
 use std::str::FromStr;
 
-/// Writes a figure of a scenario at one of its steps.
+/// Writes a figure of a scenario at one of its steps, or at several.
 ///
-/// The same arguments give the same bytes. An SVG holds its text as text and
-/// the scenario as metadata. Needs no display and no graphics adapter.
+/// The same arguments give the same bytes. An SVG, PDF, PNG or TikZ file holds
+/// the scenario, which Octoscope opens again; text is text, but in a PNG. A PDF
+/// has a page a step, TikZ a picture a step; of the other formats there is a
+/// file a step, with its number in the name. Needs no display and no graphics
+/// adapter.
 #[derive(Debug, Args)]
 #[command(after_long_help = "Examples:\n  \
     octoscope export scene:quadtree-82 --view space --step last -o figure.svg\n  \
+    octoscope export scene:quadtree-82 --step 12 --size 120x80mm -o figure.pdf\n  \
+    octoscope export lecture.octo --step all --beamer -o slides.tex\n  \
     octoscope export lecture.octo --view space --format png --step 12 \\\n    \
         --size 1280x720 --scale 2 --theme projector -o step-12.png\n  \
     octoscope export scene:cloud --step last --camera=-30,20,1.5 --theme dark -o cloud.png")]
 pub struct Export {
-    /// Scenario (.octo), data file, or built-in scene as scene:NAME.
-    file: PathBuf,
+    /// Scenario (.octo), exported figure, data file, or built-in scene as
+    /// scene:NAME.
+    pub file: PathBuf,
     /// What is drawn: space (the tree, the ray and the state of the algorithm).
     #[arg(long, value_name = "VIEW", default_value = "space")]
     view: View,
-    /// svg or png; without it, the ending of the output tells.
+    /// svg, pdf, png or tikz; without it, the ending of the output tells.
     #[arg(long, value_name = "FORMAT", value_parser = format)]
     format: Option<Format>,
     /// Writes to this file, which appears whole or not at all; without it, to
     /// standard output.
     #[arg(short, long, value_name = "FILE")]
-    output: Option<PathBuf>,
-    /// Number of steps that have happened, first (before all) or last; without
-    /// it, where the scenario says.
-    #[arg(long, value_name = "N|first|last", value_parser = step, allow_negative_numbers = true)]
-    step: Option<StepAt>,
+    pub output: Option<PathBuf>,
+    /// Number of steps that have happened, first (before all) or last, a range
+    /// such as 3-12, or all; without it, where the scenario says.
+    #[arg(long, value_name = "N|first|last|A-B|all", allow_negative_numbers = true)]
+    step: Option<Steps>,
     /// Draws this ray, as octoscope trace takes it.
     #[arg(long, value_name = "OX,OY,OZ,DX,DY,DZ|gallery:ID", allow_hyphen_values = true)]
     ray: Option<RayChoice>,
-    /// Page in points, into which the figure is fitted; without it, the page
-    /// ends around the figure.
-    #[arg(long, value_name = "WIDTHxHEIGHT", allow_negative_numbers = true)]
+    /// Extent in mm, pt or px (without a unit), into which the figure is
+    /// fitted; without it, the file ends around the figure.
+    #[arg(long, value_name = "WIDTHxHEIGHT[UNIT]", allow_negative_numbers = true)]
     size: Option<Size>,
-    /// Pixels per point; an SVG is shown larger by it.
-    #[arg(long, value_name = "FACTOR", default_value = "1", value_parser = scale, allow_negative_numbers = true)]
-    scale: f64,
+    /// Enlarges the file so many times. Of a PNG whose size is in mm or pt, the
+    /// pixels per point; without it, it has 300 dots per inch.
+    #[arg(long, value_name = "FACTOR", value_parser = scale, allow_negative_numbers = true)]
+    scale: Option<f64>,
+    /// Size of type and lines against the usual, on a page of the same size.
+    #[arg(long, value_name = "FACTOR", default_value = "1", value_parser = type_scale, allow_negative_numbers = true)]
+    type_scale: f64,
     /// light, dark, print or projector.
-    #[arg(long, default_value = "light", value_parser = theme)]
+    #[arg(long, default_value = "print", value_parser = theme)]
     theme: Theme,
+    /// Leaves out what lies behind the figure.
+    #[arg(long)]
+    transparent: bool,
+    /// Writes TikZ for slides: one frame, an overlay a step.
+    #[arg(long)]
+    beamer: bool,
+    /// Writes TikZ to be put into a document, not a document of its own.
+    #[arg(long)]
+    snippet: bool,
     /// Yaw and pitch of the eye in degrees, and a factor of 1 where everything
     /// fits. Yaw 0 looks from +x, 90 from +y; pitch 90 from above. In a
     /// quadtree only the factor counts.
     #[arg(long, value_name = "YAW,PITCH,ZOOM", allow_hyphen_values = true)]
     camera: Option<Eye>,
-    /// Language of the title inside an SVG: en or de.
+    /// Language of the title inside a file: en or de.
     #[arg(long, value_name = "LANGUAGE", default_value = "en", value_parser = language)]
     lang: Language,
 }
@@ -85,27 +102,6 @@ impl FromStr for View {
             return Ok(Self::Space);
         }
         Err(format!("there is no view ‘{id}’ to export; there is space"))
-    }
-}
-
-/// Page in points.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-struct Size {
-    width: u16,
-    height: u16,
-}
-
-impl FromStr for Size {
-    type Err = String;
-
-    fn from_str(text: &str) -> Result<Self, String> {
-        const LARGEST: u16 = 1 << 14;
-        let length = |text: &str| text.parse().ok().filter(|n| (1..=LARGEST).contains(n));
-        let lengths = text.split_once(['x', 'X', '×']);
-        let size = lengths.and_then(|(width, height)| {
-            Some(Self { width: length(width)?, height: length(height)? })
-        });
-        size.ok_or_else(|| format!("give width and height from 1 to {LARGEST}, such as 1280x720"))
     }
 }
 
@@ -151,23 +147,19 @@ impl Eye {
 }
 
 fn format(id: &str) -> Result<Format, String> {
-    Format::of_ending(id)
-        .ok_or_else(|| format!("there is no format ‘{id}’ to export to; there are svg and png"))
-}
-
-fn step(text: &str) -> Result<StepAt, String> {
-    match text {
-        "first" => Ok(StepAt::First),
-        "last" => Ok(StepAt::Last),
-        _ => text.parse().map(StepAt::At).map_err(|_| {
-            format!("‘{text}’ is no single step; give a number from 0, first or last")
-        }),
-    }
+    Format::of_id(id).ok_or_else(|| {
+        format!("there is no format ‘{id}’ to export to; there are {}", Format::known())
+    })
 }
 
 fn scale(text: &str) -> Result<f64, String> {
     let scale = text.parse().ok().filter(|scale| (0.01..=100.0).contains(scale));
     scale.ok_or_else(|| "give a factor from 0.01 to 100, such as 2".to_owned())
+}
+
+fn type_scale(text: &str) -> Result<f64, String> {
+    let scale = text.parse().ok().filter(|scale| (0.25..=8.0).contains(scale));
+    scale.ok_or_else(|| "give a factor from 0.25 to 8, such as 1.5".to_owned())
 }
 
 fn theme(id: &str) -> Result<Theme, String> {
@@ -182,37 +174,64 @@ fn theme(id: &str) -> Result<Theme, String> {
 /// # Errors
 /// Says what is wrong with the file or the arguments.
 pub fn export(arguments: &Export) -> anyhow::Result<Answer> {
-    let format = chosen_format(arguments)?;
-    let mut document = open(&arguments.file, &Progress::default())?;
+    let order = arguments.order()?;
+    let progress = Progress::default();
+    let mut document = open(&arguments.file, &progress)?;
     if let Some(choice) = &arguments.ray {
         with_document!(&mut document, document => {
             choice.aim(document)?;
             document.refresh(0);
         });
     }
-    let n_steps = document.n_events();
-    if let Some(StepAt::At(step)) = arguments.step
-        && step > n_steps
-    {
-        bail!("there is no step {step}; give one from 0 to {n_steps}, first or last");
-    }
     let saved = with_document!(&document, document => document.opened().step);
-    let step = arguments.step.unwrap_or(saved).position(n_steps);
-    let (figure, title) = with_document!(&document, document => {
-        let title = sentence(
-            &document.tree, &document.scenario.ray, &document.trace, step, arguments.lang,
-        );
-        (figure(document, arguments, step), title.plain())
-    });
+    let steps = match arguments.step {
+        Some(steps) => steps,
+        None => Steps::One(StepAt::At(saved.position(document.n_events()))),
+    };
     if let Some(note) = with_document!(&document, d => left_out_of(d)) {
         tell(&note);
     }
-    let style = Style { format, theme: arguments.theme, scale: arguments.scale, title: &title };
-    let bytes = bytes(&figure, style, &document.scenario_at(step))?;
-    let mut output = Output::open(arguments.output.as_deref())?;
-    output.write_all(&bytes)?;
-    output.finish()?;
+    let title = |step| {
+        with_document!(&document, d => {
+            sentence(&d.tree, &d.scenario.ray, &d.trace, step, arguments.lang).plain()
+        })
+    };
+    let series = Series {
+        steps: steps.numbers(document.n_events())?,
+        figure: &|page, step| with_document!(&document, d => figure(d, arguments, page, step)),
+        title: &title,
+        scenario: &|step| document.scenario_at(step).print(),
+    };
+    write(&order, &series, arguments.output.as_deref(), &progress)?;
     Ok(Answer::Done)
+}
+
+impl Export {
+    /// What the file is to be like.
+    fn order(&self) -> anyhow::Result<Order> {
+        let format = chosen_format(self)?;
+        if (self.beamer || self.snippet) && format != Format::Tikz {
+            let option = if self.beamer { "--beamer" } else { "--snippet" };
+            bail!("{option} is for TikZ; give --format tikz, or leave it out");
+        }
+        let tikz = match (self.beamer, self.snippet) {
+            (false, false) => TikzForm::Standalone,
+            (false, true) => TikzForm::Snippet,
+            (true, false) => TikzForm::Beamer,
+            (true, true) => TikzForm::BeamerSnippet,
+        };
+        let background =
+            if self.transparent { Background::Transparent } else { Background::Filled };
+        Ok(Order {
+            format,
+            theme: self.theme,
+            background,
+            size: self.size,
+            enlarged: self.scale,
+            type_scale: self.type_scale,
+            tikz,
+        })
+    }
 }
 
 fn chosen_format(arguments: &Export) -> anyhow::Result<Format> {
@@ -221,12 +240,13 @@ fn chosen_format(arguments: &Export) -> anyhow::Result<Format> {
     }
     let name = arguments.output.as_deref();
     let Some(ending) = name.and_then(|name| name.extension()) else {
-        bail!("the format is not told; give --format svg or --format png");
+        bail!("the format is not told; give --format with one of {}", Format::known());
     };
     let ending = ending.to_string_lossy();
     Format::of_ending(&ending).ok_or_else(|| {
         anyhow!(
-            "‘.{ending}’ is no format of figures; end the name in .svg or .png, or give --format"
+            "‘.{ending}’ is no ending of figures; give --format with one of {}",
+            Format::known()
         )
     })
 }
@@ -235,15 +255,15 @@ fn left_out_of<const D: usize>(document: &Document<D>) -> Option<String> {
     left_out(document, &Show::at_first::<D>())
 }
 
-fn figure<const D: usize>(document: &Document<D>, arguments: &Export, step: usize) -> Figure {
-    const PAGE: Page = Page { width: 960.0, height: 720.0 };
-    let page = arguments
-        .size
-        .map_or(PAGE, |size| Page { width: f64::from(size.width), height: f64::from(size.height) });
+fn figure<const D: usize>(
+    document: &Document<D>,
+    arguments: &Export,
+    page: Page,
+    step: usize,
+) -> Figure {
     let View::Space = arguments.view;
     let camera = arguments.camera.map(|eye| eye.camera(document, page));
-    let figure = space(document, camera, page, &Show::at_first::<D>(), step);
-    if arguments.size.is_some() { figure } else { figure.cropped(MARGIN) }
+    space(document, camera, page, &Show::at_first::<D>(), step)
 }
 
 #[cfg(test)]
@@ -251,28 +271,11 @@ mod tests {
     use super::*;
 
     #[test]
-    fn sizes_are_width_and_height() {
-        assert_eq!("640x480".parse(), Ok(Size { width: 640, height: 480 }));
-        for bad in ["640", "640x", "0x480", "-1x5", "640x99999", "a4", "640x480x2"] {
-            assert!(bad.parse::<Size>().is_err(), "{bad}");
-        }
-    }
-
-    #[test]
     fn the_eye_has_three_numbers_within_bounds() {
         let eye = Eye { yaw_degrees: -30.0, pitch_degrees: 20.0, zoom: 1.5 };
         assert_eq!("-30,20,1.5".parse(), Ok(eye));
         for bad in ["-30,20", "1,2,3,4", "0,91,1", "0,0,0", "0,0,-1", "0,0,nan", "a,b,c"] {
             assert!(bad.parse::<Eye>().is_err(), "{bad}");
-        }
-    }
-
-    #[test]
-    fn steps_are_numbers_first_or_last() {
-        assert_eq!(step("12"), Ok(StepAt::At(12)));
-        assert_eq!(step("last"), Ok(StepAt::Last));
-        for bad in ["all", "-1", "1.5", ""] {
-            assert!(step(bad).unwrap_err().contains("first or last"), "{bad}");
         }
     }
 }
