@@ -21,15 +21,16 @@ use std::str::FromStr;
 /// Writes a figure of a scenario at one of its steps, or at several.
 ///
 /// The same arguments give the same bytes. An SVG, PDF, PNG or TikZ file holds
-/// the scenario, which Octoscope opens again; text is text, but in a PNG. A PDF
-/// has a page a step, TikZ a picture a step; of the other formats there is a
-/// file a step, with its number in the name. Needs no display and no graphics
-/// adapter.
+/// the scenario, which Octoscope opens again. Of several steps, a PDF has a page
+/// each, TikZ a picture, GIF and APNG a frame; of SVG and PNG there is a file
+/// each, with the number of the step in its name. Needs no display and no
+/// graphics adapter.
 #[derive(Debug, Args)]
 #[command(after_long_help = "Examples:\n  \
     octoscope export scene:quadtree-82 --view space --step last -o figure.svg\n  \
     octoscope export scene:quadtree-82 --step 12 --size 120x80mm -o figure.pdf\n  \
     octoscope export lecture.octo --step all --beamer -o slides.tex\n  \
+    octoscope export lecture.octo --step 0-40 --pause 0.3 -o steps.gif\n  \
     octoscope export lecture.octo --view space --format png --step 12 \\\n    \
         --size 1280x720 --scale 2 --theme projector -o step-12.png\n  \
     octoscope export scene:cloud --step last --camera=-30,20,1.5 --theme dark -o cloud.png")]
@@ -40,7 +41,8 @@ pub struct Export {
     /// What is drawn: space (the tree, the ray and the state of the algorithm).
     #[arg(long, value_name = "VIEW", default_value = "space")]
     view: View,
-    /// svg, pdf, png or tikz; without it, the ending of the output tells.
+    /// svg, pdf, png, tikz, gif or apng; without it, the ending of the output
+    /// tells.
     #[arg(long, value_name = "FORMAT", value_parser = format)]
     format: Option<Format>,
     /// Writes to this file, which appears whole or not at all; without it, to
@@ -48,7 +50,8 @@ pub struct Export {
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<PathBuf>,
     /// Number of steps that have happened, first (before all) or last, a range
-    /// such as 3-12, or all; without it, where the scenario says.
+    /// such as 3-12, or all; without it, where the scenario says, and all for gif
+    /// and apng.
     #[arg(long, value_name = "N|first|last|A-B|all", allow_negative_numbers = true)]
     step: Option<Steps>,
     /// Draws this ray, as octoscope trace takes it.
@@ -71,6 +74,9 @@ pub struct Export {
     /// Leaves out what lies behind the figure.
     #[arg(long)]
     transparent: bool,
+    /// How long each step is shown in gif and apng, in seconds.
+    #[arg(long, value_name = "SECONDS", default_value = "0.5", value_parser = pause, allow_negative_numbers = true)]
+    pause: f64,
     /// Writes TikZ for slides: one frame, an overlay a step.
     #[arg(long)]
     beamer: bool,
@@ -162,6 +168,11 @@ fn type_scale(text: &str) -> Result<f64, String> {
     scale.ok_or_else(|| "give a factor from 0.25 to 8, such as 1.5".to_owned())
 }
 
+fn pause(text: &str) -> Result<f64, String> {
+    let pause = text.parse().ok().filter(|pause| (0.02..=60.0).contains(pause));
+    pause.ok_or_else(|| "give seconds from 0.02 to 60, such as 0.5".to_owned())
+}
+
 fn theme(id: &str) -> Result<Theme, String> {
     Theme::ALL.into_iter().find(|theme| theme.id() == id).ok_or_else(|| {
         let known = Theme::ALL.map(Theme::id).join(", ");
@@ -186,6 +197,7 @@ pub fn export(arguments: &Export) -> anyhow::Result<Answer> {
     let saved = with_document!(&document, document => document.opened().step);
     let steps = match arguments.step {
         Some(steps) => steps,
+        None if order.format.moves() => Steps::All,
         None => Steps::One(StepAt::At(saved.position(document.n_events()))),
     };
     if let Some(note) = with_document!(&document, d => left_out_of(d)) {
@@ -230,6 +242,7 @@ impl Export {
             enlarged: self.scale,
             type_scale: self.type_scale,
             tikz,
+            pause_secs: self.pause,
         })
     }
 }

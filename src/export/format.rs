@@ -15,11 +15,15 @@ pub enum Format {
     Png,
     /// Vectors as commands for LaTeX.
     Tikz,
+    /// Moving pixels of few colours.
+    Gif,
+    /// Moving pixels.
+    Apng,
 }
 
 impl Format {
     /// All formats.
-    pub const ALL: [Self; 4] = [Self::Svg, Self::Pdf, Self::Png, Self::Tikz];
+    pub const ALL: [Self; 6] = [Self::Svg, Self::Pdf, Self::Png, Self::Tikz, Self::Gif, Self::Apng];
 
     /// Its name in arguments.
     pub fn id(self) -> &'static str {
@@ -28,13 +32,15 @@ impl Format {
             Self::Pdf => "pdf",
             Self::Png => "png",
             Self::Tikz => "tikz",
+            Self::Gif => "gif",
+            Self::Apng => "apng",
         }
     }
 
     /// Its file ending.
     pub fn ending(self) -> &'static str {
         match self {
-            Self::Svg | Self::Pdf | Self::Png => self.id(),
+            Self::Svg | Self::Pdf | Self::Png | Self::Gif | Self::Apng => self.id(),
             Self::Tikz => "tex",
         }
     }
@@ -58,7 +64,7 @@ impl Format {
     /// Whether its figures are of pixels.
     pub fn is_of_pixels(self) -> bool {
         match self {
-            Self::Png => true,
+            Self::Png | Self::Gif | Self::Apng => true,
             Self::Svg | Self::Pdf | Self::Tikz => false,
         }
     }
@@ -66,8 +72,16 @@ impl Format {
     /// Whether one file holds several steps.
     pub fn holds_steps(self) -> bool {
         match self {
-            Self::Pdf | Self::Tikz => true,
+            Self::Pdf | Self::Tikz | Self::Gif | Self::Apng => true,
             Self::Svg | Self::Png => false,
+        }
+    }
+
+    /// Whether it moves: all steps are meant where nothing else is said.
+    pub fn moves(self) -> bool {
+        match self {
+            Self::Gif | Self::Apng => true,
+            Self::Svg | Self::Pdf | Self::Png | Self::Tikz => false,
         }
     }
 }

@@ -21,6 +21,8 @@ pub struct Order {
     pub type_scale: f64,
     /// What is written around TikZ.
     pub tikz: TikzForm,
+    /// How long each step of what moves is shown, in seconds.
+    pub pause_secs: f64,
 }
 
 impl Default for Order {
@@ -33,6 +35,7 @@ impl Default for Order {
             enlarged: None,
             type_scale: 1.0,
             tikz: TikzForm::default(),
+            pause_secs: 0.5,
         }
     }
 }

@@ -4,7 +4,7 @@ use super::{Format, Order};
 use crate::files::Output;
 use anyhow::{Context, bail};
 use octoscope_core::progress::{Cancelled, Progress};
-use octoscope_figure::{Extent, Figure, FileOptions, Page, Pdf, Tikz, png, svg};
+use octoscope_figure::{Apng, Extent, Figure, FileOptions, Gif, Page, Pdf, Pixels, Tikz, png, svg};
 use std::io::Write;
 use std::ops::RangeInclusive;
 use std::path::{Path, PathBuf};
@@ -154,7 +154,40 @@ fn bytes(
             }
             Ok(tikz.finish().into_bytes())
         }
+        Format::Gif => {
+            let (mut file, pause) = (Vec::new(), order.pause_secs);
+            let mut gif = Gif::begin(&mut file, &samples(series, frames, &options)?, pause)?;
+            for figure in figures {
+                gif.frame(Pixels::of(&figure?, &options)?)?;
+            }
+            gif.finish()?;
+            Ok(file)
+        }
+        Format::Apng => {
+            let Some(first) = figures.next() else { bail!("there is no step to draw") };
+            let (mut file, pause) = (Vec::new(), order.pause_secs);
+            let n_frames = u32::try_from(series.steps.clone().count())?;
+            let first = Pixels::of(&first?, &options)?;
+            let mut apng = Apng::begin(&mut file, first, n_frames, pause, &options)?;
+            for figure in figures {
+                apng.frame(Pixels::of(&figure?, &options)?)?;
+            }
+            apng.finish()?;
+            Ok(file)
+        }
     }
+}
+
+/// Some frames, from the first to the last, in which all colours are seen.
+fn samples(series: &Series, frames: &Frames, options: &FileOptions) -> anyhow::Result<Vec<Pixels>> {
+    const MOST: usize = 6;
+    let (first, last) = (*series.steps.start(), *series.steps.end());
+    let mut steps: Vec<usize> =
+        (0..MOST).map(|i| first + (last - first) * i / (MOST - 1)).collect();
+    steps.dedup();
+    let pixels =
+        steps.into_iter().map(|step| Ok(Pixels::of(&frames.figure(series, step), options)?));
+    pixels.collect()
 }
 
 #[cfg(test)]

@@ -31,7 +31,8 @@ impl Default for Answers {
 }
 
 /// Endings of the files that can be opened.
-const OPENED: [&str; 10] = ["octo", "png", "jpg", "jpeg", "obj", "ply", "stl", "xyz", "csv", "tsv"];
+const OPENED: [&str; 13] =
+    ["octo", "png", "jpg", "jpeg", "obj", "ply", "stl", "xyz", "csv", "tsv", "svg", "pdf", "tex"];
 
 impl Answers {
     /// The next answer, if there is one.

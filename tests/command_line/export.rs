@@ -54,7 +54,7 @@ fn export_refuses_what_it_cannot_draw_with_what_it_can() {
     let desk = desk_with_scenario();
     for (arguments, known) in [
         ("a.octo --view automaton", "space"),
-        ("a.octo --format jpeg", "svg, pdf, png, tikz"),
+        ("a.octo --format jpeg", "svg, pdf, png, tikz, gif, apng"),
         ("a.octo --step none", "first, last, a range"),
         ("a.octo --step 3-2", "backwards"),
         ("a.octo --step 3-99999", "from 0 to "),
@@ -62,6 +62,7 @@ fn export_refuses_what_it_cannot_draw_with_what_it_can() {
         ("a.octo --snippet", "--format tikz"),
         ("a.octo --size 320x200cm", "120x80mm"),
         ("a.octo --size 20000x200", "16384"),
+        ("a.octo --pause 0", "seconds"),
         ("a.octo --type-scale 0", "factor"),
         ("a.octo --step 99999", "from 0 to "),
         ("a.octo --size 320", "1280x720"),

@@ -97,21 +97,51 @@ impl Part {
 
 impl Figure {
     /// The same drawing on a page that ends `margin` beyond it.
-    pub fn cropped(mut self, margin: f64) -> Self {
-        let (mut min, mut max) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
+    pub fn cropped(self, margin: f64) -> Self {
+        match self.extent() {
+            Some(extent) => self.on(extent, margin),
+            None => self,
+        }
+    }
+
+    /// What the drawing covers; `None` if nothing is drawn.
+    pub fn extent(&self) -> Option<Extent> {
+        let mut extent = Extent { min: [f64::INFINITY; 2], max: [f64::NEG_INFINITY; 2] };
         for (point, reach) in self.drawn.iter().flat_map(Drawn::extent) {
             for e in 0..2 {
-                min[e] = min[e].min(point[e] - reach[e]);
-                max[e] = max[e].max(point[e] + reach[e]);
+                extent.min[e] = extent.min[e].min(point[e] - reach[e]);
+                extent.max[e] = extent.max[e].max(point[e] + reach[e]);
             }
         }
-        if min[0] <= max[0] {
-            let shift = min.map(|x| margin - x);
-            self.drawn.iter_mut().for_each(|drawn| drawn.form.shift(shift));
-            let [width, height] = std::array::from_fn(|e| max[e] - min[e] + 2.0 * margin);
-            self.page = Page { width, height };
-        }
+        (extent.min[0] <= extent.max[0]).then_some(extent)
+    }
+
+    /// The same drawing on a page that ends `margin` beyond `extent`.
+    pub fn on(mut self, extent: Extent, margin: f64) -> Self {
+        let shift = extent.min.map(|x| margin - x);
+        self.drawn.iter_mut().for_each(|drawn| drawn.form.shift(shift));
+        let [width, height] = std::array::from_fn(|e| extent.max[e] - extent.min[e] + 2.0 * margin);
+        self.page = Page { width, height };
         self
+    }
+}
+
+/// Part of a page.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Extent {
+    /// Upper left corner.
+    pub min: [f64; 2],
+    /// Lower right corner.
+    pub max: [f64; 2],
+}
+
+impl Extent {
+    /// The smallest that holds both.
+    pub fn and(self, other: Self) -> Self {
+        Self {
+            min: std::array::from_fn(|e| self.min[e].min(other.min[e])),
+            max: std::array::from_fn(|e| self.max[e].max(other.max[e])),
+        }
     }
 }
 

@@ -8,8 +8,8 @@ use octoscope_core::trace::{Moment, record};
 use octoscope_core::traverse::{Algorithm, Options};
 use octoscope_core::tree::{Cell, Domain, Split, Tree, grow};
 use octoscope_figure::{
-    Background, Camera, Drawn, Figure, FileOptions, Form, Mark, Page, Part, Role, Shape, Show,
-    Theme, axes, content, leaves, marks, png, space_figure, svg,
+    Background, Camera, Drawn, Figure, FileOptions, Form, Mark, Page, Part, Role, Scale, Shape,
+    Show, Theme, Unit, axes, content, leaves, marks, pdf, png, space_figure, svg,
 };
 
 /// Tree that is divided towards the origin.
@@ -105,11 +105,12 @@ fn everything() -> Show {
 }
 
 #[test]
-fn a_png_has_the_width_that_is_asked_for() {
+fn a_png_has_the_size_that_is_asked_for() {
     let figure = figure::<3>(9, &Show::default());
     for background in [Background::Filled, Background::Transparent] {
-        let text = svg(&figure, &FileOptions { background, ..FileOptions::default() });
-        let file = png(&text, 300).unwrap();
+        let scale = Scale { factor: 300.0 / figure.page.width, unit: Unit::Pixel };
+        let options = FileOptions { background, scale, ..FileOptions::default() };
+        let file = png(&figure, &options).unwrap();
         let picture = resvg::tiny_skia::Pixmap::decode_png(&file).unwrap();
         let height = (300.0 * figure.page.height / figure.page.width).round() as u32;
         assert_eq!((picture.width(), picture.height()), (300, height));
@@ -119,10 +120,18 @@ fn a_png_has_the_width_that_is_asked_for() {
 }
 
 #[test]
-fn what_is_no_picture_is_refused() {
-    assert!(png("no SVG", 100).is_err());
-    let text = svg(&figure::<2>(0, &Show::default()), &FileOptions::default());
-    assert!(png(&text, 0).is_err() && png(&text, 1 << 20).is_err());
+fn absurd_sizes_are_refused() {
+    let figure = figure::<2>(0, &Show::default());
+    for factor in [0.0001, 60.0, 1e9, f64::NAN] {
+        let scale = Scale { factor, unit: Unit::Pixel };
+        let options = FileOptions { scale, ..FileOptions::default() };
+        let message = png(&figure, &options).unwrap_err().to_string();
+        assert!(message.contains("1 to 16384"), "{factor}: {message}");
+        if factor != 60.0 {
+            let message = pdf(&figure, &options).unwrap_err().to_string();
+            assert!(message.contains("1 to 14400"), "{factor}: {message}");
+        }
+    }
 }
 
 #[test]
@@ -133,7 +142,7 @@ fn letters_are_drawn() {
         let camera = Camera::framing(&corner_tree::<2>().domain().root_box(), page);
         let figure = space_figure(&[mark.with_text(label)], &camera, page);
         let options = FileOptions { background: Background::Transparent, ..FileOptions::default() };
-        let file = png(&svg(&figure, &options), 40).unwrap();
+        let file = png(&figure, &options).unwrap();
         let picture = resvg::tiny_skia::Pixmap::decode_png(&file).unwrap();
         picture.pixels().iter().filter(|pixel| pixel.alpha() > 0).count()
     };

@@ -1,6 +1,7 @@
 //! What happens, in words: a sentence a step, the listing, the variables.
 
 mod as_printed;
+mod latex;
 mod listing;
 mod names;
 mod number;
@@ -12,6 +13,7 @@ mod variables;
 mod words;
 mod write;
 
+pub use latex::latex;
 pub use listing::{Line, Listing, label, listing};
 pub use names::{algorithm_name, counter_name, end_name, query_name, step_texts};
 pub use number::{approx, distinct, number};
