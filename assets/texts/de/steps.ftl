@@ -222,3 +222,9 @@ doubles-differ = { $ulps ->
     [one] { " " }Gleitkommazahlen würden hier irren: Sie legen die Parameter 1 ulp auseinander.
    *[other] { " " }Gleitkommazahlen würden hier irren: Sie legen die Parameter { $ulps } ulp auseinander.
 }
+
+table-step = Schritt
+table-event = Ereignis
+table-node = Knoten
+table-t = t
+table-what = Was geschieht

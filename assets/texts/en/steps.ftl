@@ -213,3 +213,9 @@ doubles-differ = { $ulps ->
     [one] { " " }Doubles would err here: they put the parameters 1 ulp apart.
    *[other] { " " }Doubles would err here: they put the parameters { $ulps } ulps apart.
 }
+
+table-step = Step
+table-event = Event
+table-node = Node
+table-t = t
+table-what = What happens
