@@ -1,5 +1,6 @@
 //! The window: keeps the state, and runs one frame of it.
 
+mod exporting;
 mod jobs;
 mod obey;
 mod show;
@@ -15,6 +16,7 @@ use crate::space::Layers;
 use crate::view::View;
 use crate::{render, save, theme, with_document};
 use eframe::egui::{CentralPanel, Frame, Key, Ui};
+use exporting::Exporting;
 use jobs::Purpose;
 use octoscope_core::gallery::Degenerate;
 use octoscope_core::progress::Progress;
@@ -33,6 +35,7 @@ pub struct App {
     look: Look,
     look_of: (octoscope_core::text::Language, octoscope_figure::Theme),
     job: Option<(Job<anyhow::Result<AnyDocument>>, Purpose)>,
+    exporting: Exporting,
     chosen: files::Answers,
     /// One line that says what has just happened.
     status: String,
@@ -96,6 +99,7 @@ impl App {
             look_of,
             view,
             job: None,
+            exporting: Exporting::default(),
             chosen: files::Answers::default(),
             status: String::new(),
             n_searches: 0,

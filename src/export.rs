@@ -1,28 +1,34 @@
-//! Exporting what the space view shows.
+//! Exporting what the space view shows: a [`Request`] is the same from the window
+//! and from the command line.
 
+mod choice;
+mod eye;
 mod format;
 mod order;
+mod origin;
+mod request;
+mod shown;
 mod size;
 mod steps;
 mod write;
 
+pub use choice::{Choice, Extent, StepChoice};
+pub use eye::Eye;
 pub use format::Format;
 pub use order::Order;
+pub use origin::Origin;
+pub use request::{Request, shell_line};
+pub use shown::{parse_shown, print_shown};
 pub use size::Size;
 pub use steps::{MOST_STEPS, Steps};
 pub use write::{Series, write};
 
-use crate::document::{AnyDocument, Document};
+use crate::document::Document;
 use crate::space::interesting;
-use crate::view::View;
-use anyhow::bail;
-use octoscope_core::progress::Progress;
-use octoscope_core::scenario::AnyScenario;
 use octoscope_core::scene::Content;
 use octoscope_figure::{
     Camera, Figure, Mark, Page, Role, Shape, Show, axes, content, leaves, marks, space_figure,
 };
-use std::path::Path;
 
 /// Figure of the space view of `document` after `step` events, on the whole of
 /// `page`. Without a camera, the tree and the ray fill it.
@@ -94,41 +100,4 @@ pub fn left_out<const D: usize>(document: &Document<D>, show: &Show) -> Option<S
         too_many(n_primitives_shown(document, show), MOST_PRIMITIVES, "points or solids"),
     ];
     left_out.into_iter().flatten().reduce(|a, b| format!("{a}; {b}"))
-}
-
-/// Writes the space view as the window shows it to `path`, whose ending tells
-/// the format.
-///
-/// # Errors
-/// Refuses endings without a format; says why the file cannot be written.
-pub fn space_view(
-    document: &AnyDocument,
-    scenario: &AnyScenario,
-    view: &View,
-    path: &Path,
-) -> anyhow::Result<()> {
-    let ending = path.extension().unwrap_or_default().to_string_lossy().into_owned();
-    let Some(format) = Format::of_ending(&ending) else {
-        bail!(
-            "‘.{ending}’ is no format of figures; name the file .svg or .png: {}",
-            path.display()
-        );
-    };
-    let step = view.playback.step;
-    let order = Order { format, theme: view.theme, ..Order::default() };
-    let figure = |page, step| match document {
-        AnyDocument::Plane(document) => {
-            space(document, view.camera(), page, &view.plane_show, step)
-        }
-        AnyDocument::Space(document) => {
-            space(document, view.camera(), page, &view.space_show, step)
-        }
-    };
-    let series = Series {
-        steps: step..=step,
-        figure: &figure,
-        title: &|_| "Octoscope".to_owned(),
-        scenario: &|_| scenario.print(),
-    };
-    write(&order, &series, Some(path), &Progress::default())
 }

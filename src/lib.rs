@@ -8,6 +8,7 @@ pub mod command;
 pub mod comparison;
 pub mod document;
 pub mod export;
+pub mod export_dialog;
 pub mod files;
 pub mod history;
 pub mod job;

@@ -1,6 +1,7 @@
 //! What the window remembers that is not part of the scenario.
 
 use crate::arrangement::Arrangement;
+use crate::export::Choice;
 use crate::playback::Playback;
 use eframe::egui::Vec2;
 use octoscope_core::locate::NeighbourMethod;
@@ -32,6 +33,8 @@ pub struct View {
     pub plane_show: Show,
     /// What it shows of octrees.
     pub space_show: Show,
+    /// What was chosen for the last export.
+    pub export: Choice,
     /// The playhead.
     pub playback: Playback,
     /// Camera of quadtrees; `None` fits everything.
@@ -389,6 +392,7 @@ impl Default for View {
             scale: 1.0,
             plane_show: Show::at_first::<2>(),
             space_show: Show::at_first::<3>(),
+            export: Choice::default(),
             playback: Playback::default(),
             plane_camera: None,
             orbit_camera: None,

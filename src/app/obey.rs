@@ -8,7 +8,7 @@ use crate::document::AnyDocument;
 use crate::files::Chosen;
 use crate::history::History;
 use crate::view::{Dialog, PanelKind, Preset};
-use crate::{export, save, with_document};
+use crate::{save, with_document};
 use eframe::egui::{Context, Key, Popup, ViewportCommand};
 use octoscope_core::gallery::{Degenerate, snap};
 use octoscope_core::query::Query;
@@ -259,18 +259,9 @@ impl App {
         match save::scenario(&self.document, self.scenario_now(), path) {
             Ok(()) => {
                 with_document!(&mut self.document, d => d.path = Some(path.to_owned()));
+                self.exporting.saved = Some((path.to_owned(), self.scenario_now()));
                 let name = file_name(path);
                 self.status = self.look.texts.format("status-saved", &[("name", name.into())]);
-            }
-            Err(error) => self.view.dialog = Some(Dialog::Error(format!("{error:#}"))),
-        }
-    }
-
-    fn export_to(&mut self, path: &Path) {
-        match export::space_view(&self.document, &self.scenario_now(), &self.view, path) {
-            Ok(()) => {
-                let name = file_name(path);
-                self.status = self.look.texts.format("status-exported", &[("name", name.into())]);
             }
             Err(error) => self.view.dialog = Some(Dialog::Error(format!("{error:#}"))),
         }
@@ -281,7 +272,10 @@ impl App {
             None => {}
             Some(Chosen::Open(path)) => self.open(context, path),
             Some(Chosen::Save(path)) => self.save_to(&path),
-            Some(Chosen::Export(path)) => self.export_to(&path),
+            Some(Chosen::Export(path)) => {
+                self.view.dialog = None;
+                self.export_to(context, &path);
+            }
             Some(Chosen::NoDialog) => {
                 self.view.dialog = Some(Dialog::Path(String::new()));
             }

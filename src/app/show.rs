@@ -67,10 +67,11 @@ impl App {
         {
             job.progress.cancel();
         }
+        self.poll_export(&context);
+        self.show_export_dialog(&context);
         let answer = dialogs::ui(&context, &self.look, &mut self.view.dialog, commands);
         match answer {
             None => {}
-            Some(dialogs::Answer::Export(format)) => self.chosen.ask_export(&context, format),
             Some(dialogs::Answer::Path(path)) => self.open(&context, path),
         }
         dialogs::status(&context, &self.look, &mut self.status);

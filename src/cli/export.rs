@@ -1,20 +1,19 @@
 //! `octoscope export`: figures without a window.
 
+use super::progress::run_with_progress;
 use super::ray::RayChoice;
-use super::values::{Numbers, language};
+use super::values::language;
 use super::{Answer, tell};
 use crate::document::Document;
-use crate::export::{Format, Order, Series, Size, Steps, left_out, space, write};
+use crate::export::{Eye, Format, Order, Request, Size, Steps, left_out, parse_shown};
 use crate::open::open;
-use crate::space::interesting;
 use crate::with_document;
 use anyhow::{anyhow, bail};
 use clap::Args;
-use octoscope_core::explain::sentence;
 use octoscope_core::progress::Progress;
 use octoscope_core::scenario::StepAt;
 use octoscope_core::text::Language;
-use octoscope_figure::{Background, Camera, Figure, Page, Show, Theme, TikzForm};
+use octoscope_figure::{Background, Show, Theme, TikzForm};
 use std::path::PathBuf;
 use std::str::FromStr;
 
@@ -84,10 +83,15 @@ pub struct Export {
     #[arg(long)]
     snippet: bool,
     /// Yaw and pitch of the eye in degrees, and a factor of 1 where everything
-    /// fits. Yaw 0 looks from +x, 90 from +y; pitch 90 from above. In a
-    /// quadtree only the factor counts.
-    #[arg(long, value_name = "YAW,PITCH,ZOOM", allow_hyphen_values = true)]
+    /// fits; then, if you like, the point in the middle. Yaw 0 looks from +x, 90
+    /// from +y; pitch 90 from above. A quadtree is seen from above anyway.
+    #[arg(long, value_name = "YAW,PITCH,ZOOM[,X,Y[,Z]]", allow_hyphen_values = true)]
     camera: Option<Eye>,
+    /// What is shown beside the state of the algorithm, by names between commas:
+    /// order-numbers, half-open-sides, codes, mirrored-ray, content,
+    /// empty-leaves, ancestors, children, or none.
+    #[arg(long, value_name = "NAMES", value_parser = parse_shown)]
+    show: Option<Show>,
     /// Language of the title inside a file: en or de.
     #[arg(long, value_name = "LANGUAGE", default_value = "en", value_parser = language)]
     lang: Language,
@@ -108,47 +112,6 @@ impl FromStr for View {
             return Ok(Self::Space);
         }
         Err(format!("there is no view ‘{id}’ to export; there is space"))
-    }
-}
-
-/// Where the scene is looked at from.
-#[derive(Clone, Copy, Debug, PartialEq)]
-struct Eye {
-    yaw_degrees: f64,
-    pitch_degrees: f64,
-    zoom: f64,
-}
-
-impl FromStr for Eye {
-    type Err = String;
-
-    fn from_str(text: &str) -> Result<Self, String> {
-        let Numbers(numbers) = text.parse()?;
-        let [yaw_degrees, pitch_degrees, zoom] = numbers[..] else {
-            return Err(format!(
-                "there are {} numbers; give three: yaw and pitch in degrees, zoom",
-                numbers.len()
-            ));
-        };
-        if !(-90.0..=90.0).contains(&pitch_degrees) {
-            return Err(format!("the pitch is {pitch_degrees}; give degrees from -90 to 90"));
-        }
-        if !(0.01..=100.0).contains(&zoom) {
-            return Err(format!("the zoom is {zoom}; give a factor from 0.01 to 100"));
-        }
-        Ok(Self { yaw_degrees, pitch_degrees, zoom })
-    }
-}
-
-impl Eye {
-    fn camera<const D: usize>(self, document: &Document<D>, page: Page) -> Camera<D> {
-        let bounds = interesting(document);
-        let mut camera = Camera::framing(&bounds, page);
-        camera.yaw = self.yaw_degrees.rem_euclid(360.0).to_radians();
-        camera.pitch = self.pitch_degrees.to_radians();
-        camera.frame(&bounds, page);
-        camera.height /= self.zoom;
-        camera
     }
 }
 
@@ -185,9 +148,8 @@ fn theme(id: &str) -> Result<Theme, String> {
 /// # Errors
 /// Says what is wrong with the file or the arguments.
 pub fn export(arguments: &Export) -> anyhow::Result<Answer> {
-    let order = arguments.order()?;
-    let progress = Progress::default();
-    let mut document = open(&arguments.file, &progress)?;
+    let request = arguments.request()?;
+    let mut document = open(&arguments.file, &Progress::default())?;
     if let Some(choice) = &arguments.ray {
         with_document!(&mut document, document => {
             choice.aim(document)?;
@@ -197,28 +159,30 @@ pub fn export(arguments: &Export) -> anyhow::Result<Answer> {
     let saved = with_document!(&document, document => document.opened().step);
     let steps = match arguments.step {
         Some(steps) => steps,
-        None if order.format.moves() => Steps::All,
+        None if request.order.format.moves() => Steps::All,
         None => Steps::One(StepAt::At(saved.position(document.n_events()))),
     };
-    if let Some(note) = with_document!(&document, d => left_out_of(d)) {
+    if let Some(note) = with_document!(&document, d => left_out_of(d, &request)) {
         tell(&note);
     }
-    let title = |step| {
-        with_document!(&document, d => {
-            sentence(&d.tree, &d.scenario.ray, &d.trace, step, arguments.lang).plain()
-        })
-    };
-    let series = Series {
-        steps: steps.numbers(document.n_events())?,
-        figure: &|page, step| with_document!(&document, d => figure(d, arguments, page, step)),
-        title: &title,
-        scenario: &|step| document.scenario_at(step).print(),
-    };
-    write(&order, &series, arguments.output.as_deref(), &progress)?;
+    let request = Request { steps, ..request };
+    run_with_progress(|progress| request.run(&document, arguments.output.as_deref(), progress))?;
     Ok(Answer::Done)
 }
 
 impl Export {
+    /// What is asked for; the steps only if they are told.
+    fn request(&self) -> anyhow::Result<Request> {
+        let View::Space = self.view;
+        Ok(Request {
+            order: self.order()?,
+            steps: self.step.unwrap_or(Steps::One(StepAt::First)),
+            eye: self.camera.clone(),
+            show: self.show,
+            language: self.lang,
+        })
+    }
+
     /// What the file is to be like.
     fn order(&self) -> anyhow::Result<Order> {
         let format = chosen_format(self)?;
@@ -264,31 +228,62 @@ fn chosen_format(arguments: &Export) -> anyhow::Result<Format> {
     })
 }
 
-fn left_out_of<const D: usize>(document: &Document<D>) -> Option<String> {
-    left_out(document, &Show::at_first::<D>())
-}
-
-fn figure<const D: usize>(
-    document: &Document<D>,
-    arguments: &Export,
-    page: Page,
-    step: usize,
-) -> Figure {
-    let View::Space = arguments.view;
-    let camera = arguments.camera.map(|eye| eye.camera(document, page));
-    space(document, camera, page, &Show::at_first::<D>(), step)
+fn left_out_of<const D: usize>(document: &Document<D>, request: &Request) -> Option<String> {
+    left_out(document, &request.show::<D>())
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::cli::{Arguments, Command};
+    use crate::export::parse_shown;
+    use clap::Parser;
+
+    /// Whether the command line of `request` asks for it.
+    #[track_caller]
+    fn check(request: Request) {
+        let words = request.command("a b.octo", Some(&[-0.0, 1e-200, 0.1, -3.5]), "out.x");
+        let parsed = Arguments::try_parse_from(&words).unwrap();
+        let Some(Command::Export(export)) = parsed.command else { panic!("{words:?}") };
+        assert_eq!(export.request().unwrap(), request, "{words:?}");
+        assert_eq!(export.file, PathBuf::from("a b.octo"));
+        assert_eq!(export.output, Some(PathBuf::from("out.x")));
+        let ray: RayChoice = "-0.0,1e-200,0.1,-3.5".parse().unwrap();
+        assert_eq!(export.ray, Some(ray));
+    }
 
     #[test]
-    fn the_eye_has_three_numbers_within_bounds() {
-        let eye = Eye { yaw_degrees: -30.0, pitch_degrees: 20.0, zoom: 1.5 };
-        assert_eq!("-30,20,1.5".parse(), Ok(eye));
-        for bad in ["-30,20", "1,2,3,4", "0,91,1", "0,0,0", "0,0,-1", "0,0,nan", "a,b,c"] {
-            assert!(bad.parse::<Eye>().is_err(), "{bad}");
+    fn a_command_line_asks_for_what_it_was_made_of() {
+        let plain = Request {
+            order: Order::default(),
+            steps: Steps::One(StepAt::At(12)),
+            eye: None,
+            show: None,
+            language: Language::English,
+        };
+        check(plain.clone());
+        let slides = [TikzForm::Beamer, TikzForm::Snippet, TikzForm::BeamerSnippet];
+        for (tikz, theme) in slides.into_iter().zip(Theme::ALL) {
+            let order = Order {
+                format: Format::Tikz,
+                theme,
+                background: Background::Transparent,
+                size: Some("120.5x80mm".parse().unwrap()),
+                enlarged: Some(0.3),
+                type_scale: 1.25,
+                tikz,
+                pause_secs: 0.1,
+            };
+            check(Request {
+                order,
+                steps: Steps::Range(StepAt::At(3), StepAt::Last),
+                eye: Some("298,24,1.062,-0.5,0.25,1".parse().unwrap()),
+                show: Some(parse_shown("codes,children").unwrap()),
+                language: Language::German,
+            });
+        }
+        for format in Format::ALL {
+            check(Request { order: Order { format, ..plain.order }, ..plain.clone() });
         }
     }
 }

@@ -37,6 +37,18 @@ impl Format {
         }
     }
 
+    /// Its name as it is usually written.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Svg => "SVG",
+            Self::Pdf => "PDF",
+            Self::Png => "PNG",
+            Self::Tikz => "TikZ",
+            Self::Gif => "GIF",
+            Self::Apng => "APNG",
+        }
+    }
+
     /// Its file ending.
     pub fn ending(self) -> &'static str {
         match self {

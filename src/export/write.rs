@@ -21,6 +21,19 @@ pub struct Series<'a> {
     pub scenario: &'a dyn Fn(usize) -> String,
 }
 
+impl Series<'_> {
+    /// The figure of one step, on the page that it has in a file of all.
+    pub(super) fn figure_of(
+        order: &Order,
+        series: &Series,
+        step: usize,
+        progress: &Progress,
+    ) -> anyhow::Result<Figure> {
+        let one = Series { steps: step..=step, ..*series };
+        Ok(Frames::of(order, &one, progress)?.figure(&one, step))
+    }
+}
+
 /// Writes `series` as `order` says to `path`, else to standard output. Formats
 /// that hold one step become a file a step, with its number before the ending.
 /// Every file appears whole or not at all.

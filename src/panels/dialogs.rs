@@ -12,8 +12,6 @@ use std::path::PathBuf;
 /// What the user asks for in a dialog.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Answer {
-    /// Export in this format, by its file ending.
-    Export(&'static str),
     /// Open this path.
     Path(PathBuf),
 }
@@ -27,6 +25,10 @@ pub fn ui(
     commands: &mut Vec<Command>,
 ) -> Option<Answer> {
     let shown = dialog.as_mut()?;
+    if *shown == Dialog::Export {
+        commands.clear();
+        return None;
+    }
     let mut answer = None;
     let mut close = false;
     let frame = Frame::popup(&context.global_style()).inner_margin(20.0);
@@ -41,20 +43,8 @@ pub fn ui(
                     .max_height(most_height(ui, 260.0))
                     .show(ui, |ui| ui.label(&*message));
             }
-            Dialog::Export => {
-                title(ui, &look.text("dialog-export"));
-                ui.label(look.text("dialog-export-text"));
-                ui.horizontal(|ui| {
-                    for (key, ending) in
-                        [("dialog-export-svg", "svg"), ("dialog-export-png", "png")]
-                    {
-                        if ui.button(look.text(key)).clicked() {
-                            answer = Some(Answer::Export(ending));
-                            close = true;
-                        }
-                    }
-                });
-            }
+            // It has a window of its own.
+            Dialog::Export => {}
             Dialog::Path(path) => {
                 title(ui, &look.text("dialog-path"));
                 let label = ui.label(look.text("dialog-path-hint"));

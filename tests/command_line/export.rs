@@ -81,3 +81,98 @@ fn export_refuses_what_it_cannot_draw_with_what_it_can() {
     }
     assert!(desk.refuses("export a.octo -o out").contains("--format"));
 }
+
+#[test]
+fn an_exported_figure_opens_again_from_wherever_it_was_written() {
+    let desk = desk_with_scenario();
+    fs::create_dir(desk.0.path().join("out")).unwrap();
+    desk.put("points.csv", "0.1,0.2\n0.15,0.25\n0.8,0.9\n0.4,0.45\n");
+    for file in ["a.octo", "points.csv", "scene:figure-7 --ray gallery:corner"] {
+        for ending in ["svg", "pdf", "png", "tex"] {
+            desk.prints(&format!("export {file} --step 4 -o out/a.{ending}"));
+            let checked = desk.prints(&format!("check out/a.{ending}"));
+            assert!(!checked.is_empty(), "{file} {ending}");
+            // What comes out of it is what went in.
+            desk.prints(&format!("export out/a.{ending} -o out/again.{ending}"));
+            let [a, b] = ["a", "again"]
+                .map(|name| fs::read(desk.0.path().join(format!("out/{name}.{ending}"))).unwrap());
+            assert!(a == b, "{file} {ending}");
+        }
+    }
+}
+
+#[test]
+fn a_figure_without_a_scenario_is_refused() {
+    let desk = desk_with_scenario();
+    desk.put("plain.svg", "<svg xmlns=\"http://www.w3.org/2000/svg\"/>");
+    desk.put("plain.pdf", "%PDF-1.7\n");
+    for name in ["plain.svg", "plain.pdf"] {
+        let message = desk.refuses(&format!("trace {name}"));
+        assert!(
+            message.contains("no scenario inside") && message.trim_end().ends_with(name),
+            "{message}"
+        );
+    }
+}
+
+#[test]
+fn several_steps_are_pages_pictures_frames_or_files() {
+    let desk = desk_with_scenario();
+    let read = |name: &str| fs::read(desk.0.path().join(name)).unwrap();
+    for format in ["svg", "png"] {
+        desk.prints(&format!("export a.octo --step 2-4 -o b.{format}"));
+        let sizes: Vec<_> = (2..=4).map(|n| read(&format!("b-00{n}.{format}")).len()).collect();
+        assert!(sizes.iter().all(|size| *size > 500), "{sizes:?}");
+        assert!(!desk.0.path().join(format!("b.{format}")).exists());
+    }
+    desk.prints("export a.octo --step 2-4 -o b.tex");
+    let text = String::from_utf8(read("b.tex")).unwrap();
+    assert_eq!(text.matches("\\begin{tikzpicture}").count(), 3);
+    desk.prints("export a.octo --step 2-4 --beamer --snippet -o b.tex");
+    let text = String::from_utf8(read("b.tex")).unwrap();
+    assert_eq!(text.matches("\\only<").count(), 3);
+    assert_eq!(text.matches("\\begin{tikzpicture}").count(), 1);
+    desk.prints("export a.octo --step 2-4 -o b.pdf");
+    let text = String::from_utf8_lossy(&read("b.pdf")).into_owned();
+    assert!(text.contains("/Count 3"));
+    // What moves shows all steps.
+    let n_steps = desk.prints("trace a.octo").lines().count();
+    desk.prints("export a.octo --size 80x60 -o b.gif");
+    assert!(read("b.gif").starts_with(b"GIF89a"));
+    desk.prints("export a.octo --size 80x60 --format apng -o b.png");
+    let file = read("b.png");
+    let control = file.windows(4).position(|name| name == b"acTL").unwrap();
+    let n_frames = u32::from_be_bytes(*file[control + 4..].first_chunk().unwrap());
+    assert_eq!(n_frames as usize, n_steps);
+    let message = desk.refuses("export a.octo --step all --format svg");
+    assert!(message.contains("-o"), "{message}");
+}
+
+#[test]
+fn a_size_on_paper_is_kept_in_every_format() {
+    let desk = desk_with_scenario();
+    let text = |name: &str| {
+        String::from_utf8_lossy(&fs::read(desk.0.path().join(name)).unwrap()).into_owned()
+    };
+    desk.prints("export a.octo --size 127x101.6mm -o a.svg");
+    assert!(text("a.svg").contains("width=\"127mm\" height=\"101.6mm\""));
+    desk.prints("export a.octo --size 127x101.6mm --type-scale 2 -o a.svg");
+    assert!(text("a.svg").contains("width=\"127mm\" height=\"101.6mm\" viewBox=\"0 0 180 144\""));
+    desk.prints("export a.octo --size 127x101.6mm -o a.pdf");
+    assert!(text("a.pdf").contains("[0 0 360 288]"));
+    desk.prints("export a.octo --size 127x101.6mm -o a.tex");
+    assert!(text("a.tex").contains("(0,0) rectangle (360,288)"));
+}
+
+#[test]
+fn what_is_shown_can_be_chosen() {
+    let desk = desk_with_scenario();
+    let n_texts = |shown: &str| {
+        desk.prints(&format!("export a.octo --step last --show {shown} -o a.svg"));
+        let svg = fs::read_to_string(desk.0.path().join("a.svg")).unwrap();
+        svg.matches("class=\"order-number\"").count()
+    };
+    assert!(n_texts("order-numbers,content") > 0);
+    assert_eq!(n_texts("none"), 0);
+    assert!(desk.refuses("export a.octo --show numbers -o b.svg").contains("order-numbers"));
+}

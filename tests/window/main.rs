@@ -6,6 +6,7 @@
 mod algorithms;
 mod controls;
 mod desk;
+mod export;
 mod files;
 mod layout;
 mod panels;

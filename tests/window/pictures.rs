@@ -4,7 +4,7 @@
 //! `TEST_GPU=require` does not accept.
 
 use crate::desk::{Desk, sample};
-use eframe::egui::{Key, accesskit::Role};
+use eframe::egui::{Key, Modifiers, accesskit::Role};
 use eframe::egui_wgpu::WgpuSetup;
 use eframe::wgpu::{Backends, DeviceType};
 use egui_kittest::kittest::Queryable;
@@ -61,6 +61,17 @@ fn space_in_dark_colours() {
         desk.open_scenario(&built_in("sphere-grid").unwrap());
         desk.state_mut().view.theme = Theme::Dark;
         desk.go_to(&At::Share(0.55));
+    });
+}
+
+#[test]
+fn the_export_of_a_figure() {
+    compare("export", |desk| {
+        desk.go_to(&At::Nth(12, "First"));
+        desk.press_with(Modifiers::COMMAND, Key::E);
+        let context = desk.ctx.clone();
+        desk.state_mut().finish_preview(&context);
+        desk.run();
     });
 }
 

@@ -1,6 +1,7 @@
 //! How a figure becomes a file, whatever its format.
 
 use crate::Theme;
+use serde::{Deserialize, Serialize};
 
 /// How a figure is written.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -18,7 +19,7 @@ pub struct FileOptions<'a> {
 }
 
 /// What lies behind a figure.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
 pub enum Background {
     /// The theme's background.
     #[default]
@@ -50,7 +51,7 @@ impl Default for Scale {
 }
 
 /// Unit of lengths on paper or on a screen.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
 pub enum Unit {
     /// Millimetre.
     Millimetre,

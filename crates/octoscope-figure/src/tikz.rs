@@ -7,11 +7,12 @@ use crate::{
     Style, Theme, Weight,
 };
 use octoscope_core::explain::latex;
+use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::fmt::Write;
 
 /// What is written around the pictures.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
 pub enum TikzForm {
     /// A document that has a page a figure.
     #[default]

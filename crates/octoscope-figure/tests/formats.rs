@@ -1,5 +1,7 @@
 //! Figures as files of every format, read back.
 
+#![allow(clippy::unwrap_used, reason = "a test may panic")]
+
 use octoscope_figure::{
     Apng, Background, Drawn, Figure, FileOptions, Form, Gif, Page, Part, Pdf, Pixels, Role, Scale,
     Theme, Tikz, TikzForm, Unit, pdf, png, scenario_inside, svg, tikz,
