@@ -27,6 +27,7 @@ mod pdf;
 mod pixels;
 mod png;
 mod role;
+mod shared;
 mod sides;
 mod space;
 mod style;

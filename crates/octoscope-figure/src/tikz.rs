@@ -1,6 +1,7 @@
 //! Figures as TikZ, written so that a person can edit them: named styles for
 //! the roles, coordinates with few digits, text as text.
 
+use crate::shared::{SharedRun, shared_runs};
 use crate::typeset::Line;
 use crate::{
     Background, Colour, Drawn, Figure, FileOptions, Form, Lettering, Paint, Palette, Part, Role,
@@ -8,8 +9,9 @@ use crate::{
 };
 use octoscope_core::explain::latex;
 use serde::{Deserialize, Serialize};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, HashMap};
 use std::fmt::Write;
+use std::rc::Rc;
 
 /// What is written around the pictures.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
@@ -39,13 +41,17 @@ pub struct Tikz<'a> {
     styles: BTreeMap<(usize, String), String>,
     /// Colours and their values in hexadecimal.
     colours: BTreeMap<String, String>,
+    /// Every line that occurs, once: the steps of a run share most of theirs.
+    lines: Vec<Rc<str>>,
+    numbers: HashMap<Rc<str>, u32>,
     pictures: Vec<Picture>,
 }
 
 struct Picture {
     width: f64,
     height: f64,
-    lines: Vec<String>,
+    /// Numbers of its lines.
+    lines: Vec<u32>,
 }
 
 /// TikZ of one figure.
@@ -63,14 +69,25 @@ impl<'a> Tikz<'a> {
             form,
             styles: BTreeMap::new(),
             colours: BTreeMap::new(),
+            lines: Vec::new(),
+            numbers: HashMap::new(),
             pictures: Vec::new(),
         }
     }
 
     /// Appends a figure: a picture of its own, or the next slide.
     pub fn figure(&mut self, figure: &Figure) {
-        let lines = figure.drawn.iter().filter_map(|drawn| self.line(drawn, figure.page.height));
-        let lines = lines.collect();
+        let mut lines = Vec::with_capacity(figure.drawn.len());
+        for drawn in &figure.drawn {
+            let Some(line) = self.line(drawn, figure.page.height) else { continue };
+            let number = self.numbers.get(line.as_str()).copied().unwrap_or_else(|| {
+                let (line, number) = (Rc::from(line), self.lines.len() as u32);
+                self.lines.push(Rc::clone(&line));
+                self.numbers.insert(line, number);
+                number
+            });
+            lines.push(number);
+        }
         let (width, height) = (figure.page.width, figure.page.height);
         self.pictures.push(Picture { width, height, lines });
     }
@@ -113,7 +130,10 @@ impl<'a> Tikz<'a> {
                 self.pictures.iter().for_each(|picture| self.picture(&mut out, picture));
             }
             TikzForm::Beamer => self.frame(&mut out),
-            TikzForm::BeamerSnippet => self.overlays(&mut out),
+            TikzForm::BeamerSnippet => {
+                let shared = self.shared(&mut out);
+                self.overlays(&mut out, &shared);
+            }
         }
         if is_document {
             out += "\\end{document}\n";
@@ -123,7 +143,7 @@ impl<'a> Tikz<'a> {
 
     fn picture(&self, out: &mut String, picture: &Picture) {
         self.begin(out, picture);
-        picture.lines.iter().for_each(|line| *out += line);
+        self.write_lines(out, &picture.lines);
         *out += "\\end{tikzpicture}\n";
     }
 
@@ -131,27 +151,47 @@ impl<'a> Tikz<'a> {
     fn frame(&self, out: &mut String) {
         let is_wide = self.pictures.first().is_some_and(|p| p.width > 1.45 * p.height);
         let size = if is_wide { "{0.96\\paperwidth}{!}" } else { "{!}{0.92\\paperheight}" };
+        let shared = self.shared(out);
         *out += &format!("\\begin{{frame}}[plain]\n\\centering\n\\resizebox{size}{{%\n");
-        self.overlays(out);
+        self.overlays(out, &shared);
         *out += "}\n\\end{frame}\n";
     }
 
-    /// One picture: what all figures begin with, then the rest of each on a
-    /// slide of its own.
-    fn overlays(&self, out: &mut String) {
+    /// Defines a command for every run of lines that all figures share.
+    fn shared(&self, out: &mut String) -> Vec<SharedRun> {
+        let pictures: Vec<&[u32]> = self.pictures.iter().map(|p| &p.lines[..]).collect();
+        let runs = if pictures.len() < 2 { Vec::new() } else { shared_runs(&pictures, LEAST) };
+        for (index, run) in runs.iter().enumerate() {
+            let start = run.starts[0];
+            *out += &format!("\\newcommand*{{{}}}{{%\n", shared_name(index));
+            self.write_lines(out, &self.pictures[0].lines[start..start + run.length]);
+            *out += "}\n";
+        }
+        runs
+    }
+
+    /// One picture: each figure on a slide of its own.
+    fn overlays(&self, out: &mut String, shared: &[SharedRun]) {
         let Some(first) = self.pictures.first() else { return };
-        let shared = |other: &Picture| {
-            first.lines.iter().zip(&other.lines).take_while(|(a, b)| a == b).count()
-        };
-        let n_shared = self.pictures.iter().map(shared).min().unwrap_or_default();
         self.begin(out, first);
-        first.lines[..n_shared].iter().for_each(|line| *out += line);
-        for (index, picture) in self.pictures.iter().enumerate() {
-            *out += &format!("\\only<{}>{{%\n", index + 1);
-            picture.lines[n_shared..].iter().for_each(|line| *out += line);
+        for (slide, picture) in self.pictures.iter().enumerate() {
+            *out += &format!("\\only<{}>{{%\n", slide + 1);
+            let mut runs: Vec<_> = shared.iter().enumerate().collect();
+            runs.sort_by_key(|(_, run)| run.starts[slide]);
+            let mut done = 0;
+            for (index, run) in runs {
+                self.write_lines(out, &picture.lines[done..run.starts[slide]]);
+                *out += &format!("{}\n", shared_name(index));
+                done = run.starts[slide] + run.length;
+            }
+            self.write_lines(out, &picture.lines[done..]);
             *out += "}%\n";
         }
         *out += "\\end{tikzpicture}\n";
+    }
+
+    fn write_lines(&self, out: &mut String, lines: &[u32]) {
+        lines.iter().for_each(|&line| *out += &self.lines[line as usize]);
     }
 
     fn begin(&self, out: &mut String, picture: &Picture) {
@@ -310,6 +350,23 @@ impl<'a> Tikz<'a> {
     /// A length in page units, as fine as a tenth of a point.
     fn number(&self, x: f64) -> String {
         decimal(x, if self.options.scale.points() > 1.5 { 2 } else { 1 })
+    }
+}
+
+/// Fewer lines than this are not worth a command.
+const LEAST: usize = 2;
+
+/// Name of the command for a run of lines; letters alone may be in it.
+fn shared_name(index: usize) -> String {
+    let mut name = String::new();
+    let mut rest = index;
+    loop {
+        name.insert(0, char::from(b'a' + (rest % 26) as u8));
+        rest /= 26;
+        if rest == 0 {
+            return format!("\\octoshared{name}");
+        }
+        rest -= 1;
     }
 }
 

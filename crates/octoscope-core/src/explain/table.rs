@@ -137,7 +137,7 @@ mod tests {
             text.lines().nth(5),
             Some(
                 "| 3 | leaf | 0: 0, 0 | 0.1 … 1.1 | Leaf (0, 0) of level 0 is on the ray from \
-                 t = 0.1 to t = 1.1, and it is occupied. |"
+                 t = **0.1** to t = **1.1**, and it is occupied. |"
             )
         );
         for line in text.lines() {
