@@ -44,19 +44,30 @@ impl Order {
     /// Room around a figure that is cropped, in page units.
     pub const MARGIN: f64 = 6.0;
     /// Size in which figures are laid out that are cropped then.
-    pub const USUAL: Size = Size { width: 960.0, height: 720.0, unit: Unit::Pixel };
+    const USUAL: Size = Size { width: 960.0, height: 720.0, unit: Unit::Pixel };
+    /// The same on slides, which are 128 mm wide.
+    const SLIDE: Size = Size { width: 120.0, height: 90.0, unit: Unit::Millimetre };
     /// Dots per inch of pictures whose size is one on paper.
     const DOTS_PER_INCH: f64 = 300.0;
 
+    /// Size in which a figure is laid out that is cropped then: on slides the
+    /// type has to be legible.
+    fn usual(&self) -> Size {
+        match self.tikz {
+            TikzForm::Standalone | TikzForm::Snippet => Self::USUAL,
+            TikzForm::Beamer | TikzForm::BeamerSnippet => Self::SLIDE,
+        }
+    }
+
     /// The page on which the figure is laid out.
     pub fn page(&self) -> Page {
-        self.size.unwrap_or(Self::USUAL).page(self.type_scale)
+        self.size.unwrap_or(self.usual()).page(self.type_scale)
     }
 
     /// Length of the page's units in the file. That of pictures is in pixels:
     /// so many that a size on paper has 300 dots per inch.
     pub fn scale(&self) -> Scale {
-        let scale = self.size.unwrap_or(Self::USUAL).scale(self.type_scale);
+        let scale = self.size.unwrap_or(self.usual()).scale(self.type_scale);
         let is_of_pixels = self.format.is_of_pixels();
         let (factor, unit) = match scale.unit {
             Unit::Millimetre | Unit::Point if is_of_pixels => {

@@ -56,7 +56,7 @@ impl Request {
         most: [f64; 2],
         progress: &Progress,
     ) -> anyhow::Result<Pixels> {
-        let figure = self.figure_of(document, step, progress)?;
+        let (figure, _) = self.figure_of(document, step, progress)?;
         let page = [figure.page.width, figure.page.height];
         let factor = (most[0] / page[0]).min(most[1] / page[1]);
         Ok(self.pixels(&figure, factor)?)
@@ -68,10 +68,10 @@ impl Request {
     /// Says what cannot be drawn.
     pub fn svg(&self, document: &AnyDocument, step: usize) -> anyhow::Result<String> {
         self.with_series(document, one(step), None, |series| {
-            let figure = Series::figure_of(&self.order, series, step, &Progress::default())?;
+            let (figure, scale) =
+                Series::figure_of(&self.order, series, step, &Progress::default())?;
             let (title, scenario) = ((series.title)(step), (series.scenario)(step));
             let Order { theme, background, .. } = self.order;
-            let scale = self.order.scale();
             let options =
                 FileOptions { theme, background, title: &title, scenario: &scenario, scale };
             Ok(svg(&figure, &options))
@@ -84,11 +84,12 @@ impl Request {
     /// # Errors
     /// Says what cannot be drawn.
     pub fn picture(&self, document: &AnyDocument, step: usize) -> anyhow::Result<Pixels> {
-        let figure = self.figure_of(document, step, &Progress::default())?;
         let is_of_pixels = self.order.format.is_of_pixels();
-        let order = Order { format: Format::Png, ..self.order };
         let more = if is_of_pixels || self.order.enlarged.is_some() { 1.0 } else { 2.0 };
-        Ok(self.pixels(&figure, more * order.scale().factor)?)
+        let order = Order { format: Format::Png, ..self.order };
+        let picture = Self { order, ..self.clone() };
+        let (figure, scale) = picture.figure_of(document, step, &Progress::default())?;
+        Ok(self.pixels(&figure, more * scale.factor)?)
     }
 
     fn figure_of(
@@ -96,7 +97,7 @@ impl Request {
         document: &AnyDocument,
         step: usize,
         progress: &Progress,
-    ) -> anyhow::Result<Figure> {
+    ) -> anyhow::Result<(Figure, Scale)> {
         self.with_series(document, one(step), None, |series| {
             Series::figure_of(&self.order, series, step, progress)
         })
@@ -118,8 +119,6 @@ impl Request {
         folder: Option<&Path>,
         then: impl FnOnce(&Series) -> anyhow::Result<T>,
     ) -> anyhow::Result<T> {
-        // A wrong eye is told before anything is drawn.
-        with_document!(document, d => self.check(d))?;
         let title = |step| {
             with_document!(document, d => {
                 sentence(&d.tree, &d.scenario.ray, &d.trace, step, self.language).plain()
@@ -140,16 +139,14 @@ impl Request {
         })
     }
 
-    fn check<const D: usize>(&self, document: &Document<D>) -> anyhow::Result<()> {
-        match &self.eye {
-            Some(eye) => eye.camera(document, self.order.page()).map(|_| ()),
-            None => Ok(()),
-        }
-    }
-
-    fn figure<const D: usize>(&self, document: &Document<D>, page: Page, step: usize) -> Figure {
-        let camera = self.eye.as_ref().and_then(|eye| eye.camera(document, page).ok());
-        space(document, camera, page, &self.show::<D>(), step)
+    fn figure<const D: usize>(
+        &self,
+        document: &Document<D>,
+        page: Page,
+        step: usize,
+    ) -> anyhow::Result<Figure> {
+        let camera = self.eye.as_ref().map(|eye| eye.camera(document, page)).transpose()?;
+        Ok(space(document, camera, page, &self.show::<D>(), step))
     }
 
     /// What is shown of a tree of dimension D.

@@ -3,8 +3,10 @@
 use super::{Format, Order};
 use crate::files::Output;
 use anyhow::{Context, bail};
-use octoscope_core::progress::{Cancelled, Progress};
-use octoscope_figure::{Apng, Extent, Figure, FileOptions, Gif, Page, Pdf, Pixels, Tikz, png, svg};
+use octoscope_core::progress::Progress;
+use octoscope_figure::{
+    Apng, Extent, Figure, FileOptions, Gif, Page, Pdf, Pixels, Scale, Tikz, png, svg,
+};
 use std::io::Write;
 use std::ops::RangeInclusive;
 use std::path::{Path, PathBuf};
@@ -14,7 +16,7 @@ pub struct Series<'a> {
     /// The steps.
     pub steps: RangeInclusive<usize>,
     /// Figure of a step, laid out on a page.
-    pub figure: &'a dyn Fn(Page, usize) -> Figure,
+    pub figure: &'a dyn Fn(Page, usize) -> anyhow::Result<Figure>,
     /// What happens in a step, in words.
     pub title: &'a dyn Fn(usize) -> String,
     /// The scenario with the playhead at a step, as JSON.
@@ -22,15 +24,16 @@ pub struct Series<'a> {
 }
 
 impl Series<'_> {
-    /// The figure of one step, on the page that it has in a file of all.
+    /// The figure of one step as in a file of its own, and the length of its units.
     pub(super) fn figure_of(
         order: &Order,
         series: &Series,
         step: usize,
         progress: &Progress,
-    ) -> anyhow::Result<Figure> {
+    ) -> anyhow::Result<(Figure, Scale)> {
         let one = Series { steps: step..=step, ..*series };
-        Ok(Frames::of(order, &one, progress)?.figure(&one, step))
+        let frames = Frames::of(order, &one, progress)?;
+        Ok((frames.figure(&one, step)?, frames.scale(order)))
     }
 }
 
@@ -48,9 +51,9 @@ pub fn write(
 ) -> anyhow::Result<()> {
     let (first, last) = (*series.steps.start(), *series.steps.end());
     let n_steps = (last - first + 1) as u64;
-    let is_cropped = order.size.is_none();
-    progress.start(if is_cropped { 2 * n_steps } else { n_steps });
+    progress.start(n_steps);
     let frames = Frames::of(order, series, progress)?;
+    progress.start(n_steps);
     if first == last || order.format.holds_steps() {
         let mut output = Output::open(path)?;
         output.write_all(&bytes(order, series, &frames, progress)?).with_context(|| place(path))?;
@@ -87,40 +90,74 @@ fn numbered(path: &Path, step: usize, last: usize) -> PathBuf {
 }
 
 /// Where the figures lie in the file: all of them on the same page.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Frames {
+    /// The page on which they are laid out.
     page: Page,
-    extent: Option<Extent>,
+    /// The part of it that is kept, if not all is.
+    kept: Option<Extent>,
+    /// How much larger than the order says what is kept is shown.
+    zoom: f64,
 }
 
 impl Frames {
-    /// The page around all figures, or the one of the size that is asked for.
-    pub(super) fn of(
-        order: &Order,
-        series: &Series,
-        progress: &Progress,
-    ) -> Result<Self, Cancelled> {
+    /// The page around all figures, or the one of the size that is asked for. A
+    /// figure that has a page of its own, whatever it is offered, is shown whole,
+    /// as large as there is room.
+    pub(super) fn of(order: &Order, series: &Series, progress: &Progress) -> anyhow::Result<Self> {
         let page = order.page();
-        let mut extent: Option<Extent> = None;
-        if order.size.is_none() {
-            for step in series.steps.clone() {
-                let found = (series.figure)(page, step).extent();
-                extent = match (extent, found) {
-                    (Some(a), Some(b)) => Some(a.and(b)),
-                    (a, b) => a.or(b),
-                };
-                progress.advance(1)?;
-            }
+        let whole = Self { page, kept: None, zoom: 1.0 };
+        let first = (series.figure)(page, *series.steps.start())?;
+        let has_own_page = first.page != page;
+        if order.size.is_some() && !has_own_page {
+            return Ok(whole);
         }
-        Ok(Self { page, extent })
+        let mut kept: Option<Extent> = None;
+        for step in series.steps.clone() {
+            let figure = (series.figure)(page, step)?;
+            let max = [figure.page.width, figure.page.height];
+            let found = match has_own_page {
+                true => Some(Extent { min: [0.0; 2], max }),
+                false => figure.extent().map(|extent| extent.widened(Order::MARGIN)),
+            };
+            kept = match (kept, found) {
+                (Some(a), Some(b)) => Some(a.and(b)),
+                (a, b) => a.or(b),
+            };
+            progress.advance(1)?;
+        }
+        match kept {
+            Some(kept) if order.size.is_some() => Ok(whole.fitting(kept)),
+            kept => Ok(Self { kept, ..whole }),
+        }
     }
 
-    pub(super) fn figure(&self, series: &Series, step: usize) -> Figure {
-        let figure = (series.figure)(self.page, step);
-        match self.extent {
-            Some(extent) => figure.on(extent, Order::MARGIN),
+    /// What is kept in the middle of the page, as large as there is room.
+    fn fitting(self, kept: Extent) -> Self {
+        let Page { width, height } = self.page;
+        let [wide, high]: [f64; 2] = std::array::from_fn(|e| kept.max[e] - kept.min[e]);
+        let zoom = (width / wide).min(height / high);
+        let room = [0.5 * (width / zoom - wide), 0.5 * (height / zoom - high)];
+        let kept = Extent {
+            min: std::array::from_fn(|e| kept.min[e] - room[e]),
+            max: std::array::from_fn(|e| kept.max[e] + room[e]),
+        };
+        Self { kept: Some(kept), zoom, ..self }
+    }
+
+    /// The figure of a step, on the page of all.
+    pub(super) fn figure(&self, series: &Series, step: usize) -> anyhow::Result<Figure> {
+        let figure = (series.figure)(self.page, step)?;
+        Ok(match self.kept {
+            Some(kept) => figure.on(kept),
             None => figure,
-        }
+        })
+    }
+
+    /// Length of the units of that page.
+    pub(super) fn scale(&self, order: &Order) -> Scale {
+        let scale = order.scale();
+        Scale { factor: scale.factor * self.zoom, ..scale }
     }
 }
 
@@ -138,11 +175,11 @@ fn bytes(
         background: order.background,
         title: &title,
         scenario: &scenario,
-        scale: order.scale(),
+        scale: frames.scale(order),
     };
-    let mut figures = series.steps.clone().map(|step| -> Result<Figure, Cancelled> {
+    let mut figures = series.steps.clone().map(|step| -> anyhow::Result<Figure> {
         progress.advance(1)?;
-        Ok(frames.figure(series, step))
+        frames.figure(series, step)
     });
     match order.format {
         Format::Svg => match figures.next() {
@@ -199,13 +236,62 @@ fn samples(series: &Series, frames: &Frames, options: &FileOptions) -> anyhow::R
         (0..MOST).map(|i| first + (last - first) * i / (MOST - 1)).collect();
     steps.dedup();
     let pixels =
-        steps.into_iter().map(|step| Ok(Pixels::of(&frames.figure(series, step), options)?));
+        steps.into_iter().map(|step| Ok(Pixels::of(&frames.figure(series, step)?, options)?));
     pixels.collect()
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use octoscope_figure::{Drawn, Form, Part, Role};
+
+    /// Figures with a page of their own, higher from step to step.
+    fn own_page(_: Page, step: usize) -> anyhow::Result<Figure> {
+        let page = Page { width: 300.0, height: 50.0 * (step + 1) as f64 };
+        Ok(Figure { page, drawn: Vec::new() })
+    }
+
+    /// Figures of a line on the page that is offered.
+    fn on_page(page: Page, step: usize) -> anyhow::Result<Figure> {
+        let form = Form::Circle { centre: [100.0 + 10.0 * step as f64, 50.0], radius: 20.0 };
+        let drawn = Drawn { form, role: Role::Touch, part: Part::Whole, node: None };
+        Ok(Figure { page, drawn: vec![drawn] })
+    }
+
+    /// Width and height of all figures of two steps, in the unit of the order.
+    #[track_caller]
+    fn check(
+        figure: fn(Page, usize) -> anyhow::Result<Figure>,
+        size: Option<&str>,
+        expected: [f64; 2],
+    ) {
+        let order = Order { size: size.map(|size| size.parse().unwrap()), ..Order::default() };
+        let series = Series {
+            steps: 0..=1,
+            figure: &figure,
+            title: &|_| String::new(),
+            scenario: &|_| String::new(),
+        };
+        let frames = Frames::of(&order, &series, &Progress::default()).unwrap();
+        for step in 0..=1 {
+            let page = frames.figure(&series, step).unwrap().page;
+            let factor = frames.scale(&order).factor;
+            let found = [page.width * factor, page.height * factor];
+            for e in 0..2 {
+                assert!((found[e] - expected[e]).abs() < 1e-9, "{size:?}: {found:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn figures_of_a_file_share_a_page_of_the_right_size() {
+        check(own_page, None, [300.0, 100.0]);
+        check(own_page, Some("640x480"), [640.0, 480.0]);
+        check(own_page, Some("120x80mm"), [120.0, 80.0]);
+        check(on_page, Some("640x480"), [640.0, 480.0]);
+        // Two circles, their line and the margin.
+        check(on_page, None, [50.0 + 2.0 * 7.0, 40.0 + 2.0 * 7.0]);
+    }
 
     #[test]
     fn names_of_a_sequence_sort_as_the_steps_do() {

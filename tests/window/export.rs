@@ -121,7 +121,7 @@ fn what_is_not_saved_is_told_to_be_saved_first() {
 #[test]
 fn an_exported_figure_opens_at_the_same_step() {
     let folder = tempdir().unwrap();
-    for format in [Format::Svg, Format::Pdf, Format::Png, Format::Tikz] {
+    for format in [Format::Svg, Format::Pdf] {
         let mut desk = Desk::new();
         desk.press(Key::R);
         desk.press(Key::ArrowDown);
@@ -130,7 +130,6 @@ fn an_exported_figure_opens_at_the_same_step() {
         let path = folder.path().join(format!("figure.{}", format.ending()));
         desk.state_mut().view.export =
             Choice { file: path.display().to_string(), ..choice(format) };
-        desk.state_mut().view.export.file = path.display().to_string();
         desk.press_with(Modifiers::COMMAND, Key::E);
         desk.click(Role::Button, "Export");
         desk.state_mut().finish_export();

@@ -99,7 +99,7 @@ impl Figure {
     /// The same drawing on a page that ends `margin` beyond it.
     pub fn cropped(self, margin: f64) -> Self {
         match self.extent() {
-            Some(extent) => self.on(extent, margin),
+            Some(extent) => self.on(extent.widened(margin)),
             None => self,
         }
     }
@@ -116,11 +116,11 @@ impl Figure {
         (extent.min[0] <= extent.max[0]).then_some(extent)
     }
 
-    /// The same drawing on a page that ends `margin` beyond `extent`.
-    pub fn on(mut self, extent: Extent, margin: f64) -> Self {
-        let shift = extent.min.map(|x| margin - x);
+    /// The same drawing on a page of this extent.
+    pub fn on(mut self, extent: Extent) -> Self {
+        let shift = extent.min.map(|x| -x);
         self.drawn.iter_mut().for_each(|drawn| drawn.form.shift(shift));
-        let [width, height] = std::array::from_fn(|e| extent.max[e] - extent.min[e] + 2.0 * margin);
+        let [width, height] = std::array::from_fn(|e| extent.max[e] - extent.min[e]);
         self.page = Page { width, height };
         self
     }
@@ -136,6 +136,11 @@ pub struct Extent {
 }
 
 impl Extent {
+    /// The same, and `margin` more on every side.
+    pub fn widened(self, margin: f64) -> Self {
+        Self { min: self.min.map(|x| x - margin), max: self.max.map(|x| x + margin) }
+    }
+
     /// The smallest that holds both.
     pub fn and(self, other: Self) -> Self {
         Self {
