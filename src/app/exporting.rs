@@ -108,6 +108,7 @@ impl App {
             self.view.export.format = format;
         }
         self.view.export.file = path.to_string_lossy().into_owned();
+        self.status.clear();
         let request = self.view.export.request(&self.document, &self.view);
         let (name, document, path) = (file_name(path), self.document.clone(), path.to_owned());
         let title = self.look.texts.format("job-export", &[("name", name.as_str().into())]);

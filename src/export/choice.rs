@@ -83,7 +83,8 @@ impl Default for Choice {
 }
 
 impl Choice {
-    /// Takes another format; the name of the file ends as it does.
+    /// Takes another format; the name of the file ends as it does. What moves is
+    /// of all steps, unless others are chosen.
     pub fn set_format(&mut self, format: Format) {
         let stem = match self.file.rsplit_once('.') {
             Some((stem, ending)) if Format::of_ending(ending).is_some() => stem,
@@ -91,6 +92,9 @@ impl Choice {
         };
         self.file = format!("{stem}.{}", format.ending());
         self.format = format;
+        if format.moves() && self.steps == StepChoice::Here {
+            self.steps = StepChoice::All;
+        }
     }
 
     /// The size that is asked for, within what is possible.
@@ -166,6 +170,18 @@ mod tests {
         check("a/b.svg", "a/b.tex");
         check("b", "b.tex");
         check("v1.2", "v1.2.tex");
+    }
+
+    #[test]
+    fn what_moves_is_of_all_steps() {
+        let mut choice = Choice::default();
+        choice.set_format(Format::Pdf);
+        assert_eq!(choice.steps, StepChoice::Here);
+        choice.set_format(Format::Gif);
+        assert_eq!(choice.steps, StepChoice::All);
+        choice.steps = StepChoice::Range;
+        choice.set_format(Format::Apng);
+        assert_eq!(choice.steps, StepChoice::Range);
     }
 
     #[test]

@@ -31,8 +31,10 @@ impl Default for Answers {
 }
 
 /// Endings of the files that can be opened.
-const OPENED: [&str; 13] =
-    ["octo", "png", "jpg", "jpeg", "obj", "ply", "stl", "xyz", "csv", "tsv", "svg", "pdf", "tex"];
+const OPENED: [&str; 14] = [
+    "octo", "png", "jpg", "jpeg", "obj", "ply", "stl", "xyz", "csv", "tsv", "svg", "pdf", "tex",
+    "apng",
+];
 
 impl Answers {
     /// The next answer, if there is one.

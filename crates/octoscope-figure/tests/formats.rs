@@ -7,6 +7,7 @@ use octoscope_figure::{
     Theme, Tikz, TikzForm, Unit, pdf, png, scenario_inside, svg, tikz,
 };
 use resvg::{tiny_skia, usvg};
+use std::io::Write;
 use std::path::Path;
 use std::process::{Command, Output};
 
@@ -65,12 +66,18 @@ fn expect(name: &str, text: &str) {
     assert_eq!(text, expected, "UPDATE_EXPECT=1 writes {name} anew");
 }
 
+/// Says what is not checked on this machine. Written to the stream itself: what a
+/// test that passes prints is not shown.
+fn not_run(what: &str) {
+    writeln!(std::io::stderr(), "NOT RUN: {what}").unwrap();
+}
+
 /// Output of a program that may not be installed; then a line says so.
 fn outside(program: &str, arguments: &[&str], folder: &Path) -> Option<Output> {
     match Command::new(program).args(arguments).current_dir(folder).output() {
         Ok(output) => Some(output),
         Err(error) => {
-            eprintln!("NOT RUN: {program} {}: {error}", arguments.join(" "));
+            not_run(&format!("{program} {}: {error}", arguments.join(" ")));
             None
         }
     }
@@ -189,7 +196,7 @@ fn latex_accepts_the_documents() {
         let Some(output) = outside("pdflatex", &arguments, folder.path()) else { return };
         let said = String::from_utf8_lossy(&output.stdout).into_owned();
         if said.contains(&format!("{class}.cls' not found")) {
-            eprintln!("NOT RUN: pdflatex has no class {class}");
+            not_run(&format!("pdflatex has no class {class}"));
             continue;
         }
         assert!(output.status.success(), "{said}");
