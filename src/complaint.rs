@@ -137,6 +137,7 @@ fn of_opening(texts: &Texts, fault: &OpenFault) -> String {
     match fault {
         OpenFault::TooLarge => texts.get("error-scenario-too-large"),
         OpenFault::UnknownKind => texts.get("error-unknown-kind"),
+        OpenFault::NoScenario => texts.get("error-no-scenario"),
         OpenFault::DataFile => texts.get("error-data-file"),
         OpenFault::OtherData => texts.get("error-other-data"),
         OpenFault::OtherDimension => texts.get("error-other-dimension"),
@@ -161,9 +162,10 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let picture = include_bytes!("../assets/scenes/landscape.png");
         let data = br#"{"octoscope": 1, "dimension": 2, "scene": {"file": "missing.png"}}"#;
-        let cases: [(&str, &[u8], &str, &str); 8] = [
+        let cases: [(&str, &[u8], &str, &str); 9] = [
             ("empty.png", b"", "is empty", "ist leer"),
-            ("some.kind", b"?", "cannot be opened", "lassen sich nicht öffnen"),
+            ("some.kind", b"?", ".svg, .pdf, .png or .tex", ".svg, .pdf, .png oder .tex"),
+            ("other.svg", b"<svg/>", "no scenario inside", "kein Szenario"),
             ("mesh.png", b"v 0 0 0\nv 1 0 0\n", "holds", "darin ist"),
             ("cut.png", &picture[..999], "damaged", "beschädigt"),
             ("hole.obj", b"v 0 0 0\nf 1 2 3\n", "line 2", "Zeile 2"),

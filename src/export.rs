@@ -1,50 +1,34 @@
-//! Exporting what the space view shows.
+//! Exporting what a view shows: a [`Request`] is the same from the window and from
+//! the command line.
 
-use crate::document::{AnyDocument, Document};
-use crate::figures::{Moments, Wanted, figure_of};
-use crate::files;
+mod choice;
+mod eye;
+mod format;
+mod order;
+mod origin;
+mod request;
+mod shown;
+mod size;
+mod steps;
+mod write;
+
+pub use choice::{Choice, Extent, StepChoice};
+pub use eye::Eye;
+pub use format::Format;
+pub use order::Order;
+pub use origin::Origin;
+pub use request::{Request, shell_line};
+pub use shown::{parse_shown, print_shown};
+pub use size::Size;
+pub use steps::{MOST_STEPS, Steps};
+pub use write::{Series, write};
+
+use crate::document::Document;
 use crate::space::interesting;
-use crate::view::View;
-use crate::with_document;
-use anyhow::bail;
-use octoscope_core::scenario::AnyScenario;
 use octoscope_core::scene::Content;
-use octoscope_figure::views::Fields;
 use octoscope_figure::{
-    Background, Camera, Figure, Mark, Page, Role, Shape, Show, SvgOptions, Theme, axes, content,
-    leaves, marks, png, space_figure, svg, svg_scaled,
+    Camera, Figure, Mark, Page, Role, Shape, Show, axes, content, leaves, marks, space_figure,
 };
-use std::path::Path;
-
-/// Format of an exported figure.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Format {
-    /// Vectors, text as text.
-    Svg,
-    /// Pixels.
-    Png,
-}
-
-impl Format {
-    /// All formats.
-    pub const ALL: [Self; 2] = [Self::Svg, Self::Png];
-
-    /// Its file ending.
-    pub fn ending(self) -> &'static str {
-        match self {
-            Self::Svg => "svg",
-            Self::Png => "png",
-        }
-    }
-
-    /// Format of this file ending or name.
-    pub fn of_ending(ending: &str) -> Option<Self> {
-        Self::ALL.into_iter().find(|format| ending.eq_ignore_ascii_case(format.ending()))
-    }
-}
-
-/// Room around a figure that is cropped, in page units.
-pub const MARGIN: f64 = 6.0;
 
 /// Figure of the space view of `document` after `step` events, on the whole of
 /// `page`. Without a camera, the tree and the ray fill it.
@@ -116,82 +100,4 @@ pub fn left_out<const D: usize>(document: &Document<D>, show: &Show) -> Option<S
         too_many(n_primitives_shown(document, show), MOST_PRIMITIVES, "points or solids"),
     ];
     left_out.into_iter().flatten().reduce(|a, b| format!("{a}; {b}"))
-}
-
-/// How a figure becomes a file.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Style<'a> {
-    /// Vectors or pixels.
-    pub format: Format,
-    /// Colours and lines.
-    pub theme: Theme,
-    /// Pixels per page unit; vectors are shown larger by it.
-    pub scale: f64,
-    /// Title for readers that cannot see the figure.
-    pub title: &'a str,
-}
-
-/// Bytes of `figure`, with `scenario` inside if it is of vectors.
-///
-/// # Errors
-/// Says why it cannot be drawn in pixels.
-pub fn bytes(figure: &Figure, style: Style, scenario: &AnyScenario) -> anyhow::Result<Vec<u8>> {
-    let scenario = scenario.print();
-    let options = SvgOptions {
-        theme: style.theme,
-        background: Background::Filled,
-        title: style.title,
-        scenario: &scenario,
-    };
-    Ok(match style.format {
-        Format::Svg => svg_scaled(figure, &options, style.scale).into_bytes(),
-        Format::Png => {
-            let width = (figure.page.width * style.scale).round() as u32;
-            png(&svg(figure, &options), width)?
-        }
-    })
-}
-
-/// Writes the view that is to be exported, as the window shows it, to `path`, whose
-/// ending tells the format.
-///
-/// # Errors
-/// Refuses endings without a format and views that do not fit; says why the file
-/// cannot be written.
-pub fn shown_view(
-    document: &AnyDocument,
-    scenario: &AnyScenario,
-    view: &View,
-    path: &Path,
-) -> anyhow::Result<()> {
-    let ending = path.extension().unwrap_or_default().to_string_lossy().into_owned();
-    let Some(format) = Format::of_ending(&ending) else {
-        bail!(
-            "‘.{ending}’ is no format of figures; name the file .svg or .png: {}",
-            path.display()
-        );
-    };
-    let figure = with_document!(document, document => shown(document, view)?);
-    let scale = match format {
-        Format::Svg => 1.0,
-        Format::Png => 2.0,
-    };
-    let style = Style { format, theme: view.theme, scale, title: "Octoscope" };
-    files::write(path, &bytes(&figure.cropped(MARGIN), style, scenario)?)
-}
-
-/// Figure of the view that is to be exported.
-fn shown<const D: usize>(document: &Document<D>, view: &View) -> anyhow::Result<Figure> {
-    const PAGE: Page = Page { width: 960.0, height: 720.0 };
-    let wanted = Wanted {
-        view: view.exported,
-        step: view.playback.step,
-        moments: Moments::default(),
-        exercise: (None, Fields::Empty),
-        page: PAGE,
-        camera: view.camera(),
-        show: *view.show::<D>(),
-        language: view.language,
-    };
-    figure_of(document, &wanted)
 }

@@ -4,7 +4,7 @@ mod dialog;
 mod hover;
 
 use crate::arrangement::Arrangement;
-
+use crate::export::Choice;
 use crate::playback::Playback;
 use crate::space::Standpoint;
 use eframe::egui::{Rect, Vec2};
@@ -14,7 +14,6 @@ use octoscope_core::query::Query;
 use octoscope_core::text::Language;
 use octoscope_core::traverse::Algorithm;
 use octoscope_core::tree::NodeId;
-use octoscope_figure::views::FigureView;
 use octoscope_figure::{Camera, Lens, Show, Theme};
 use serde::{Deserialize, Serialize};
 use std::any::Any;
@@ -41,9 +40,8 @@ pub struct View {
     pub plane_show: Show,
     /// What it shows of octrees.
     pub space_show: Show,
-    /// What is exported.
-    #[serde(skip)]
-    pub exported: FigureView,
+    /// What was chosen for the last export.
+    pub export: Choice,
     /// The playhead.
     pub playback: Playback,
     /// Camera of quadtrees; `None` fits everything.
@@ -407,7 +405,7 @@ impl Default for View {
             scale: 1.0,
             plane_show: Show::at_first::<2>(),
             space_show: Show::at_first::<3>(),
-            exported: FigureView::default(),
+            export: Choice::default(),
             playback: Playback::default(),
             plane_camera: None,
             orbit_camera: None,

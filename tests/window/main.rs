@@ -7,6 +7,7 @@ mod algorithms;
 mod camera;
 mod controls;
 mod desk;
+mod export;
 mod files;
 mod find;
 mod hall;

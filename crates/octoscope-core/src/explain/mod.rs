@@ -2,24 +2,28 @@
 
 mod as_printed;
 mod decision;
+mod latex;
 mod listing;
 mod names;
 mod number;
 mod rich;
 mod rounding;
 mod sentence;
+mod table;
 mod teller;
 mod title;
 mod variables;
 mod words;
 mod write;
 
+pub use latex::latex;
 pub use listing::{Line, Listing, label, listing};
 pub use names::{algorithm_name, counter_name, end_name, query_name, step_texts};
 pub use number::{approx, distinct, number};
 pub use rich::{RichText, Span};
 pub use rounding::{Disagreement, double_would_differ, rounded_steps};
 pub use sentence::sentence;
+pub use table::{trace_latex, trace_markdown};
 pub use title::short_title;
 pub use variables::{Variable, variables};
 pub use write::{trace_csv, trace_jsonl, trace_text};
