@@ -76,7 +76,8 @@ fn expect(name: &str, text: &str) {
 /// Says what is not checked on this machine. Written to the stream itself: what a
 /// test that passes prints is not shown.
 fn not_run(what: &str) {
-    writeln!(std::io::stderr(), "NOT RUN: {what}").unwrap();
+    let mut stream = std::io::stderr().lock();
+    writeln!(stream, "NOT RUN: {what}").unwrap();
 }
 
 /// Output of a program that may not be installed; then a line says so.
