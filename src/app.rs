@@ -1,5 +1,6 @@
 //! The window: keeps the state, and runs one frame of it.
 
+mod exporting;
 mod hall;
 mod jobs;
 mod obey;
@@ -18,6 +19,7 @@ use crate::view::View;
 use crate::widgets::refused_number;
 use crate::{render, save, theme, with_document};
 use eframe::egui::{CentralPanel, Context, Frame, Key, Ui, ViewportCommand};
+use exporting::Exporting;
 use jobs::Purpose;
 use octoscope_core::explain::short_title;
 use octoscope_core::gallery::Degenerate;
@@ -43,6 +45,7 @@ pub struct App {
     job: Option<(Job<anyhow::Result<AnyDocument>>, Purpose)>,
     /// The trace that is being made of a long run.
     tracing: Option<Job<Result<AnyDocument, Cancelled>>>,
+    exporting: Exporting,
     chosen: files::Answers,
     notice: Notice,
     /// The last notice by its number, and the state that it was about.
@@ -110,6 +113,7 @@ impl App {
             view,
             job: None,
             tracing: None,
+            exporting: Exporting::default(),
             chosen: files::Answers::default(),
             notice: Notice::default(),
             noticed: None,

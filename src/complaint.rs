@@ -137,6 +137,7 @@ fn of_opening(texts: &Texts, fault: &OpenFault) -> String {
     match fault {
         OpenFault::TooLarge => texts.get("error-scenario-too-large"),
         OpenFault::UnknownKind => texts.get("error-unknown-kind"),
+        OpenFault::NoScenario => texts.get("error-no-scenario"),
         OpenFault::DataFile => texts.get("error-data-file"),
         OpenFault::OtherData => texts.get("error-other-data"),
         OpenFault::OtherDimension => texts.get("error-other-dimension"),

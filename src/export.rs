@@ -1,55 +1,38 @@
-//! Exporting what the space view shows.
+//! Exporting what a view shows: a [`Request`] is the same from the window and from
+//! the command line.
 
-use crate::document::{AnyDocument, Document};
-use crate::figures::{Moments, Wanted, figure_of};
-use crate::files;
+mod choice;
+mod eye;
+mod format;
+mod order;
+mod origin;
+mod request;
+mod shown;
+mod size;
+mod steps;
+mod write;
+
+pub use choice::{Choice, Extent, StepChoice};
+pub use eye::Eye;
+pub use format::Format;
+pub use order::Order;
+pub use origin::Origin;
+pub use request::{Request, shell_line};
+pub use shown::{parse_shown, print_shown};
+pub use size::Size;
+pub use steps::{MOST_STEPS, Steps};
+pub use write::{Series, write};
+
+use crate::document::Document;
 use crate::space::interesting;
-use crate::view::View;
-use crate::with_document;
-use anyhow::bail;
-use octoscope_core::scenario::AnyScenario;
 use octoscope_core::scene::Content;
-use octoscope_core::tree::NodeId;
-use octoscope_figure::views::Fields;
 use octoscope_figure::{
-    Background, Camera, Diagram, DiagramLens, DiagramOf, Figure, Mark, Page, Role, Shape, Show,
-    SvgOptions, Theme, axes, content, leaves, marks, png, space_figure, svg, svg_scaled,
-    tree_diagram,
+    Camera, Diagram, DiagramLens, DiagramOf, Figure, Mark, Page, Role, Shape, Show, axes, content,
+    leaves, marks, space_figure, tree_diagram,
 };
-use std::path::Path;
-
-/// Format of an exported figure.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Format {
-    /// Vectors, text as text.
-    Svg,
-    /// Pixels.
-    Png,
-}
-
-impl Format {
-    /// All formats.
-    pub const ALL: [Self; 2] = [Self::Svg, Self::Png];
-
-    /// Its file ending.
-    pub fn ending(self) -> &'static str {
-        match self {
-            Self::Svg => "svg",
-            Self::Png => "png",
-        }
-    }
-
-    /// Format of this file ending or name.
-    pub fn of_ending(ending: &str) -> Option<Self> {
-        Self::ALL.into_iter().find(|format| ending.eq_ignore_ascii_case(format.ending()))
-    }
-}
 
 /// Page of figures of which no size is asked for.
-pub const PAGE: Page = Page { width: 960.0, height: 720.0 };
-
-/// Room around a figure that is cropped, in page units.
-pub const MARGIN: f64 = 6.0;
+const PAGE: Page = Page { width: 960.0, height: 720.0 };
 
 /// Figure of the space view of `document` after `step` events, on the whole of
 /// `page`. Without a camera, the tree and the ray fill it.
@@ -78,14 +61,9 @@ pub fn space<const D: usize>(
     space_figure(&all, &camera, page)
 }
 
-/// Diagram of the tree of `document` after `step` events, fitted to `page`; the
-/// nodes `unfolded` show their children wherever they are.
-pub fn tree<const D: usize>(
-    document: &Document<D>,
-    unfolded: &[NodeId],
-    page: Page,
-    step: usize,
-) -> Diagram {
+/// Diagram of the tree of `document` after `step` events, on a page that is no wider
+/// than what is drawn; what is off the path is folded.
+pub fn whole_tree<const D: usize>(document: &Document<D>, step: usize) -> Figure {
     let moment = document.moment(step);
     let of = DiagramOf {
         tree: &document.tree,
@@ -94,18 +72,9 @@ pub fn tree<const D: usize>(
         moment: &moment,
         event: step.checked_sub(1).and_then(|index| document.trace.events.get(index)),
     };
-    tree_diagram(&of, unfolded, None, page, DiagramLens::default())
-}
-
-/// The same on a page that is no wider than what is drawn.
-pub fn whole_tree<const D: usize>(
-    document: &Document<D>,
-    unfolded: &[NodeId],
-    step: usize,
-) -> Figure {
-    let diagram = tree(document, unfolded, PAGE, step);
-    let width = diagram.natural.width.min(PAGE.width);
-    tree(document, unfolded, Page { width, ..PAGE }, step).figure
+    let on = |page| -> Diagram { tree_diagram(&of, &[], None, page, DiagramLens::default()) };
+    let width = on(PAGE).natural.width.min(PAGE.width);
+    on(Page { width, ..PAGE }).figure
 }
 
 /// Leaves of a picture in their mean colours.
@@ -151,105 +120,4 @@ pub fn left_out<const D: usize>(document: &Document<D>, show: &Show) -> Option<S
         too_many(n_primitives_shown(document, show), MOST_PRIMITIVES, "points or solids"),
     ];
     left_out.into_iter().flatten().reduce(|a, b| format!("{a}; {b}"))
-}
-
-/// How a figure becomes a file.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Style<'a> {
-    /// Vectors or pixels.
-    pub format: Format,
-    /// Colours and lines.
-    pub theme: Theme,
-    /// Pixels per page unit; vectors are shown larger by it.
-    pub scale: f64,
-    /// Title for readers that cannot see the figure.
-    pub title: &'a str,
-}
-
-/// Bytes of `figure`, with `scenario` inside if it is of vectors.
-///
-/// # Errors
-/// Says why it cannot be drawn in pixels.
-pub fn bytes(figure: &Figure, style: Style, scenario: &AnyScenario) -> anyhow::Result<Vec<u8>> {
-    let scenario = scenario.print();
-    let options = SvgOptions {
-        theme: style.theme,
-        background: Background::Filled,
-        title: style.title,
-        scenario: &scenario,
-    };
-    Ok(match style.format {
-        Format::Svg => svg_scaled(figure, &options, style.scale).into_bytes(),
-        Format::Png => {
-            let width = (figure.page.width * style.scale).round() as u32;
-            png(&svg(figure, &options), width)?
-        }
-    })
-}
-
-/// Writes the view that is to be exported, as the window shows it, to `path`, whose
-/// ending tells the format.
-///
-/// # Errors
-/// Refuses endings without a format and views that do not fit; says why the file
-/// cannot be written.
-pub fn shown_view(
-    document: &AnyDocument,
-    scenario: &AnyScenario,
-    view: &View,
-    path: &Path,
-) -> anyhow::Result<()> {
-    let ending = path.extension().unwrap_or_default().to_string_lossy().into_owned();
-    let Some(format) = Format::of_ending(&ending) else {
-        bail!(
-            "‘.{ending}’ is no format of figures; name the file .svg or .png: {}",
-            path.display()
-        );
-    };
-    let figure = with_document!(document, document => shown(document, view)?);
-    let scale = match format {
-        Format::Svg => 1.0,
-        Format::Png => 2.0,
-    };
-    let style = Style { format, theme: view.theme, scale, title: "Octoscope" };
-    files::write(path, &bytes(&figure.cropped(MARGIN), style, scenario)?)
-}
-
-/// Figure of the view that is to be exported.
-fn shown<const D: usize>(document: &Document<D>, view: &View) -> anyhow::Result<Figure> {
-    let wanted = Wanted {
-        view: view.exported,
-        step: view.playback.step,
-        moments: Moments::default(),
-        exercise: (None, Fields::Empty),
-        page: PAGE,
-        unfolded: view.tree.unfolded(&document.tree).to_vec(),
-        camera: view.camera(),
-        show: *view.show::<D>(),
-        language: view.language,
-    };
-    figure_of(document, &wanted)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::open::open_built_in;
-    use octoscope_core::progress::Progress;
-    use octoscope_figure::views::FigureView;
-
-    #[test]
-    fn the_chosen_view_is_written_at_the_present_step() {
-        let document = open_built_in("figure-7", &Progress::default()).unwrap();
-        let folder = tempfile::tempdir().unwrap();
-        let path = folder.path().join("a.svg");
-        let mut view = View { exported: FigureView::Automaton, ..View::default() };
-        view.playback.step = 8;
-        shown_view(&document, &document.scenario_at(8), &view, &path).unwrap();
-        let svg = std::fs::read_to_string(&path).unwrap();
-        assert!(svg.contains("transition-taken-y") && svg.contains("<metadata>"));
-        view.exported = FigureView::Region;
-        let error = shown_view(&document, &document.scenario_at(8), &view, &path).unwrap_err();
-        assert!(error.to_string().contains("query is ‘region’"), "{error}");
-    }
 }

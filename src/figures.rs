@@ -1,18 +1,20 @@
 //! The figure of any view of a document.
 
 use crate::document::Document;
-use crate::export::{MARGIN, space, whole_tree};
+use crate::export::{Order, space, whole_tree};
 use crate::text::texts;
+use anyhow::bail;
 use octoscope_core::event::Event;
 use octoscope_core::explain::sentence;
 use octoscope_core::query::Query;
 use octoscope_core::text::Language;
-use octoscope_core::tree::NodeId;
 use octoscope_figure::views::{
     Exercise, Fields, FigureView, Layout, Panel, Subject, common_extent, figure, storyboard,
     worksheet,
 };
 use octoscope_figure::{Camera, Extent, Figure, Page, Show};
+use std::fmt::{Display, Formatter};
+use std::str::FromStr;
 
 /// What a figure shows, and how.
 #[derive(Clone, Debug)]
@@ -27,8 +29,6 @@ pub struct Wanted<const D: usize> {
     pub exercise: (Option<u64>, Fields),
     /// Page of the view in space.
     pub page: Page,
-    /// Nodes of the diagram that show their children wherever they are.
-    pub unfolded: Vec<NodeId>,
     /// Camera of pictures of space; none fits everything.
     pub camera: Option<Camera<D>>,
     /// What such pictures show.
@@ -63,6 +63,19 @@ impl Moments {
     /// Most panels of a storyboard: more would be too small or too many to read.
     pub const MOST: usize = 24;
 
+    /// Refuses steps that a run of `n_events` does not have.
+    ///
+    /// # Errors
+    /// Says which steps there are.
+    pub fn check(&self, n_events: usize) -> anyhow::Result<()> {
+        if let Self::At(steps) = self
+            && let Some(step) = steps.iter().find(|step| **step > n_events)
+        {
+            bail!("there is no step {step}; give steps from 0 to {n_events}");
+        }
+        Ok(())
+    }
+
     /// The steps in a run of `document`.
     fn steps<const D: usize>(&self, document: &Document<D>) -> Vec<usize> {
         let n_steps = document.trace.events.len();
@@ -76,6 +89,40 @@ impl Moments {
                 evenly(*n, &events.filter_map(is_leaf).collect::<Vec<_>>())
             }
             Self::At(steps) => steps.clone(),
+        }
+    }
+}
+
+impl FromStr for Moments {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let few = |n: &str| n.parse().ok().filter(|n| (1..=Self::MOST).contains(n));
+        let parsed = match text.split_once(':') {
+            Some(("even", n)) => few(n).map(Self::Even),
+            Some(("leaves", n)) => few(n).map(Self::Leaves),
+            Some(_) => None,
+            None => {
+                let steps: Result<Vec<usize>, _> =
+                    text.split(',').map(|n| n.trim().parse()).collect();
+                steps.ok().filter(|steps| steps.len() <= Self::MOST).map(Self::At)
+            }
+        };
+        parsed.ok_or_else(|| {
+            format!("give even:N, leaves:N or a list as 3,7,12, of at most {} steps", Self::MOST)
+        })
+    }
+}
+
+impl Display for Moments {
+    fn fmt(&self, f: &mut Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::Even(n) => write!(f, "even:{n}"),
+            Self::Leaves(n) => write!(f, "leaves:{n}"),
+            Self::At(steps) => {
+                let steps: Vec<_> = steps.iter().map(usize::to_string).collect();
+                f.write_str(&steps.join(","))
+            }
         }
     }
 }
@@ -100,7 +147,7 @@ pub fn figure_of<const D: usize>(
     let Wanted { view, step, page, camera, show, language, .. } = *wanted;
     let figure = match view {
         FigureView::Space => return Ok(space(document, camera, page, &show, step)),
-        FigureView::Tree => whole_tree(document, &wanted.unfolded, step),
+        FigureView::Tree => whole_tree(document, step),
         FigureView::Storyboard => story(document, wanted),
         FigureView::Worksheet => exercise(document, wanted)?,
         FigureView::Automaton
@@ -121,7 +168,7 @@ pub fn figure_of<const D: usize>(
             figure(view, &subject, view.width::<D>())?
         }
     };
-    Ok(figure.cropped(MARGIN))
+    Ok(figure.cropped(Order::MARGIN))
 }
 
 /// Several moments with their sentences on one page.
@@ -191,16 +238,6 @@ pub fn take_exercise<const D: usize>(
     Ok(())
 }
 
-/// `figure` in the middle of a page with the proportions of `size`, and the factor
-/// by which that page becomes as large.
-pub fn fitted(figure: Figure, size: Page) -> (Figure, f64) {
-    let whole = figure.page;
-    let factor = (size.width / whole.width).min(size.height / whole.height);
-    let page = Page { width: size.width / factor, height: size.height / factor };
-    let corner = [0.5 * (page.width - whole.width), 0.5 * (page.height - whole.height)];
-    (figure.on_page(page, corner), factor)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -208,20 +245,6 @@ mod tests {
     use crate::with_document;
     use octoscope_core::progress::Progress;
     use octoscope_figure::{Drawn, Form, Role, metrics};
-
-    #[test]
-    fn a_figure_is_fitted_into_any_page_without_being_distorted() {
-        let figure = || Figure { page: Page { width: 300.0, height: 100.0 }, drawn: Vec::new() };
-        for (size, factor, page) in [
-            ([600.0, 400.0], 2.0, [300.0, 200.0]),
-            ([150.0, 50.0], 0.5, [300.0, 100.0]),
-            ([900.0, 100.0], 1.0, [900.0, 100.0]),
-        ] {
-            let (fitted, by) = fitted(figure(), Page { width: size[0], height: size[1] });
-            assert_eq!(by, factor);
-            assert_eq!([fitted.page.width, fitted.page.height], page);
-        }
-    }
 
     /// Left, top, right and bottom of a text, and whether it is a caption.
     fn box_of(drawn: &Drawn) -> Option<([f64; 4], bool)> {
@@ -238,7 +261,6 @@ mod tests {
             moments: moments.clone(),
             exercise: (None, Fields::Empty),
             page: Page { width: 960.0, height: 720.0 },
-            unfolded: Vec::new(),
             camera: None,
             show: Show::at_first::<D>(),
             language,
@@ -264,6 +286,18 @@ mod tests {
                 with_document!(&any, document => check_story(document, moments, language));
             }
         }
+    }
+
+    #[test]
+    fn moments_are_read_as_they_are_written() {
+        for text in ["even:6", "leaves:24", "3,7,12"] {
+            assert_eq!(text.parse::<Moments>().map(|moments| moments.to_string()), Ok(text.into()));
+        }
+        for bad in ["even", "even:0", "leaves:25", "some:3", "", "1,x"] {
+            assert!(bad.parse::<Moments>().is_err(), "{bad}");
+        }
+        assert!(Moments::At(vec![3, 9]).check(9).is_ok());
+        assert!(Moments::At(vec![3, 9]).check(8).is_err());
     }
 
     #[test]

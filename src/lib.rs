@@ -9,6 +9,7 @@ pub mod comparison;
 pub mod complaint;
 pub mod document;
 pub mod export;
+pub mod export_dialog;
 pub mod figures;
 pub mod files;
 pub mod finder;

@@ -6,6 +6,7 @@ use anyhow::{Context, anyhow};
 use octoscope_core::progress::{Cancelled, Progress};
 use octoscope_core::scenario::{AnyScenario, BUILT_IN, Scenario, Source, built_in};
 use octoscope_core::scene::Content;
+use octoscope_figure::scenario_inside;
 use octoscope_import::{ImportError, Imported, hash, import};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -32,10 +33,14 @@ pub enum OpenFault {
     TooLarge,
     /// Neither a scenario nor anything that can be imported.
     #[error(
-        "files of this kind cannot be opened; choose a scenario that ends in .octo, or a file \
-         that ends in .png, .jpg, .obj, .stl, .ply, .xyz or .csv"
+        "files of this kind cannot be opened; choose a scenario that ends in .octo, a file that \
+         ends in .png, .jpg, .obj, .stl, .ply, .xyz or .csv, or an exported figure that ends in \
+         .svg, .pdf, .png or .tex"
     )]
     UnknownKind,
+    /// A figure that another program has made.
+    #[error("there is no scenario inside; choose a figure that Octoscope has exported")]
+    NoScenario,
     /// The data file cannot be read; the cause says why.
     #[error("the scenario's data file cannot be read; put it where \"file\" says")]
     DataFile,
@@ -62,7 +67,8 @@ pub fn open(name: &Path, progress: &Progress) -> anyhow::Result<AnyDocument> {
     }
 }
 
-/// Document of a scenario file or of any data file that can be imported.
+/// Document of a scenario file, of a figure that was exported, or of any data file
+/// that can be imported.
 ///
 /// # Errors
 /// Says what is wrong, where, and the path.
@@ -97,6 +103,12 @@ pub fn open_bytes(
         }
         let text = files::as_text(bytes)?;
         return open_scenario(AnyScenario::parse(text)?, folder, progress);
+    }
+    if let Some(scenario) = scenario_inside(bytes) {
+        return open_scenario(AnyScenario::parse(&scenario)?, folder, progress);
+    }
+    if is_figure(name) {
+        return Err(OpenFault::NoScenario.into());
     }
     let path = name.to_owned();
     let imported = match import(name, bytes, progress) {
@@ -169,6 +181,12 @@ fn with_path(error: anyhow::Error, path: &Path) -> anyhow::Error {
 /// Whether a file of this name holds a scenario.
 fn is_scenario(name: &str) -> bool {
     Path::new(name).extension().is_some_and(|ending| ending.eq_ignore_ascii_case("octo"))
+}
+
+/// Whether a file of this name is a figure that holds a scenario or nothing.
+fn is_figure(name: &str) -> bool {
+    let ending = Path::new(name).extension().unwrap_or_default();
+    ["svg", "pdf", "tex", "tikz"].iter().any(|figure| ending.eq_ignore_ascii_case(figure))
 }
 
 fn content<const D: usize>(

@@ -4,7 +4,7 @@ mod dialog;
 mod hover;
 
 use crate::arrangement::Arrangement;
-
+use crate::export::Choice;
 use crate::playback::Playback;
 use crate::space::Standpoint;
 use crate::tree_view::TreeView;
@@ -15,7 +15,6 @@ use octoscope_core::query::Query;
 use octoscope_core::text::Language;
 use octoscope_core::traverse::Algorithm;
 use octoscope_core::tree::NodeId;
-use octoscope_figure::views::FigureView;
 use octoscope_figure::{Camera, Lens, Show, Theme};
 use serde::{Deserialize, Serialize};
 use std::any::Any;
@@ -42,9 +41,8 @@ pub struct View {
     pub plane_show: Show,
     /// What it shows of octrees.
     pub space_show: Show,
-    /// What is exported.
-    #[serde(skip)]
-    pub exported: FigureView,
+    /// What was chosen for the last export.
+    pub export: Choice,
     /// The playhead.
     pub playback: Playback,
     /// Camera of quadtrees; `None` fits everything.
@@ -437,7 +435,7 @@ impl Default for View {
             scale: 1.0,
             plane_show: Show::at_first::<2>(),
             space_show: Show::at_first::<3>(),
-            exported: FigureView::default(),
+            export: Choice::default(),
             playback: Playback::default(),
             plane_camera: None,
             orbit_camera: None,

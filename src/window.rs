@@ -3,6 +3,7 @@
 use crate::app::App;
 use anyhow::anyhow;
 use eframe::egui::{ColorImage, ScreenshotCallback, ViewportBuilder, ViewportCommand};
+use octoscope_figure::Pixels;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -91,7 +92,7 @@ impl eframe::App for Demonstration {
 
 fn write_picture(path: &Path, image: &ColorImage) -> anyhow::Result<()> {
     let [width, height] = image.size.map(|side| side as u32);
-    let bytes: Vec<u8> = image.pixels.iter().flat_map(|pixel| pixel.to_array()).collect();
-    let png = octoscope_figure::png_of_pixels(width, height, bytes)?;
+    let rgba = image.pixels.iter().flat_map(|pixel| pixel.to_array()).collect();
+    let png = octoscope_figure::png_of_pixels(&Pixels { width, height, rgba }, "", "")?;
     crate::files::write(path, &png)
 }

@@ -10,7 +10,7 @@ use crate::finder::Target;
 use crate::history::History;
 use crate::space::Standpoint;
 use crate::view::{Dialog, PanelKind, Preset, Search, Typed};
-use crate::{complaint, export, save, with_document};
+use crate::{complaint, save, with_document};
 use eframe::egui::{Context, Key, Popup, ViewportCommand};
 use octoscope_core::gallery::{Degenerate, snap};
 use octoscope_core::paper::paper_texts;
@@ -338,21 +338,9 @@ impl App {
             Ok(()) => {
                 with_document!(&mut self.document, d => d.path = Some(path.to_owned()));
                 self.saved = self.document.clone();
+                self.exporting.saved = Some((path.to_owned(), self.scenario_now()));
                 let name = file_name(path);
                 self.notice.say(self.look.texts.format("status-saved", &[("name", name.into())]));
-            }
-            Err(error) => {
-                self.view.dialog = Some(Dialog::Error(complaint::told(&self.look.texts, &error)))
-            }
-        }
-    }
-
-    fn export_to(&mut self, path: &Path) {
-        match export::shown_view(&self.document, &self.scenario_now(), &self.view, path) {
-            Ok(()) => {
-                let name = file_name(path);
-                self.notice
-                    .say(self.look.texts.format("status-exported", &[("name", name.into())]));
             }
             Err(error) => {
                 self.view.dialog = Some(Dialog::Error(complaint::told(&self.look.texts, &error)))
@@ -365,7 +353,10 @@ impl App {
             None => {}
             Some(Chosen::Open(path)) => self.open(context, path),
             Some(Chosen::Save(path)) => self.save_to(&path),
-            Some(Chosen::Export(path)) => self.export_to(&path),
+            Some(Chosen::Export(path)) => {
+                self.view.dialog = None;
+                self.export_to(context, &path);
+            }
             Some(Chosen::NoDialog(purpose)) => {
                 let path = self.suggested(purpose).to_string_lossy().into_owned();
                 // What is typed from now on is the path.
@@ -388,7 +379,7 @@ impl App {
             Purpose::Open if folder.as_os_str().is_empty() => folder,
             Purpose::Open => folder.join(""),
             Purpose::Save => path.unwrap_or_else(|| folder.join("scenario.octo")),
-            Purpose::Export(ending) => folder.join("octoscope").with_extension(ending),
+            Purpose::Export(_) => folder.join(self.view.export.file.trim()),
         }
     }
 
@@ -412,7 +403,7 @@ impl App {
         match typed.purpose {
             Purpose::Open => {}
             Purpose::Save => self.save_to(&path),
-            Purpose::Export(_) => self.export_to(&path),
+            Purpose::Export(_) => self.export_to(context, &path),
         }
     }
 }

@@ -2,7 +2,6 @@
 
 use super::App;
 use crate::command::Command;
-use crate::figures::views_of;
 use crate::panels::menu::Entry;
 use crate::panels::{dialogs, menu, sentence, timeline};
 use crate::sidebar::{self, Wish};
@@ -86,12 +85,11 @@ impl App {
         {
             self.give_up_tracing();
         }
-        let views = with_document!(&self.document, d => views_of(&d.scenario.query));
-        let exported = (&views[..], &mut self.view.exported);
-        let answer = dialogs::ui(&context, &self.look, &mut self.view.dialog, exported, commands);
+        self.poll_export(&context);
+        self.show_export_dialog(&context);
+        let answer = dialogs::ui(&context, &self.look, &mut self.view.dialog, commands);
         match answer {
             None => {}
-            Some(dialogs::Answer::Export(format)) => self.chosen.ask_export(&context, format),
             Some(dialogs::Answer::Path(typed)) => self.take_path(&context, typed),
             Some(dialogs::Answer::Take(target)) => self.take(&context, target),
         }

@@ -1,35 +1,37 @@
 //! `octoscope export`: figures without a window.
 
+use super::progress::run_with_progress;
 use super::ray::RayChoice;
-use super::values::{Numbers, language};
+use super::values::language;
 use super::{Answer, tell};
 use crate::document::Document;
-use crate::export::{Format, MARGIN, PAGE, Style, bytes, left_out};
-use crate::figures::{Moments, Wanted, figure_of, fitted, take_exercise};
-use crate::files::Output;
+use crate::export::{Eye, Format, Order, Request, Size, Steps, parse_shown};
+use crate::figures::{Moments, take_exercise};
 use crate::open::open;
-use crate::space::interesting;
 use crate::with_document;
 use anyhow::{anyhow, bail};
 use clap::Args;
-use octoscope_core::explain::sentence;
 use octoscope_core::progress::Progress;
 use octoscope_core::scenario::StepAt;
 use octoscope_core::text::Language;
 use octoscope_core::traverse::Method;
 use octoscope_figure::views::{Fields, FigureView};
-use octoscope_figure::{Camera, Figure, Page, Show, Theme};
-use std::io::Write;
+use octoscope_figure::{Background, Show, Theme, TikzForm};
 use std::path::PathBuf;
-use std::str::FromStr;
 
-/// Writes a figure of a scenario at one of its steps.
+/// Writes a figure of a scenario at one of its steps, or at several.
 ///
-/// The same arguments give the same bytes. An SVG holds its text as text and
-/// the scenario as metadata. Needs no display and no graphics adapter.
+/// The same arguments give the same bytes. An SVG, PDF, PNG or TikZ file holds
+/// the scenario, which Octoscope opens again. Of several steps, a PDF has a page
+/// each, TikZ a picture, GIF and APNG a frame; of SVG and PNG there is a file
+/// each, with the number of the step in its name. Needs no display and no
+/// graphics adapter.
 #[derive(Debug, Args)]
 #[command(after_long_help = "Examples:\n  \
     octoscope export scene:quadtree-82 --view space --step last -o figure.svg\n  \
+    octoscope export scene:quadtree-82 --step 12 --size 120x80mm -o figure.pdf\n  \
+    octoscope export lecture.octo --step all --beamer -o slides.tex\n  \
+    octoscope export lecture.octo --step 0-40 --pause 0.3 -o steps.gif\n  \
     octoscope export lecture.octo --view space --format png --step 12 \\\n    \
         --size 1280x720 --scale 2 --theme projector -o step-12.png\n  \
     octoscope export scene:points-3d --view tree --step 40 -o tree.svg\n  \
@@ -38,8 +40,9 @@ use std::str::FromStr;
     octoscope export scene:figure-1 --view worksheet --seed 17 --lang de -o sheet.svg\n  \
     octoscope export scene:cloud --step last --camera=-30,20,1.5 --theme dark -o cloud.png")]
 pub struct Export {
-    /// Scenario (.octo), data file, or built-in scene as scene:NAME.
-    file: PathBuf,
+    /// Scenario (.octo), exported figure, data file, or built-in scene as
+    /// scene:NAME.
+    pub file: PathBuf,
     /// What is drawn: space (the tree, the ray and the state of the algorithm),
     /// tree (the same as a diagram of nodes, what is off the path folded), automaton,
     /// t-rail, codes, region, neighbour, listing (with variables),
@@ -47,20 +50,22 @@ pub struct Export {
     /// their sentences) or worksheet (an exercise to be solved on paper).
     #[arg(long, value_name = "VIEW", default_value = "space")]
     view: FigureView,
-    /// svg or png; without it, the ending of the output tells.
+    /// svg, pdf, png, tikz, gif or apng; without it, the ending of the output
+    /// tells.
     #[arg(long, value_name = "FORMAT", value_parser = format)]
     format: Option<Format>,
     /// Writes to this file, which appears whole or not at all; without it, to
     /// standard output.
     #[arg(short, long, value_name = "FILE")]
-    output: Option<PathBuf>,
-    /// Number of steps that have happened, first (before all) or last; without
-    /// it, where the scenario says.
-    #[arg(long, value_name = "N|first|last", value_parser = step, allow_negative_numbers = true)]
-    step: Option<StepAt>,
+    pub output: Option<PathBuf>,
+    /// Number of steps that have happened, first (before all) or last, a range
+    /// such as 3-12, or all; without it, where the scenario says, and all for gif
+    /// and apng.
+    #[arg(long, value_name = "N|first|last|A-B|all", allow_negative_numbers = true)]
+    step: Option<Steps>,
     /// Steps of a storyboard: even:N of all, leaves:N of those that report a leaf,
     /// or a list as 3,7,12.
-    #[arg(long, value_name = "even:N|leaves:N|LIST", default_value = "even:6", value_parser = moments)]
+    #[arg(long, value_name = "even:N|leaves:N|LIST", default_value_t)]
     steps: Moments,
     /// Number of the exercise on a worksheet: each has another ray through the
     /// tree; without it, the ray of the scenario is the exercise.
@@ -75,128 +80,66 @@ pub struct Export {
     /// Draws this ray, as octoscope trace takes it.
     #[arg(long, value_name = "OX,OY,OZ,DX,DY,DZ|gallery:ID", allow_hyphen_values = true)]
     ray: Option<RayChoice>,
-    /// Page in points, into which the figure is fitted; without it, the page
-    /// ends around the figure.
-    #[arg(long, value_name = "WIDTHxHEIGHT", allow_negative_numbers = true)]
+    /// Extent in mm, pt or px (without a unit), into which the figure is
+    /// fitted; without it, the file ends around the figure.
+    #[arg(long, value_name = "WIDTHxHEIGHT[UNIT]", allow_negative_numbers = true)]
     size: Option<Size>,
-    /// Pixels per point; an SVG is shown larger by it.
-    #[arg(long, value_name = "FACTOR", default_value = "1", value_parser = scale, allow_negative_numbers = true)]
-    scale: f64,
+    /// Enlarges the file so many times. Of a PNG whose size is in mm or pt, the
+    /// pixels per point; without it, it has 300 dots per inch.
+    #[arg(long, value_name = "FACTOR", value_parser = scale, allow_negative_numbers = true)]
+    scale: Option<f64>,
+    /// Size of type and lines against the usual, on a page of the same size.
+    #[arg(long, value_name = "FACTOR", default_value = "1", value_parser = type_scale, allow_negative_numbers = true)]
+    type_scale: f64,
     /// light, dark, print or projector.
-    #[arg(long, default_value = "light", value_parser = theme)]
+    #[arg(long, default_value = "print", value_parser = theme)]
     theme: Theme,
+    /// Leaves out what lies behind the figure.
+    #[arg(long)]
+    transparent: bool,
+    /// How long each step is shown in gif and apng, in seconds.
+    #[arg(long, value_name = "SECONDS", default_value = "0.5", value_parser = pause, allow_negative_numbers = true)]
+    pause: f64,
+    /// Writes TikZ for slides: one frame, an overlay a step.
+    #[arg(long)]
+    beamer: bool,
+    /// Writes TikZ to be put into a document, not a document of its own.
+    #[arg(long)]
+    snippet: bool,
     /// Yaw and pitch of the eye in degrees, and a factor of 1 where everything
-    /// fits. Yaw 0 looks from +x, 90 from +y; pitch 90 from above. In a
-    /// quadtree only the factor counts.
-    #[arg(long, value_name = "YAW,PITCH,ZOOM", allow_hyphen_values = true)]
+    /// fits; then, if you like, the point in the middle. Yaw 0 looks from +x, 90
+    /// from +y; pitch 90 from above. A quadtree is seen from above anyway.
+    #[arg(long, value_name = "YAW,PITCH,ZOOM[,X,Y[,Z]]", allow_hyphen_values = true)]
     camera: Option<Eye>,
-    /// Language of all words, and of the title inside an SVG: en or de.
+    /// What is shown beside the state of the algorithm, by names between commas:
+    /// order-numbers, half-open-sides, codes, mirrored-ray, content,
+    /// empty-leaves, ancestors, children, or none.
+    #[arg(long, value_name = "NAMES", value_parser = parse_shown)]
+    show: Option<Show>,
+    /// Language of all words, and of the title inside a file: en or de.
     #[arg(long, value_name = "LANGUAGE", default_value = "en", value_parser = language)]
     lang: Language,
 }
 
-/// Page in points.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-struct Size {
-    width: u16,
-    height: u16,
-}
-
-impl Size {
-    fn page(self) -> Page {
-        Page { width: f64::from(self.width), height: f64::from(self.height) }
-    }
-}
-
-impl FromStr for Size {
-    type Err = String;
-
-    fn from_str(text: &str) -> Result<Self, String> {
-        const LARGEST: u16 = 1 << 14;
-        let length = |text: &str| text.parse().ok().filter(|n| (1..=LARGEST).contains(n));
-        let lengths = text.split_once(['x', 'X', '×']);
-        let size = lengths.and_then(|(width, height)| {
-            Some(Self { width: length(width)?, height: length(height)? })
-        });
-        size.ok_or_else(|| format!("give width and height from 1 to {LARGEST}, such as 1280x720"))
-    }
-}
-
-/// Where the scene is looked at from.
-#[derive(Clone, Copy, Debug, PartialEq)]
-struct Eye {
-    yaw_degrees: f64,
-    pitch_degrees: f64,
-    zoom: f64,
-}
-
-impl FromStr for Eye {
-    type Err = String;
-
-    fn from_str(text: &str) -> Result<Self, String> {
-        let Numbers(numbers) = text.parse()?;
-        let [yaw_degrees, pitch_degrees, zoom] = numbers[..] else {
-            return Err(format!(
-                "there are {} numbers; give three: yaw and pitch in degrees, zoom",
-                numbers.len()
-            ));
-        };
-        if !(-90.0..=90.0).contains(&pitch_degrees) {
-            return Err(format!("the pitch is {pitch_degrees}; give degrees from -90 to 90"));
-        }
-        if !(0.01..=100.0).contains(&zoom) {
-            return Err(format!("the zoom is {zoom}; give a factor from 0.01 to 100"));
-        }
-        Ok(Self { yaw_degrees, pitch_degrees, zoom })
-    }
-}
-
-impl Eye {
-    fn camera<const D: usize>(self, document: &Document<D>, page: Page) -> Camera<D> {
-        let bounds = interesting(document);
-        let mut camera = Camera::framing(&bounds, page);
-        camera.yaw = self.yaw_degrees.rem_euclid(360.0).to_radians();
-        camera.pitch = self.pitch_degrees.to_radians();
-        camera.frame(&bounds, page);
-        camera.height /= self.zoom;
-        camera
-    }
-}
-
 fn format(id: &str) -> Result<Format, String> {
-    Format::of_ending(id)
-        .ok_or_else(|| format!("there is no format ‘{id}’ to export to; there are svg and png"))
-}
-
-fn step(text: &str) -> Result<StepAt, String> {
-    match text {
-        "first" => Ok(StepAt::First),
-        "last" => Ok(StepAt::Last),
-        _ => text.parse().map(StepAt::At).map_err(|_| {
-            format!("‘{text}’ is no single step; give a number from 0, first or last")
-        }),
-    }
-}
-
-fn moments(text: &str) -> Result<Moments, String> {
-    let few = |n: &str| n.parse().ok().filter(|n| (1..=Moments::MOST).contains(n));
-    let parsed = match text.split_once(':') {
-        Some(("even", n)) => few(n).map(Moments::Even),
-        Some(("leaves", n)) => few(n).map(Moments::Leaves),
-        Some(_) => None,
-        None => {
-            let steps: Result<Vec<usize>, _> = text.split(',').map(|n| n.trim().parse()).collect();
-            steps.ok().filter(|steps| steps.len() <= Moments::MOST).map(Moments::At)
-        }
-    };
-    parsed.ok_or_else(|| {
-        format!("give even:N, leaves:N or a list as 3,7,12, of at most {} steps", Moments::MOST)
+    Format::of_id(id).ok_or_else(|| {
+        format!("there is no format ‘{id}’ to export to; there are {}", Format::known())
     })
 }
 
 fn scale(text: &str) -> Result<f64, String> {
     let scale = text.parse().ok().filter(|scale| (0.01..=100.0).contains(scale));
     scale.ok_or_else(|| "give a factor from 0.01 to 100, such as 2".to_owned())
+}
+
+fn type_scale(text: &str) -> Result<f64, String> {
+    let scale = text.parse().ok().filter(|scale| (0.25..=8.0).contains(scale));
+    scale.ok_or_else(|| "give a factor from 0.25 to 8, such as 1.5".to_owned())
+}
+
+fn pause(text: &str) -> Result<f64, String> {
+    let pause = text.parse().ok().filter(|pause| (0.02..=60.0).contains(pause));
+    pause.ok_or_else(|| "give seconds from 0.02 to 60, such as 0.5".to_owned())
 }
 
 fn theme(id: &str) -> Result<Theme, String> {
@@ -211,43 +154,65 @@ fn theme(id: &str) -> Result<Theme, String> {
 /// # Errors
 /// Says what is wrong with the file or the arguments.
 pub fn export(arguments: &Export) -> anyhow::Result<Answer> {
-    let format = chosen_format(arguments)?;
+    let request = arguments.request()?;
     let mut document = open(&arguments.file, &Progress::default())?;
     with_document!(&mut document, document => aim(document, arguments)?);
     with_document!(&mut document, document => document.trace_whole());
-    let n_steps = document.n_events();
-    if let Some(StepAt::At(step)) = arguments.step
-        && step > n_steps
-    {
-        bail!("there is no step {step}; give one from 0 to {n_steps}, first or last");
-    }
-    if let Moments::At(steps) = &arguments.steps
-        && let Some(step) = steps.iter().find(|step| **step > n_steps)
-    {
-        bail!("there is no step {step}; give steps from 0 to {n_steps}");
-    }
     let saved = with_document!(&document, document => document.opened().step);
-    let step = arguments.step.unwrap_or(saved).position(n_steps);
-    let (figure, title) = with_document!(&document, document => {
-        let title = sentence(
-            &document.tree, &document.scenario.ray, &document.trace, step, arguments.lang,
-        );
-        (figure(document, arguments, step)?, title.plain())
-    });
-    let (figure, fit) = match arguments.size {
-        Some(size) if arguments.view != FigureView::Space => fitted(figure, size.page()),
-        Some(_) | None => (figure, 1.0),
+    let steps = match arguments.step {
+        Some(steps) => steps,
+        None if request.order.format.moves() => Steps::All,
+        None => Steps::One(StepAt::At(saved.position(document.n_events()))),
     };
-    if let Some(note) = with_document!(&document, d => left_out_of(d, arguments)) {
+    if let Some(note) = with_document!(&document, d => request.left_out(d)) {
         tell(&note);
     }
-    let style =
-        Style { format, theme: arguments.theme, scale: arguments.scale * fit, title: &title };
-    let bytes = bytes(&figure, style, &document.scenario_at(step))?;
-    let mut output = Output::open(arguments.output.as_deref())?;
-    output.write_all(&bytes)?;
-    output.finish()?;
+    let request = Request { steps, ..request };
+    run_with_progress(|progress| request.run(&document, arguments.output.as_deref(), progress))?;
     Ok(Answer::Done)
+}
+
+impl Export {
+    /// What is asked for; the steps only if they are told.
+    fn request(&self) -> anyhow::Result<Request> {
+        Ok(Request {
+            view: self.view,
+            order: self.order()?,
+            steps: self.step.unwrap_or(Steps::One(StepAt::First)),
+            moments: self.steps.clone(),
+            exercise: (self.seed, if self.solution { Fields::Solved } else { Fields::Empty }),
+            eye: self.camera.clone(),
+            show: self.show,
+            language: self.lang,
+        })
+    }
+
+    /// What the file is to be like.
+    fn order(&self) -> anyhow::Result<Order> {
+        let format = chosen_format(self)?;
+        if (self.beamer || self.snippet) && format != Format::Tikz {
+            let option = if self.beamer { "--beamer" } else { "--snippet" };
+            bail!("{option} is for TikZ; give --format tikz, or leave it out");
+        }
+        let tikz = match (self.beamer, self.snippet) {
+            (false, false) => TikzForm::Standalone,
+            (false, true) => TikzForm::Snippet,
+            (true, false) => TikzForm::Beamer,
+            (true, true) => TikzForm::BeamerSnippet,
+        };
+        let background =
+            if self.transparent { Background::Transparent } else { Background::Filled };
+        Ok(Order {
+            format,
+            theme: self.theme,
+            background,
+            size: self.size,
+            enlarged: self.scale,
+            type_scale: self.type_scale,
+            tikz,
+            pause_secs: self.pause,
+        })
+    }
 }
 
 fn chosen_format(arguments: &Export) -> anyhow::Result<Format> {
@@ -256,12 +221,13 @@ fn chosen_format(arguments: &Export) -> anyhow::Result<Format> {
     }
     let name = arguments.output.as_deref();
     let Some(ending) = name.and_then(|name| name.extension()) else {
-        bail!("the format is not told; give --format svg or --format png");
+        bail!("the format is not told; give --format with one of {}", Format::known());
     };
     let ending = ending.to_string_lossy();
     Format::of_ending(&ending).ok_or_else(|| {
         anyhow!(
-            "‘.{ending}’ is no format of figures; end the name in .svg or .png, or give --format"
+            "‘.{ending}’ is no ending of figures; give --format with one of {}",
+            Format::known()
         )
     })
 }
@@ -281,72 +247,67 @@ fn aim<const D: usize>(document: &mut Document<D>, arguments: &Export) -> anyhow
     Ok(())
 }
 
-fn left_out_of<const D: usize>(document: &Document<D>, arguments: &Export) -> Option<String> {
-    match arguments.view {
-        FigureView::Space | FigureView::Storyboard | FigureView::Worksheet => {
-            left_out(document, &Show::at_first::<D>())
-        }
-        FigureView::Tree
-        | FigureView::Automaton
-        | FigureView::TRail
-        | FigureView::Codes
-        | FigureView::Region
-        | FigureView::Neighbour
-        | FigureView::Listing
-        | FigureView::Table
-        | FigureView::Chart => None,
-    }
-}
-
-fn figure<const D: usize>(
-    document: &Document<D>,
-    arguments: &Export,
-    step: usize,
-) -> anyhow::Result<Figure> {
-    let page = arguments.size.map_or(PAGE, Size::page);
-    let wanted = Wanted {
-        view: arguments.view,
-        step,
-        moments: arguments.steps.clone(),
-        exercise: (arguments.seed, if arguments.solution { Fields::Solved } else { Fields::Empty }),
-        page,
-        unfolded: Vec::new(),
-        camera: arguments.camera.map(|eye| eye.camera(document, page)),
-        show: Show::at_first::<D>(),
-        language: arguments.lang,
-    };
-    let figure = figure_of(document, &wanted)?;
-    let is_whole = arguments.view != FigureView::Space || arguments.size.is_some();
-    Ok(if is_whole { figure } else { figure.cropped(MARGIN) })
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::cli::{Arguments, Command};
+    use crate::export::parse_shown;
+    use clap::Parser;
 
-    #[test]
-    fn sizes_are_width_and_height() {
-        assert_eq!("640x480".parse(), Ok(Size { width: 640, height: 480 }));
-        for bad in ["640", "640x", "0x480", "-1x5", "640x99999", "a4", "640x480x2"] {
-            assert!(bad.parse::<Size>().is_err(), "{bad}");
-        }
+    /// Whether the command line of `request` asks for it.
+    #[track_caller]
+    fn check(request: Request) {
+        let words = request.command("a b.octo", Some(&[-0.0, 1e-200, 0.1, -3.5]), "out.x");
+        let parsed = Arguments::try_parse_from(&words).unwrap();
+        let Some(Command::Export(export)) = parsed.command else { panic!("{words:?}") };
+        assert_eq!(export.request().unwrap(), request, "{words:?}");
+        assert_eq!(export.file, PathBuf::from("a b.octo"));
+        assert_eq!(export.output, Some(PathBuf::from("out.x")));
+        let ray: RayChoice = "-0.0,1e-200,0.1,-3.5".parse().unwrap();
+        assert_eq!(export.ray, Some(ray));
     }
 
     #[test]
-    fn the_eye_has_three_numbers_within_bounds() {
-        let eye = Eye { yaw_degrees: -30.0, pitch_degrees: 20.0, zoom: 1.5 };
-        assert_eq!("-30,20,1.5".parse(), Ok(eye));
-        for bad in ["-30,20", "1,2,3,4", "0,91,1", "0,0,0", "0,0,-1", "0,0,nan", "a,b,c"] {
-            assert!(bad.parse::<Eye>().is_err(), "{bad}");
+    fn a_command_line_asks_for_what_it_was_made_of() {
+        let plain = Request {
+            view: FigureView::Space,
+            order: Order::default(),
+            steps: Steps::One(StepAt::At(12)),
+            moments: Moments::default(),
+            exercise: (None, Fields::Empty),
+            eye: None,
+            show: None,
+            language: Language::English,
+        };
+        check(plain.clone());
+        let slides = [TikzForm::Beamer, TikzForm::Snippet, TikzForm::BeamerSnippet];
+        for (tikz, theme) in slides.into_iter().zip(Theme::ALL) {
+            let order = Order {
+                format: Format::Tikz,
+                theme,
+                background: Background::Transparent,
+                size: Some("120.5x80mm".parse().unwrap()),
+                enlarged: Some(0.3),
+                type_scale: 1.25,
+                tikz,
+                pause_secs: 0.1,
+            };
+            check(Request {
+                view: FigureView::Storyboard,
+                order,
+                steps: Steps::Range(StepAt::At(3), StepAt::Last),
+                moments: Moments::At(vec![3, 7]),
+                exercise: (Some(4), Fields::Solved),
+                eye: Some("298,24,1.062,-0.5,0.25,1".parse().unwrap()),
+                show: Some(parse_shown("codes,children").unwrap()),
+                language: Language::German,
+            });
         }
-    }
-
-    #[test]
-    fn steps_are_numbers_first_or_last() {
-        assert_eq!(step("12"), Ok(StepAt::At(12)));
-        assert_eq!(step("last"), Ok(StepAt::Last));
-        for bad in ["all", "-1", "1.5", ""] {
-            assert!(step(bad).unwrap_err().contains("first or last"), "{bad}");
+        for format in Format::ALL {
+            check(Request { order: Order { format, ..plain.order }, ..plain.clone() });
+        }
+        for view in FigureView::ALL {
+            check(Request { view, moments: Moments::Leaves(3), ..plain.clone() });
         }
     }
 }

@@ -6,6 +6,7 @@
 
 mod check;
 mod export;
+mod progress;
 mod ray;
 mod scenes;
 mod trace;

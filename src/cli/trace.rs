@@ -8,7 +8,7 @@ use crate::files::Output;
 use crate::open::open;
 use crate::with_document;
 use clap::{Args, ValueEnum};
-use octoscope_core::explain::{trace_csv, trace_jsonl, trace_text};
+use octoscope_core::explain::{trace_csv, trace_jsonl, trace_latex, trace_markdown, trace_text};
 use octoscope_core::progress::Progress;
 use octoscope_core::query::{Arithmetic, Query};
 use octoscope_core::text::Language;
@@ -20,7 +20,8 @@ use std::path::PathBuf;
 ///
 /// As text, one numbered sentence a step; as JSON lines, a header and one
 /// object a step with its event, its node as [level, x, y, z], the interval t,
-/// the state and the variables; as CSV, the same in columns.
+/// the state and the variables; as CSV, the same in columns; as Markdown or LaTeX,
+/// a table of the sentences with event, node and t.
 #[derive(Debug, Args)]
 #[command(after_long_help = "Examples:\n  \
     octoscope trace scene:quadtree-82\n  \
@@ -65,6 +66,10 @@ enum Format {
     Jsonl,
     /// Columns between commas.
     Csv,
+    /// A table for Markdown, with the sentences.
+    Markdown,
+    /// A table for LaTeX, with the sentences.
+    Latex,
 }
 
 /// Runs the command.
@@ -94,6 +99,8 @@ fn traced<const D: usize>(mut document: Document<D>, arguments: &Trace) -> anyho
         Format::Text => trace_text(tree, &scenario.ray, trace, arguments.lang),
         Format::Jsonl => trace_jsonl(tree, &scenario.ray, trace),
         Format::Csv => trace_csv(tree, trace),
+        Format::Markdown => trace_markdown(tree, &scenario.ray, trace, arguments.lang),
+        Format::Latex => trace_latex(tree, &scenario.ray, trace, arguments.lang),
     })
 }
 

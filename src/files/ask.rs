@@ -42,7 +42,10 @@ impl Default for Answers {
 }
 
 /// Endings of the files that can be opened.
-const OPENED: [&str; 10] = ["octo", "png", "jpg", "jpeg", "obj", "ply", "stl", "xyz", "csv", "tsv"];
+const OPENED: [&str; 14] = [
+    "octo", "png", "jpg", "jpeg", "obj", "ply", "stl", "xyz", "csv", "tsv", "svg", "pdf", "tex",
+    "apng",
+];
 
 impl Answers {
     /// The next answer, if there is one.

@@ -10,20 +10,17 @@ use crate::notice::Notice;
 use crate::shortcut;
 use crate::view::{Dialog, Typed};
 use eframe::egui::{
-    Align2, Area, Button, ComboBox, Context, Frame, Grid, Id, Key, Label, Modal, Order,
-    ProgressBar, Rect, RichText, ScrollArea, Spinner, TextEdit, Ui, WidgetInfo,
+    Align2, Area, Button, Context, Frame, Grid, Id, Key, Label, Modal, Order, ProgressBar, Rect,
+    RichText, ScrollArea, Spinner, TextEdit, Ui, WidgetInfo,
     text::{CCursor, CCursorRange},
     text_edit::TextEditState,
     vec2,
 };
-use octoscope_figure::views::FigureView;
 use std::time::Duration;
 
 /// What the user asks for in a dialog.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Answer {
-    /// Export in this format, by its file ending.
-    Export(&'static str),
     /// This path was typed.
     Path(Typed),
     /// Do what was found.
@@ -36,10 +33,13 @@ pub fn ui(
     context: &Context,
     look: &Look,
     dialog: &mut Option<Dialog>,
-    (views, exported): (&[FigureView], &mut FigureView),
     commands: &mut Vec<Command>,
 ) -> Option<Answer> {
     let shown = dialog.as_mut()?;
+    if *shown == Dialog::Export {
+        commands.clear();
+        return None;
+    }
     let mut answer = None;
     let mut close = false;
     let frame = Frame::popup(&context.global_style()).inner_margin(20.0);
@@ -61,22 +61,8 @@ pub fn ui(
                     .max_height(most_height(ui, 260.0))
                     .show(ui, |ui| ui.label(&*message));
             }
-            Dialog::Export => {
-                title(ui, &look.text("dialog-export"));
-                ui.label(look.text("dialog-export-text"));
-                choice_of_views(ui, look, views, exported);
-                ui.add_space(4.0);
-                ui.horizontal(|ui| {
-                    for (key, ending) in
-                        [("dialog-export-svg", "svg"), ("dialog-export-png", "png")]
-                    {
-                        if ui.button(look.text(key)).clicked() {
-                            answer = Some(Answer::Export(ending));
-                            close = true;
-                        }
-                    }
-                });
-            }
+            // It has a window of its own.
+            Dialog::Export => {}
             Dialog::Path(typed) => {
                 if path(ui, look, typed) {
                     answer = Some(Answer::Path(typed.clone()));
@@ -93,20 +79,6 @@ pub fn ui(
     // Keys belong to the dialog while it is open.
     commands.clear();
     answer
-}
-
-/// Which of `views` is exported.
-fn choice_of_views(ui: &mut Ui, look: &Look, views: &[FigureView], exported: &mut FigureView) {
-    if !views.contains(exported) {
-        *exported = FigureView::default();
-    }
-    let name = |view: FigureView| look.text(&format!("figure-{}", view.id()));
-    let choice = ComboBox::from_label(look.text("dialog-export-view"));
-    choice.width(260.0).height(400.0).selected_text(name(*exported)).show_ui(ui, |ui| {
-        for &view in views {
-            ui.selectable_value(exported, view, name(view));
-        }
-    });
 }
 
 /// Field for a path; true once it is confirmed.

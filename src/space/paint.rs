@@ -6,7 +6,7 @@ use crate::theme::color32;
 use eframe::egui::text::{LayoutJob, TextFormat};
 use eframe::egui::{Align, Color32, FontFamily, FontId, Painter, Pos2, Shape, Stroke, vec2};
 use octoscope_core::explain::RichText;
-use octoscope_figure::{Colour, Drawn, Figure, Form, Lettering, Part, Style, Theme, Weight};
+use octoscope_figure::{Colour, Drawn, Figure, Form, Lettering, Paint, Style, Theme, Weight};
 
 /// Paints `figure` where `frame` says its page lies.
 pub fn figure(painter: &Painter, look: &Look, theme: Theme, frame: PageInWindow, figure: &Figure) {
@@ -16,23 +16,9 @@ pub fn figure(painter: &Painter, look: &Look, theme: Theme, frame: PageInWindow,
 }
 
 fn paint(painter: &Painter, look: &Look, theme: Theme, frame: PageInWindow, drawn: &Drawn) {
-    let style = match drawn.part {
-        Part::Lit(light) => Style::lit(theme, drawn.role, light),
-        Part::Whole | Part::Fine | Part::Face(_) | Part::Head | Part::Edge | Part::HiddenEdge => {
-            Style::of(theme, drawn.role)
-        }
-    };
-    let opacity = drawn.part.opacity();
-    let shown = |colour: Option<Colour>| {
-        colour.map_or(Color32::TRANSPARENT, |c| color32(c.faded(c.opacity * opacity)))
-    };
-    let (fill, line) = match drawn.part {
-        Part::Whole | Part::Fine | Part::Lit(_) => (shown(style.fill), shown(style.stroke)),
-        Part::Face(_) => (shown(style.fill), Color32::TRANSPARENT),
-        Part::Head => (shown(style.stroke), Color32::TRANSPARENT),
-        Part::Edge | Part::HiddenEdge => (Color32::TRANSPARENT, shown(style.stroke)),
-    };
-    let stroke = Stroke::new((style.width * drawn.part.width()) as f32, line);
+    let Paint { fill, stroke, width, dash } = Paint::of(theme, drawn);
+    let shown = |colour: Option<Colour>| colour.map_or(Color32::TRANSPARENT, color32);
+    let (fill, stroke) = (shown(fill), Stroke::new(width as f32, shown(stroke)));
     let place =
         |points: &[[f64; 2]]| -> Vec<Pos2> { points.iter().map(|&p| frame.on_screen(p)).collect() };
     match &drawn.form {
@@ -42,14 +28,14 @@ fn paint(painter: &Painter, look: &Look, theme: Theme, frame: PageInWindow, draw
                 painter.add(Shape::convex_polygon(points.clone(), fill, Stroke::NONE));
             }
             points.extend(points.first().copied());
-            paint_line(painter, &points, stroke, style.dash.pattern());
+            paint_line(painter, &points, stroke, dash.pattern());
         }
-        Form::Polyline(points) => paint_line(painter, &place(points), stroke, style.dash.pattern()),
+        Form::Polyline(points) => paint_line(painter, &place(points), stroke, dash.pattern()),
         Form::Circle { centre, radius } => {
             painter.circle(frame.on_screen(*centre), *radius as f32, fill, stroke);
         }
         Form::Text { at, anchor, text } => {
-            let Some(lettering) = style.text else { return };
+            let Some(lettering) = Style::of(theme, drawn.role).text else { return };
             let galley = painter.layout_job(job(look, theme, lettering, text));
             let before = vec2(anchor.share() as f32, 0.5) * galley.size();
             painter.galley(frame.on_screen(*at) - before, galley, color32(lettering.colour));

@@ -82,5 +82,5 @@ fn a_missing_folder_is_named_instead_of_the_file() {
 
 #[test]
 fn an_unknown_ending_of_a_figure_is_told() {
-    refused("export scene:figure-1 -o a.pdf", &["‘.pdf’", ".svg or .png", "--format"]);
+    refused("export scene:figure-1 -o a.jpeg", &["‘.jpeg’", "svg, pdf, png", "--format"]);
 }

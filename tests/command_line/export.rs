@@ -99,6 +99,48 @@ fn every_view_is_a_well_formed_svg_with_the_scenario_inside() {
 }
 
 #[test]
+fn every_view_is_written_in_every_format() {
+    let desk = desk_with_scenario();
+    for arguments in [
+        "--view space --step 3",
+        "--view automaton --step 7",
+        "--view t-rail --step 3",
+        "--view codes --step 5 --algorithm codes",
+        "--view neighbour --algorithm codes --step last",
+        "--view listing --step 5 --lang de",
+        "--view table --step last",
+        "--view chart --step last",
+        "--view storyboard --steps leaves:3",
+        "--view worksheet --seed 4 --solution",
+    ] {
+        let scene = if arguments.contains("worksheet") { "scene:figure-1" } else { "a.octo" };
+        for (format, begin) in [
+            ("svg", "<svg"),
+            ("pdf", "%PDF"),
+            ("png", "\u{89}PNG"),
+            ("tikz", "% "),
+            ("gif", "GIF89a"),
+            ("apng", "\u{89}PNG"),
+        ] {
+            // What moves is of all steps otherwise.
+            let step = if arguments.contains("--step ") { "" } else { "--step 3" };
+            let arguments = format!("{arguments} {step} --format {format} -o a.{format}");
+            desk.prints(&format!("export {scene} {arguments}"));
+            let file = fs::read(desk.0.path().join(format!("a.{format}"))).unwrap();
+            let begins: String = file.iter().take(8).map(|&byte| char::from(byte)).collect();
+            assert!(begins.starts_with(begin) && file.len() > 1000, "{arguments}");
+            if format == "tikz" {
+                let text = String::from_utf8(file).unwrap();
+                assert!(!text.contains("[U+"), "LaTeX has a sign for every letter: {arguments}");
+            }
+            if format != "gif" {
+                desk.prints(&format!("check a.{format}"));
+            }
+        }
+    }
+}
+
+#[test]
 fn every_exercise_has_another_ray_and_its_own_solution() {
     let desk = desk_with_scenario();
     let sheet = |arguments: &str| {
@@ -122,8 +164,16 @@ fn export_refuses_what_it_cannot_draw_with_what_it_can() {
         ("a.octo --view t-rail --step 0", "it has after step 1"),
         ("a.octo --view storyboard --steps even", "even:N"),
         ("a.octo --view storyboard --steps 3,99999", "there is no step 99999"),
-        ("a.octo --format pdf", "svg and png"),
-        ("a.octo --step all", "first or last"),
+        ("a.octo --format jpeg", "svg, pdf, png, tikz, gif, apng"),
+        ("a.octo --step none", "first, last, a range"),
+        ("a.octo --step 3-2", "backwards"),
+        ("a.octo --step 3-99999", "from 0 to "),
+        ("a.octo --beamer", "--format tikz"),
+        ("a.octo --snippet", "--format tikz"),
+        ("a.octo --size 320x200cm", "120x80mm"),
+        ("a.octo --size 20000x200", "16384"),
+        ("a.octo --pause 0", "seconds"),
+        ("a.octo --type-scale 0", "factor"),
         ("a.octo --step 99999", "from 0 to "),
         ("a.octo --size 320", "1280x720"),
         ("a.octo --size 0x20", "1280x720"),
@@ -140,4 +190,99 @@ fn export_refuses_what_it_cannot_draw_with_what_it_can() {
         assert!(!desk.0.path().join("out.svg").exists(), "{arguments}");
     }
     assert!(desk.refuses("export a.octo -o out").contains("--format"));
+}
+
+#[test]
+fn an_exported_figure_opens_again_from_wherever_it_was_written() {
+    let desk = desk_with_scenario();
+    fs::create_dir(desk.0.path().join("out")).unwrap();
+    desk.put("points.csv", "0.1,0.2\n0.15,0.25\n0.8,0.9\n0.4,0.45\n");
+    for file in ["a.octo", "points.csv", "scene:figure-7 --ray gallery:corner"] {
+        for ending in ["svg", "pdf", "png", "tex"] {
+            desk.prints(&format!("export {file} --step 4 -o out/a.{ending}"));
+            let checked = desk.prints(&format!("check out/a.{ending}"));
+            assert!(!checked.is_empty(), "{file} {ending}");
+            // What comes out of it is what went in.
+            desk.prints(&format!("export out/a.{ending} -o out/again.{ending}"));
+            let [a, b] = ["a", "again"]
+                .map(|name| fs::read(desk.0.path().join(format!("out/{name}.{ending}"))).unwrap());
+            assert!(a == b, "{file} {ending}");
+        }
+    }
+}
+
+#[test]
+fn a_figure_without_a_scenario_is_refused() {
+    let desk = desk_with_scenario();
+    desk.put("plain.svg", "<svg xmlns=\"http://www.w3.org/2000/svg\"/>");
+    desk.put("plain.pdf", "%PDF-1.7\n");
+    for name in ["plain.svg", "plain.pdf"] {
+        let message = desk.refuses(&format!("trace {name}"));
+        assert!(
+            message.contains("no scenario inside") && message.trim_end().ends_with(name),
+            "{message}"
+        );
+    }
+}
+
+#[test]
+fn several_steps_are_pages_pictures_frames_or_files() {
+    let desk = desk_with_scenario();
+    let read = |name: &str| fs::read(desk.0.path().join(name)).unwrap();
+    for format in ["svg", "png"] {
+        desk.prints(&format!("export a.octo --step 2-4 -o b.{format}"));
+        let sizes: Vec<_> = (2..=4).map(|n| read(&format!("b-00{n}.{format}")).len()).collect();
+        assert!(sizes.iter().all(|size| *size > 500), "{sizes:?}");
+        assert!(!desk.0.path().join(format!("b.{format}")).exists());
+    }
+    desk.prints("export a.octo --step 2-4 -o b.tex");
+    let text = String::from_utf8(read("b.tex")).unwrap();
+    assert_eq!(text.matches("\\begin{tikzpicture}").count(), 3);
+    desk.prints("export a.octo --step 2-4 --beamer --snippet -o b.tex");
+    let text = String::from_utf8(read("b.tex")).unwrap();
+    assert_eq!(text.matches("\\only<").count(), 3);
+    assert_eq!(text.matches("\\begin{tikzpicture}").count(), 1);
+    desk.prints("export a.octo --step 2-4 -o b.pdf");
+    let text = String::from_utf8_lossy(&read("b.pdf")).into_owned();
+    assert!(text.contains("/Count 3"));
+    // What moves shows all steps.
+    let n_steps = desk.prints("trace a.octo").lines().count();
+    desk.prints("export a.octo --size 80x60 -o b.gif");
+    assert!(read("b.gif").starts_with(b"GIF89a"));
+    desk.prints("export a.octo --size 80x60 --format apng -o b.png");
+    let file = read("b.png");
+    let control = file.windows(4).position(|name| name == b"acTL").unwrap();
+    let n_frames = u32::from_be_bytes(*file[control + 4..].first_chunk().unwrap());
+    assert_eq!(n_frames as usize, n_steps);
+    let message = desk.refuses("export a.octo --step all --format svg");
+    assert!(message.contains("-o"), "{message}");
+}
+
+#[test]
+fn a_size_on_paper_is_kept_in_every_format() {
+    let desk = desk_with_scenario();
+    let text = |name: &str| {
+        String::from_utf8_lossy(&fs::read(desk.0.path().join(name)).unwrap()).into_owned()
+    };
+    desk.prints("export a.octo --size 127x101.6mm -o a.svg");
+    assert!(text("a.svg").contains("width=\"127mm\" height=\"101.6mm\""));
+    desk.prints("export a.octo --size 127x101.6mm --type-scale 2 -o a.svg");
+    assert!(text("a.svg").contains("width=\"127mm\" height=\"101.6mm\" viewBox=\"0 0 180 144\""));
+    desk.prints("export a.octo --size 127x101.6mm -o a.pdf");
+    assert!(text("a.pdf").contains("[0 0 360 288]"));
+    desk.prints("export a.octo --size 127x101.6mm -o a.tex");
+    assert!(text("a.tex").contains("(0,0) rectangle (360,288)"));
+}
+
+#[test]
+fn what_is_shown_can_be_chosen() {
+    let desk = desk_with_scenario();
+    let n_texts = |shown: &str| {
+        desk.prints(&format!("export a.octo --step last --show {shown} -o a.svg"));
+        let svg = fs::read_to_string(desk.0.path().join("a.svg")).unwrap();
+        svg.matches("class=\"order-number\"").count()
+    };
+    assert!(n_texts("order-numbers,content") > 0);
+    assert_eq!(n_texts("none"), 0);
+    assert!(desk.refuses("export a.octo --show numbers -o b.svg").contains("order-numbers"));
 }

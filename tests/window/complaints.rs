@@ -12,9 +12,10 @@ fn errors_of_files_are_told_in_both_languages_with_the_path_at_their_end() {
     let folder = tempfile::tempdir().unwrap();
     let picture = include_bytes!("../../assets/scenes/landscape.png");
     let data = br#"{"octoscope": 1, "dimension": 2, "scene": {"file": "missing.png"}}"#;
-    let cases: [(&str, &[u8], &str, &str); 8] = [
+    let cases: [(&str, &[u8], &str, &str); 9] = [
         ("empty.png", b"", "is empty", "ist leer"),
-        ("some.kind", b"?", "cannot be opened", "lassen sich nicht öffnen"),
+        ("some.kind", b"?", ".svg, .pdf, .png or .tex", ".svg, .pdf, .png oder .tex"),
+        ("other.svg", b"<svg/>", "no scenario inside", "kein Szenario"),
         ("mesh.png", b"v 0 0 0\nv 1 0 0\n", "holds", "darin ist"),
         ("cut.png", &picture[..999], "damaged", "beschädigt"),
         ("hole.obj", b"v 0 0 0\nf 1 2 3\n", "line 2", "Zeile 2"),

@@ -8,6 +8,7 @@ mod camera;
 mod complaints;
 mod controls;
 mod desk;
+mod export;
 mod files;
 mod find;
 mod hall;

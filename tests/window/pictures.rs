@@ -4,7 +4,7 @@
 //! `TEST_GPU=require` does not accept.
 
 use crate::desk::{Desk, sample};
-use eframe::egui::{Event as Input, Key, accesskit::Role, pos2, vec2};
+use eframe::egui::{Event as Input, Key, Modifiers, accesskit::Role, pos2, vec2};
 use eframe::egui_wgpu::WgpuSetup;
 use eframe::wgpu::{Backends, DeviceType};
 use egui_kittest::kittest::Queryable;
@@ -97,6 +97,17 @@ fn space_in_dark_colours() {
         desk.open_scenario(&built_in("sphere-grid").unwrap());
         desk.state_mut().view.theme = Theme::Dark;
         desk.go_to(&At::Share(0.55));
+    });
+}
+
+#[test]
+fn the_export_of_a_figure() {
+    compare("export", |desk| {
+        desk.go_to(&At::Nth(12, "First"));
+        desk.press_with(Modifiers::COMMAND, Key::E);
+        let context = desk.ctx.clone();
+        desk.state_mut().finish_preview(&context);
+        desk.run();
     });
 }
 

@@ -3,11 +3,9 @@
 use crate::desk::{Desk, spoken};
 use eframe::egui::{Key, Modifiers, Pos2, accesskit::Role, vec2};
 use egui_kittest::kittest::{NodeT, Queryable};
-use octoscope::export::shown_view;
 use octoscope_core::scenario::built_in;
 use octoscope_core::text::Language;
 use octoscope_core::tree::NodeId;
-use octoscope_figure::views::FigureView;
 
 impl Desk {
     /// The nodes of the diagram, as a screen reader names them.
@@ -201,21 +199,4 @@ fn an_octree_has_its_diagram_too() {
     for child in 0..8 {
         assert!(desk.says(&format!("Child {child}, level 4, codes")), "{child}");
     }
-}
-
-#[test]
-fn the_dialog_exports_the_diagram_as_it_is_unfolded() {
-    let mut desk = desk();
-    let place = desk.node("Child 2, level 4, codes 16, 0");
-    desk.click_at(place, 1);
-    desk.press_with(Modifiers::COMMAND, Key::E);
-    desk.state_mut().view.exported = FigureView::Tree;
-    let folder = tempfile::tempdir().unwrap();
-    let path = folder.path().join("tree.svg");
-    let app = desk.state();
-    shown_view(app.document(), &app.document().scenario(), &app.view, &path).unwrap();
-    let svg = std::fs::read_to_string(&path).unwrap();
-    assert!(svg.contains("class=\"path edge\"") && svg.contains("class=\"current\""));
-    let n_nodes = svg.matches("class=\"node face\"").count();
-    assert!(n_nodes >= desk.diagram().len(), "{n_nodes}");
 }

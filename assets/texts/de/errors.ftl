@@ -20,7 +20,8 @@ error-line = Zeile { $line }, Spalte { $column }
 error-byte = Byte { $byte }
 
 error-empty = Die Datei ist leer; wählen Sie eine, die ein Bild, ein Netz oder Punkte enthält
-error-unknown-kind = Dateien dieser Art lassen sich nicht öffnen; wählen Sie ein Szenario, das auf .octo endet, oder eine Datei, die auf .png, .jpg, .obj, .stl, .ply, .xyz oder .csv endet
+error-unknown-kind = Dateien dieser Art lassen sich nicht öffnen; wählen Sie ein Szenario, das auf .octo endet, eine Datei, die auf .png, .jpg, .obj, .stl, .ply, .xyz oder .csv endet, oder eine exportierte Abbildung, die auf .svg, .pdf, .png oder .tex endet
+error-no-scenario = In der Abbildung ist kein Szenario; wählen Sie eine, die Octoscope exportiert hat
 error-wrong-content = Der Name sagt { $expected }, darin ist aber { $found }; geben Sie der Datei die Endung dessen, was sie enthält
 error-malformed = Die Datei ist beschädigt oder nicht das, was ihr Name sagt, { $place } (auf Englisch: { $details })
 error-picture = Das Bild ist beschädigt; speichern Sie es noch einmal als PNG oder JPEG (auf Englisch: { $reason })

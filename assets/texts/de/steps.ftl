@@ -273,3 +273,9 @@ doubles-differ = { $ulps ->
     [one] { " " }Gleitkommazahlen würden hier irren: Sie legen die Parameter 1 ulp auseinander.
    *[other] { " " }Gleitkommazahlen würden hier irren: Sie legen die Parameter { $ulps } ulp auseinander.
 }
+
+heading-step = Schritt
+heading-event = Ereignis
+heading-node = Knoten
+heading-t = t
+heading-what = Was geschieht

@@ -20,7 +20,8 @@ error-line = line { $line }, column { $column }
 error-byte = byte { $byte }
 
 error-empty = The file is empty; choose one that holds a picture, a mesh or points
-error-unknown-kind = Files of this kind cannot be opened; choose a scenario that ends in .octo, or a file that ends in .png, .jpg, .obj, .stl, .ply, .xyz or .csv
+error-unknown-kind = Files of this kind cannot be opened; choose a scenario that ends in .octo, a file that ends in .png, .jpg, .obj, .stl, .ply, .xyz or .csv, or an exported figure that ends in .svg, .pdf, .png or .tex
+error-no-scenario = There is no scenario inside the figure; choose one that Octoscope has exported
 error-wrong-content = The name says { $expected }, but the file holds { $found }; give it the ending of what it holds
 error-malformed = The file is damaged or not what its name says, { $place }: { $details }
 error-picture = The picture is damaged: { $reason }; save it again as PNG or JPEG

@@ -264,3 +264,9 @@ doubles-differ = { $ulps ->
     [one] { " " }Doubles would err here: they put the parameters 1 ulp apart.
    *[other] { " " }Doubles would err here: they put the parameters { $ulps } ulps apart.
 }
+
+heading-step = Step
+heading-event = Event
+heading-node = Node
+heading-t = t
+heading-what = What happens

@@ -138,15 +138,15 @@ impl Figure {
     /// The same drawing on a page that ends `margin` beyond it.
     pub fn cropped(self, margin: f64) -> Self {
         match self.extent() {
-            Some(extent) => self.on(extent, margin),
+            Some(extent) => self.on(extent.widened(margin)),
             None => self,
         }
     }
 
-    /// The same drawing on a page that ends `margin` beyond `extent`.
-    pub fn on(self, extent: Extent, margin: f64) -> Self {
-        let [width, height] = extent.size().map(|length| length + 2.0 * margin);
-        self.on_page(Page { width, height }, extent.min.map(|x| margin - x))
+    /// The same drawing on a page of this extent.
+    pub fn on(self, extent: Extent) -> Self {
+        let [width, height] = extent.size();
+        self.on_page(Page { width, height }, extent.min.map(|x| -x))
     }
 
     /// The same drawing on another page, with its corner at a point of that.
@@ -166,6 +166,11 @@ pub struct Extent {
 }
 
 impl Extent {
+    /// The same, and `margin` more on every side.
+    pub fn widened(self, margin: f64) -> Self {
+        Self { min: self.min.map(|x| x - margin), max: self.max.map(|x| x + margin) }
+    }
+
     /// The smallest that holds both.
     pub fn and(self, other: Self) -> Self {
         Self {

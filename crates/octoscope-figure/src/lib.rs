@@ -1,31 +1,42 @@
 //! What is to be seen of a traversal, as values: [`marks`] in world space,
 //! each with a [`Role`]; a [`Camera`] that brings them to a [`Page`]; a
 //! [`Style`] for every role in every [`Theme`]; a [`Figure`] of shapes on the
-//! page, which [`svg`] and [`png`] write.
+//! page, which [`svg`], [`pdf`], [`png`] and [`tikz`] write, and [`Gif`] and
+//! [`Apng`] one after the other.
 //!
 //! The crate knows no window, file, clock or graphics card.
 
 mod camera;
+mod colours;
 mod content;
 mod depth_map;
 mod diagram;
 mod figure;
 pub mod fonts;
+mod gif;
 mod ground;
 mod handle;
+mod inside;
 mod mark;
 mod marks;
 pub mod metrics;
 mod numbers;
+mod options;
+mod paint;
 mod painter;
 mod palette;
 mod parts;
+mod pdf;
+mod pixels;
 mod png;
 mod role;
+mod shared;
 mod sides;
 mod space;
 mod style;
 mod svg;
+mod tikz;
+mod typeset;
 pub mod views;
 mod ways;
 
@@ -33,12 +44,19 @@ pub use camera::{Camera, Lens, Page, Projected};
 pub use content::{axes, content};
 pub use diagram::{Diagram, DiagramLens, DiagramNode, DiagramOf, NodeKind, tree_diagram};
 pub use figure::{Anchor, Drawn, Extent, Figure, Form, Part};
+pub use gif::{Gif, GifError};
 pub use handle::HANDLE_DISTANCE;
+pub use inside::scenario_inside;
 pub use mark::{Mark, Shape};
 pub use marks::{Show, far_end, leaves, marks};
+pub use options::{Background, FileOptions, Scale, Unit};
+pub use paint::Paint;
 pub use palette::{Colour, Palette, Theme, contrast};
-pub use png::{PngError, png, png_of_pixels};
+pub use pdf::{ATTACHMENT, Pdf, PdfError, pdf};
+pub use pixels::{Pixels, PixelsError};
+pub use png::{Apng, PngError, png, png_of_pixels};
 pub use role::Role;
 pub use space::space_figure;
 pub use style::{Dash, Lettering, Style, Weight};
-pub use svg::{Background, SvgOptions, svg, svg_scaled};
+pub use svg::svg;
+pub use tikz::{Tikz, TikzForm, tikz};

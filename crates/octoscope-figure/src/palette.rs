@@ -133,6 +133,26 @@ pub struct Palette {
 }
 
 impl Palette {
+    /// Name of one of its colours, for files in which colours have names.
+    pub(crate) fn name_of(&self, rgb: [u8; 3]) -> Option<&'static str> {
+        let named = [
+            ("background", self.background),
+            ("ink", self.ink),
+            ("quiet-ink", self.quiet_ink),
+            ("grid", self.grid),
+            ("axis-x", self.axes[0]),
+            ("axis-y", self.axes[1]),
+            ("axis-z", self.axes[2]),
+            ("ray", self.ray),
+            ("current", self.current),
+            ("current-outline", self.current_outline),
+            ("rejected", self.rejected),
+            ("ancestor", self.ancestor),
+            ("accent", self.accent),
+        ];
+        named.into_iter().find(|(_, colour)| colour.rgb == rgb).map(|(name, _)| name)
+    }
+
     /// The colours of a theme.
     pub fn of(theme: Theme) -> Self {
         let light = Self {

@@ -1,46 +1,21 @@
 //! Figures as SVG.
 
 use crate::{
-    Anchor, Colour, Drawn, Figure, Form, Lettering, Palette, Part, Role, Style, Theme, Weight,
+    Anchor, Background, Colour, Drawn, Figure, FileOptions, Form, Lettering, Palette, Part, Role,
+    Style, Theme, Unit, Weight,
 };
 use octoscope_core::explain::RichText;
 use std::collections::BTreeMap;
 use std::fmt::Write;
 
-/// How an SVG is written.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct SvgOptions<'a> {
-    /// Colours and lines.
-    pub theme: Theme,
-    /// What lies behind the figure.
-    pub background: Background,
-    /// Title for readers that cannot see it; none if empty.
-    pub title: &'a str,
-    /// The scenario as JSON, kept inside as metadata; none if empty.
-    pub scenario: &'a str,
-}
-
-/// What lies behind a figure.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub enum Background {
-    /// The theme's background.
-    #[default]
-    Filled,
-    /// Nothing.
-    Transparent,
-}
-
 /// Text of an SVG document: a class for every role in one style sheet, text as
 /// text, coordinates with two digits after the point.
-pub fn svg(figure: &Figure, options: &SvgOptions) -> String {
-    svg_scaled(figure, options, 1.0)
-}
-
-/// The same drawing, shown `scale` times as large with its type and lines.
-pub fn svg_scaled(figure: &Figure, options: &SvgOptions, scale: f64) -> String {
+pub fn svg(figure: &Figure, options: &FileOptions) -> String {
     let page = [figure.page.width, figure.page.height];
     let [width, height] = page.map(number);
-    let [shown_width, shown_height] = page.map(|length| number(length * scale));
+    let unit = if options.scale.unit == Unit::Pixel { "" } else { options.scale.unit.id() };
+    let shown = |length: f64| format!("{}{unit}", number(length * options.scale.factor));
+    let [shown_width, shown_height] = page.map(shown);
     let mut out = format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{shown_width}\" \
          height=\"{shown_height}\" \

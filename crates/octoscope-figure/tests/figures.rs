@@ -8,8 +8,8 @@ use octoscope_core::trace::{Moment, record};
 use octoscope_core::traverse::{Algorithm, Options};
 use octoscope_core::tree::{Cell, Domain, Split, Tree, grow};
 use octoscope_figure::{
-    Background, Camera, Drawn, Figure, Form, Mark, Page, Part, Role, Shape, Show, SvgOptions,
-    Theme, axes, content, leaves, marks, png, space_figure, svg,
+    Background, Camera, Drawn, Figure, FileOptions, Form, Mark, Page, Part, Role, Scale, Shape,
+    Show, Theme, Unit, axes, content, leaves, marks, pdf, png, space_figure, svg,
 };
 
 /// Tree that is divided towards the origin.
@@ -49,10 +49,10 @@ fn figure<const D: usize>(step: usize, show: &Show) -> Figure {
 
 #[test]
 fn a_small_figure_is_written_as_expected() {
-    let options = SvgOptions {
+    let options = FileOptions {
         title: "Corner",
         scenario: r#"{"octoscope":1,"note":"a<b"}"#,
-        ..SvgOptions::default()
+        ..FileOptions::default()
     };
     let text = svg(&figure::<2>(4, &Show::default()), &options);
     let path = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/figures/corner.svg");
@@ -84,7 +84,7 @@ fn every_step_is_drawn_within_the_page_in_every_theme() {
             let side = figure.page.width.max(figure.page.height);
             assert!(numbers.iter().all(|x| (0.0..=side).contains(x)));
             for theme in Theme::ALL {
-                let text = svg(&figure, &SvgOptions { theme, ..SvgOptions::default() });
+                let text = svg(&figure, &FileOptions { theme, ..FileOptions::default() });
                 assert!(!text.contains("NaN") && !text.contains("inf"));
             }
         }
@@ -105,11 +105,12 @@ fn everything() -> Show {
 }
 
 #[test]
-fn a_png_has_the_width_that_is_asked_for() {
+fn a_png_has_the_size_that_is_asked_for() {
     let figure = figure::<3>(9, &Show::default());
     for background in [Background::Filled, Background::Transparent] {
-        let text = svg(&figure, &SvgOptions { background, ..SvgOptions::default() });
-        let file = png(&text, 300).unwrap();
+        let scale = Scale { factor: 300.0 / figure.page.width, unit: Unit::Pixel };
+        let options = FileOptions { background, scale, ..FileOptions::default() };
+        let file = png(&figure, &options).unwrap();
         let picture = resvg::tiny_skia::Pixmap::decode_png(&file).unwrap();
         let height = (300.0 * figure.page.height / figure.page.width).round() as u32;
         assert_eq!((picture.width(), picture.height()), (300, height));
@@ -119,10 +120,18 @@ fn a_png_has_the_width_that_is_asked_for() {
 }
 
 #[test]
-fn what_is_no_picture_is_refused() {
-    assert!(png("no SVG", 100).is_err());
-    let text = svg(&figure::<2>(0, &Show::default()), &SvgOptions::default());
-    assert!(png(&text, 0).is_err() && png(&text, 1 << 20).is_err());
+fn absurd_sizes_are_refused() {
+    let figure = figure::<2>(0, &Show::default());
+    for factor in [0.0001, 60.0, 1e9, f64::NAN] {
+        let scale = Scale { factor, unit: Unit::Pixel };
+        let options = FileOptions { scale, ..FileOptions::default() };
+        let message = png(&figure, &options).unwrap_err().to_string();
+        assert!(message.contains("1 to 16384"), "{factor}: {message}");
+        if factor != 60.0 {
+            let message = pdf(&figure, &options).unwrap_err().to_string();
+            assert!(message.contains("1 to 14400"), "{factor}: {message}");
+        }
+    }
 }
 
 #[test]
@@ -132,8 +141,8 @@ fn letters_are_drawn() {
         let page = Page { width: 40.0, height: 40.0 };
         let camera = Camera::framing(&corner_tree::<2>().domain().root_box(), page);
         let figure = space_figure(&[mark.with_text(label)], &camera, page);
-        let options = SvgOptions { background: Background::Transparent, ..SvgOptions::default() };
-        let file = png(&svg(&figure, &options), 40).unwrap();
+        let options = FileOptions { background: Background::Transparent, ..FileOptions::default() };
+        let file = png(&figure, &options).unwrap();
         let picture = resvg::tiny_skia::Pixmap::decode_png(&file).unwrap();
         picture.pixels().iter().filter(|pixel| pixel.alpha() > 0).count()
     };

@@ -12,7 +12,7 @@ use octoscope_core::tree::{Tree, build};
 use octoscope_figure::views::{
     Exercise, Fields, FigureView, Subject, figure, figure_texts, worksheet,
 };
-use octoscope_figure::{Figure, Form, Page, Role, SvgOptions, metrics, svg};
+use octoscope_figure::{Figure, FileOptions, Form, Page, Role, metrics, svg};
 
 /// The views of a single moment.
 const VIEWS: [FigureView; 8] = [
@@ -215,7 +215,7 @@ fn an_empty_worksheet_tells_nothing_of_the_solution() {
 
 /// Compares a figure with its text; UPDATE_EXPECT=1 writes it anew.
 fn check_text(name: &str, figure: Figure) {
-    let text = svg(&figure.cropped(6.0), &SvgOptions::default());
+    let text = svg(&figure.cropped(6.0), &FileOptions::default());
     let path = format!("{}/tests/views/{name}.svg", env!("CARGO_MANIFEST_DIR"));
     if std::env::var_os("UPDATE_EXPECT").is_some() {
         std::fs::create_dir_all(std::path::Path::new(&path).parent().unwrap()).unwrap();

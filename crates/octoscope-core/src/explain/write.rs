@@ -90,15 +90,16 @@ pub fn trace_csv<const D: usize>(tree: &Tree<D>, trace: &Trace<D>) -> String {
 }
 
 /// What a file tells of one step.
-struct Step {
-    event: &'static str,
-    node: Option<Vec<u32>>,
-    interval: Option<[f64; 2]>,
+#[derive(Default)]
+pub(super) struct Step {
+    pub(super) event: &'static str,
+    pub(super) node: Option<Vec<u32>>,
+    pub(super) interval: Option<[f64; 2]>,
     state: Option<u8>,
     vars: Value,
 }
 
-fn steps<const D: usize>(tree: &Tree<D>, trace: &Trace<D>) -> Vec<Step> {
+pub(super) fn steps<const D: usize>(tree: &Tree<D>, trace: &Trace<D>) -> Vec<Step> {
     let mut moment = Moment::default();
     let step = |event: &Event<D>| {
         moment.apply(tree, event);

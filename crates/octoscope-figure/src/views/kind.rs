@@ -111,6 +111,22 @@ impl FigureView {
         }
     }
 
+    /// Whether it shows the tree in space, alone or beside something else.
+    pub fn shows_space(self) -> bool {
+        match self {
+            Self::Space | Self::Storyboard | Self::Worksheet => true,
+            Self::Tree
+            | Self::Automaton
+            | Self::TRail
+            | Self::Codes
+            | Self::Region
+            | Self::Neighbour
+            | Self::Listing
+            | Self::Table
+            | Self::Chart => false,
+        }
+    }
+
     /// Width for which the view is laid out, in page units: with its type in the
     /// size of text, a figure 100 to 160 mm wide.
     pub fn width<const D: usize>(self) -> f64 {

@@ -78,7 +78,7 @@ fn in_one_scale(panels: Vec<Panel>) -> Vec<Panel> {
     let Some(extent) = common_extent(panels.iter().map(|panel| &panel.picture)) else {
         return panels;
     };
-    let on = |panel: Panel| Panel { picture: panel.picture.on(extent, 0.0), ..panel };
+    let on = |panel: Panel| Panel { picture: panel.picture.on(extent), ..panel };
     panels.into_iter().map(on).collect()
 }
 

@@ -1,0 +1,400 @@
+//! Figures as TikZ, written so that a person can edit them: named styles for
+//! the roles, coordinates with few digits, text as text.
+
+use crate::shared::{SharedRun, shared_runs};
+use crate::typeset::Line;
+use crate::{
+    Anchor, Background, Colour, Drawn, Figure, FileOptions, Form, Lettering, Paint, Palette, Part,
+    Role, Style, Theme, Weight,
+};
+use octoscope_core::explain::latex;
+use serde::{Deserialize, Serialize};
+use std::collections::{BTreeMap, HashMap};
+use std::fmt::Write;
+use std::rc::Rc;
+
+/// What is written around the pictures.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
+pub enum TikzForm {
+    /// A document that has a page a figure.
+    #[default]
+    Standalone,
+    /// Pictures to be put into a document that uses the package tikz.
+    Snippet,
+    /// A document of slides: one frame, on which the figures follow each other.
+    Beamer,
+    /// One picture for a frame of slides, on which the figures follow each other.
+    BeamerSnippet,
+}
+
+/// Beginning of the lines that hold the scenario.
+pub(crate) const SCENARIO_LINE: &str = "%%octoscope ";
+
+/// Names of the colours of the axes, see [`Palette::name_of`].
+const AXES: [&str; 3] = ["octo-axis-x", "octo-axis-y", "octo-axis-z"];
+
+/// TikZ that is being written.
+pub struct Tikz<'a> {
+    options: FileOptions<'a>,
+    form: TikzForm,
+    /// Styles and what they say, in the order of the roles.
+    styles: BTreeMap<(usize, String), String>,
+    /// Colours and their values in hexadecimal.
+    colours: BTreeMap<String, String>,
+    /// Every line that occurs, once: the steps of a run share most of theirs.
+    lines: Vec<Rc<str>>,
+    numbers: HashMap<Rc<str>, u32>,
+    pictures: Vec<Picture>,
+}
+
+struct Picture {
+    width: f64,
+    height: f64,
+    /// Numbers of its lines.
+    lines: Vec<u32>,
+}
+
+/// TikZ of one figure.
+pub fn tikz(figure: &Figure, form: TikzForm, options: &FileOptions) -> String {
+    let mut tikz = Tikz::new(form, options);
+    tikz.figure(figure);
+    tikz.finish()
+}
+
+impl<'a> Tikz<'a> {
+    /// TikZ without figures.
+    pub fn new(form: TikzForm, options: &FileOptions<'a>) -> Self {
+        Self {
+            options: *options,
+            form,
+            styles: BTreeMap::new(),
+            colours: BTreeMap::new(),
+            lines: Vec::new(),
+            numbers: HashMap::new(),
+            pictures: Vec::new(),
+        }
+    }
+
+    /// Appends a figure: a picture of its own, or the next slide.
+    pub fn figure(&mut self, figure: &Figure) {
+        let mut lines = Vec::with_capacity(figure.drawn.len());
+        for drawn in &figure.drawn {
+            let Some(line) = self.line(drawn, figure.page.height) else { continue };
+            let number = self.numbers.get(line.as_str()).copied().unwrap_or_else(|| {
+                let (line, number) = (Rc::from(line), self.lines.len() as u32);
+                self.lines.push(Rc::clone(&line));
+                self.numbers.insert(line, number);
+                number
+            });
+            lines.push(number);
+        }
+        let (width, height) = (figure.page.width, figure.page.height);
+        self.pictures.push(Picture { width, height, lines });
+    }
+
+    /// The text.
+    pub fn finish(mut self) -> String {
+        let FileOptions { title, scenario, theme, background, .. } = self.options;
+        let mut out = String::new();
+        if !title.is_empty() {
+            out += &format!("% {}\n", title.replace(['\n', '\r'], " "));
+        }
+        scenario.lines().for_each(|line| out += &format!("{SCENARIO_LINE}{line}\n"));
+        let is_document = matches!(self.form, TikzForm::Standalone | TikzForm::Beamer);
+        out += match self.form {
+            TikzForm::Standalone => "\\documentclass[tikz]{standalone}\n",
+            TikzForm::Beamer => "\\documentclass{beamer}\n\\usepackage{tikz}\n",
+            TikzForm::Snippet | TikzForm::BeamerSnippet => "% Needs \\usepackage{tikz}.\n",
+        };
+        if is_document {
+            out += "\\usepackage[utf8]{inputenc}\n\\usepackage[T1]{fontenc}\n\
+                    \\IfFileExists{lmodern.sty}{\\usepackage{lmodern}}{}\n";
+        }
+        if background == Background::Filled {
+            let colour = self.colour(Palette::of(theme).background);
+            self.styles.insert((0, "octo background".to_owned()), format!("fill={colour}"));
+        }
+        for (name, value) in &self.colours {
+            out += &format!("\\definecolor{{{name}}}{{HTML}}{{{value}}}\n");
+        }
+        out += "\\tikzset{\n";
+        for ((_, name), style) in &self.styles {
+            out += &format!("  {name}/.style={{{style}}},\n");
+        }
+        out += "}\n";
+        if is_document {
+            out += "\\begin{document}\n";
+        }
+        match self.form {
+            TikzForm::Standalone | TikzForm::Snippet => {
+                self.pictures.iter().for_each(|picture| self.picture(&mut out, picture));
+            }
+            TikzForm::Beamer => self.frame(&mut out),
+            TikzForm::BeamerSnippet => {
+                let shared = self.shared(&mut out);
+                self.overlays(&mut out, &shared);
+            }
+        }
+        if is_document {
+            out += "\\end{document}\n";
+        }
+        out
+    }
+
+    fn picture(&self, out: &mut String, picture: &Picture) {
+        self.begin(out, picture);
+        self.write_lines(out, &picture.lines);
+        *out += "\\end{tikzpicture}\n";
+    }
+
+    /// One frame that is as high or as wide as a slide has room for.
+    fn frame(&self, out: &mut String) {
+        let is_wide = self.pictures.first().is_some_and(|p| p.width > 1.45 * p.height);
+        let size = if is_wide { "{0.96\\paperwidth}{!}" } else { "{!}{0.92\\paperheight}" };
+        let shared = self.shared(out);
+        *out += &format!("\\begin{{frame}}[plain]\n\\centering\n\\resizebox{size}{{%\n");
+        self.overlays(out, &shared);
+        *out += "}\n\\end{frame}\n";
+    }
+
+    /// Defines a command for every run of lines that all figures share.
+    fn shared(&self, out: &mut String) -> Vec<SharedRun> {
+        let pictures: Vec<&[u32]> = self.pictures.iter().map(|p| &p.lines[..]).collect();
+        let runs = if pictures.len() < 2 { Vec::new() } else { shared_runs(&pictures, LEAST) };
+        for (index, run) in runs.iter().enumerate() {
+            let start = run.starts[0];
+            *out += &format!("\\newcommand*{{{}}}{{%\n", shared_name(index));
+            self.write_lines(out, &self.pictures[0].lines[start..start + run.length]);
+            *out += "}\n";
+        }
+        runs
+    }
+
+    /// One picture: each figure on a slide of its own.
+    fn overlays(&self, out: &mut String, shared: &[SharedRun]) {
+        let Some(first) = self.pictures.first() else { return };
+        self.begin(out, first);
+        for (slide, picture) in self.pictures.iter().enumerate() {
+            *out += &format!("\\only<{}>{{%\n", slide + 1);
+            let mut runs: Vec<_> = shared.iter().enumerate().collect();
+            runs.sort_by_key(|(_, run)| run.starts[slide]);
+            let mut done = 0;
+            for (index, run) in runs {
+                self.write_lines(out, &picture.lines[done..run.starts[slide]]);
+                *out += &format!("{}\n", shared_name(index));
+                done = run.starts[slide] + run.length;
+            }
+            self.write_lines(out, &picture.lines[done..]);
+            *out += "}%\n";
+        }
+        *out += "\\end{tikzpicture}\n";
+    }
+
+    fn write_lines(&self, out: &mut String, lines: &[u32]) {
+        lines.iter().for_each(|&line| *out += &self.lines[line as usize]);
+    }
+
+    fn begin(&self, out: &mut String, picture: &Picture) {
+        let unit = length(self.options.scale.points());
+        let corner = self.point([picture.width, 0.0], picture.height);
+        *out += &format!(
+            "\\begin{{tikzpicture}}[x={unit}, y={unit}]\n\
+             \\useasboundingbox (0,0) rectangle {corner};\n"
+        );
+        if self.options.background == Background::Filled {
+            *out += &format!("\\path[octo background] (0,0) rectangle {corner};\n");
+        }
+    }
+
+    /// Line of a shape on a page of `height`; `None` if nothing of it is seen.
+    fn line(&mut self, drawn: &Drawn, height: f64) -> Option<String> {
+        if let Some(Line { at, anchor, text }) = Line::of(&drawn.form) {
+            let style = self.text_style(drawn.role)?;
+            let anchor = match anchor {
+                Anchor::Start => ", anchor=base west",
+                Anchor::Middle => "",
+                Anchor::End => ", anchor=base east",
+            };
+            for axis in text.0.iter().filter_map(|span| span.axis) {
+                self.colour(Palette::of(self.options.theme).axes[axis]);
+            }
+            let at = self.point(at, height);
+            let text = latex(text, Some(AXES));
+            return Some(format!("\\node[{style}{anchor}] at {at} {{{text}}};\n"));
+        }
+        let style = self.style(drawn)?;
+        let path = match &drawn.form {
+            Form::Polygon(points) => match rectangle(points) {
+                Some(corners) => {
+                    let [a, b] = corners.map(|corner| self.point(corner, height));
+                    format!("{a} rectangle {b}")
+                }
+                None => format!("{} -- cycle", self.points(points, height)),
+            },
+            Form::Polyline(points) => self.points(points, height),
+            Form::Circle { centre, radius } => {
+                let centre = self.point(*centre, height);
+                format!("{centre} circle[radius={}]", self.number(*radius))
+            }
+            Form::Text { .. } => return None,
+        };
+        Some(format!("\\path[{style}] {path};\n"))
+    }
+
+    /// Name of the style of a shape, which is defined; `None` if nothing is seen.
+    fn style(&mut self, drawn: &Drawn) -> Option<String> {
+        let theme = self.options.theme;
+        let paint = Paint::of(theme, drawn);
+        let own = own_colour(theme, drawn.role).map(|colour| self.colour(colour));
+        let part = match drawn.part {
+            Part::Whole => String::new(),
+            Part::Fine => " fine".to_owned(),
+            Part::Face(axis) => format!(" face {}", ["x", "y", "z"][axis]),
+            Part::Head => " head".to_owned(),
+            Part::Lit(light) => format!(" lit {light}"),
+            Part::Edge => " line".to_owned(),
+            Part::HiddenEdge => " hidden line".to_owned(),
+        };
+        let name = format!("octo {}{part}", drawn.role.class());
+        let key = (drawn.role.layer() + 1, name);
+        if !self.styles.contains_key(&key) {
+            let style = self.painted(drawn, &paint)?;
+            self.styles.insert(key.clone(), style);
+        }
+        Some(match own {
+            Some(colour) => format!("{}={colour}", key.1),
+            None => key.1,
+        })
+    }
+
+    /// What the style of a shape says.
+    fn painted(&mut self, drawn: &Drawn, paint: &Paint) -> Option<String> {
+        let own = own_colour(self.options.theme, drawn.role);
+        let mut parts = Vec::new();
+        let stroke = paint.stroke.filter(|_| paint.width > 0.0);
+        for (name, colour) in [("fill", paint.fill), ("draw", stroke)] {
+            let Some(colour) = colour else { continue };
+            let shown = match own {
+                Some(own) if own.rgb == colour.rgb => "#1".to_owned(),
+                Some(_) | None => self.colour(colour),
+            };
+            parts.push(format!("{name}={shown}"));
+            if colour.opacity < 1.0 {
+                parts.push(format!("{name} opacity={}", decimal(colour.opacity, 2)));
+            }
+        }
+        if parts.is_empty() {
+            return None;
+        }
+        if stroke.is_some() {
+            let points = self.options.scale.points();
+            parts.push(format!("line width={}", length(paint.width * points)));
+            parts.push("line join=round".to_owned());
+            if let [dash, gap] = paint.dash.pattern() {
+                let [on, off] = [dash, gap].map(|part| length(part * paint.width * points));
+                parts.push(format!("dash pattern=on {on} off {off}"));
+            }
+        }
+        Some(parts.join(", "))
+    }
+
+    /// Name of the style of a role's text, which is defined.
+    fn text_style(&mut self, role: Role) -> Option<String> {
+        let Lettering { colour, size, weight } = Style::of(self.options.theme, role).text?;
+        let name = format!("octo {} text", role.class());
+        let key = (role.layer() + 1, name.clone());
+        if !self.styles.contains_key(&key) {
+            let size = size * self.options.scale.points();
+            let family = match weight {
+                Weight::Regular => "\\sffamily",
+                Weight::Strong => "\\sffamily\\bfseries",
+                Weight::Mono => "\\ttfamily",
+                Weight::MonoStrong => "\\ttfamily\\bfseries",
+            };
+            let [height, skip, shift] = [size, 1.2 * size, -0.365 * size].map(length);
+            let style = format!(
+                "text={}, font={family}\\fontsize{{{height}}}{{{skip}}}\\selectfont, inner sep=0pt, \
+                 anchor=base, yshift={shift}",
+                self.colour(colour)
+            );
+            self.styles.insert(key, style);
+        }
+        Some(name)
+    }
+
+    /// Name of a colour, which is defined.
+    fn colour(&mut self, colour: Colour) -> String {
+        let [r, g, b] = colour.rgb;
+        let value = format!("{r:02X}{g:02X}{b:02X}");
+        let name = match Palette::of(self.options.theme).name_of(colour.rgb) {
+            Some(name) => format!("octo-{name}"),
+            None => format!("octo-{value}"),
+        };
+        self.colours.entry(name.clone()).or_insert(value);
+        name
+    }
+
+    fn points(&self, points: &[[f64; 2]], height: f64) -> String {
+        let mut out = String::new();
+        for (index, &point) in points.iter().enumerate() {
+            let line = if index == 0 { "" } else { " -- " };
+            write!(out, "{line}{}", self.point(point, height)).expect("a string takes all");
+        }
+        out
+    }
+
+    /// A point of the page; y points up in TikZ.
+    fn point(&self, [x, y]: [f64; 2], height: f64) -> String {
+        format!("({},{})", self.number(x), self.number(height - y))
+    }
+
+    /// A length in page units, as fine as a tenth of a point.
+    fn number(&self, x: f64) -> String {
+        decimal(x, if self.options.scale.points() > 1.5 { 2 } else { 1 })
+    }
+}
+
+/// Fewer lines than this are not worth a command.
+const LEAST: usize = 2;
+
+/// Name of the command for a run of lines; letters alone may be in it.
+fn shared_name(index: usize) -> String {
+    let mut name = String::new();
+    let mut rest = index;
+    loop {
+        name.insert(0, char::from(b'a' + (rest % 26) as u8));
+        rest /= 26;
+        if rest == 0 {
+            return format!("\\octoshared{name}");
+        }
+        rest -= 1;
+    }
+}
+
+/// The colour of a shape whose role has many, one for every shape.
+fn own_colour(theme: Theme, role: Role) -> Option<Colour> {
+    let has_many = matches!(role, Role::Visited { .. } | Role::Pixel(_));
+    if has_many { Style::of(theme, role).fill } else { None }
+}
+
+/// Two opposite corners, if the polygon is a rectangle along the page.
+fn rectangle(points: &[[f64; 2]]) -> Option<[[f64; 2]; 2]> {
+    let [a, b, c, d] = points else { return None };
+    let level = |p: &[f64; 2], q: &[f64; 2]| (p[1] - q[1]).abs() < 1e-6;
+    let plumb = |p: &[f64; 2], q: &[f64; 2]| (p[0] - q[0]).abs() < 1e-6;
+    let is_one = level(a, b) && plumb(b, c) && level(c, d) && plumb(d, a)
+        || plumb(a, b) && level(b, c) && plumb(c, d) && level(d, a);
+    is_one.then_some([*a, *c])
+}
+
+fn length(points: f64) -> String {
+    format!("{}bp", decimal(points, 3))
+}
+
+/// Number with at most so many digits after the point.
+fn decimal(x: f64, digits: usize) -> String {
+    let text = format!("{x:.digits$}");
+    let text =
+        if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.') } else { &text };
+    if text == "-0" { "0".to_owned() } else { text.to_owned() }
+}

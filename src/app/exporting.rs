@@ -1,0 +1,247 @@
+//! Exports of the window: their dialog, their work on other threads.
+
+use super::App;
+use super::jobs::file_name;
+use crate::document::AnyDocument;
+use crate::export::{Format, Origin, Request};
+use crate::export_dialog::{self, Answer, PREVIEW, Shown};
+use crate::figures::views_of;
+use crate::job::{Job, Poll};
+use crate::view::Dialog;
+use crate::{complaint, with_document};
+use anyhow::anyhow;
+use eframe::egui::{ColorImage, Context, TextureHandle, TextureOptions};
+use octoscope_core::progress::{Cancelled, Progress};
+use octoscope_core::scenario::AnyScenario;
+use octoscope_figure::{Pixels, Show};
+use std::path::{Path, PathBuf};
+
+/// State of the exports of a window.
+#[derive(Default)]
+pub(super) struct Exporting {
+    preview: Preview,
+    /// A file that is being written; its result is its name.
+    writing: Option<Job<anyhow::Result<String>>>,
+    /// The last scenario that was saved, and where.
+    pub(super) saved: Option<(PathBuf, AnyScenario)>,
+}
+
+/// The picture in the dialog, made again when what it shows has changed.
+#[derive(Default)]
+struct Preview {
+    texture: Option<TextureHandle>,
+    /// What the picture shows, or will show once it is made.
+    wanted: Option<(AnyDocument, Request, usize)>,
+    making: Option<Job<anyhow::Result<Pixels>>>,
+}
+
+impl App {
+    /// Shows the dialog of an export, if it is open.
+    pub(super) fn show_export_dialog(&mut self, context: &Context) {
+        if self.view.dialog != Some(Dialog::Export) {
+            self.exporting.preview = Preview::default();
+            return;
+        }
+        let request = self.view.export.request(&self.document, &self.view);
+        self.make_preview(context, &request);
+        let origin = Origin::of(&self.document, self.exporting.saved.as_ref());
+        let (mut choice, mut language) = (self.view.export.clone(), self.view.language);
+        let last_step = self.document.n_events();
+        let views = with_document!(&self.document, d => views_of(&d.scenario.query));
+        choice.view = request.view;
+        let (mut show, dimension) = self.shown_of_document();
+        let shown = Shown {
+            choice: &mut choice,
+            views: &views,
+            show: &mut show,
+            language: &mut language,
+            dimension,
+            last_step,
+            request: &request,
+            origin: &origin,
+            preview: self.exporting.preview.texture.as_ref(),
+        };
+        let answer = export_dialog::ui(context, &self.look, shown);
+        (self.view.export, self.view.language) = (choice, language);
+        *self.show_of_document() = show;
+        match answer {
+            None => {}
+            Some(Answer::Export) => {
+                let path = PathBuf::from(self.view.export.file.trim());
+                self.view.dialog = None;
+                self.export_to(context, &path);
+            }
+            Some(Answer::Choose) => {
+                self.chosen.ask_export(context, self.view.export.format.ending());
+            }
+            Some(Answer::CopyImage) => self.copy_image(context, &request),
+            Some(Answer::CopySvg) => match request.svg(&self.document, self.view.playback.step) {
+                Ok(text) => {
+                    context.copy_text(text);
+                    self.notice.say(self.look.text("status-copied-svg"));
+                }
+                Err(error) => self.complain(&error),
+            },
+            Some(Answer::CopyCommand) => {
+                let line = export_dialog::line(&request, &origin, &self.view.export.file);
+                context.copy_text(line);
+                self.notice.say(self.look.text("status-copied-command"));
+            }
+            Some(Answer::Close) => self.view.dialog = None,
+        }
+    }
+
+    fn complain(&mut self, error: &anyhow::Error) {
+        self.view.dialog = Some(Dialog::Error(complaint::told(&self.look.texts, error)));
+    }
+
+    /// Copies the figure as pixels: as many as a PNG of it would have.
+    fn copy_image(&mut self, context: &Context, request: &Request) {
+        match request.picture(&self.document, self.view.playback.step) {
+            Ok(pixels) => {
+                context.copy_image(image(&pixels));
+                self.notice.say(self.look.text("status-copied-image"));
+            }
+            Err(error) => self.complain(&error),
+        }
+    }
+
+    /// Writes what is chosen to `path`, on another thread. The ending of the name
+    /// tells the format, if it is one.
+    pub(super) fn export_to(&mut self, context: &Context, path: &Path) {
+        let ending = path.extension().unwrap_or_default().to_string_lossy().into_owned();
+        let told = Format::of_ending(&ending);
+        // What moves as PNG does is called so, too.
+        let is_apng = self.view.export.format == Format::Apng && told == Some(Format::Png);
+        if let Some(format) = told.filter(|_| !is_apng) {
+            self.view.export.format = format;
+        }
+        self.view.export.file = path.to_string_lossy().into_owned();
+        self.notice.clear();
+        let request = self.view.export.request(&self.document, &self.view);
+        let (name, mut document, path) = (file_name(path), self.document.clone(), path.to_owned());
+        let title = self.look.texts.format("job-export", &[("name", name.as_str().into())]);
+        let work = move |progress: &Progress| {
+            // The window may keep less of a long run, or nothing of it yet.
+            with_document!(&mut document, d => d.trace_whole());
+            request.run(&document, Some(&path), progress).map(|()| name)
+        };
+        self.exporting.writing = Some(Job::start(title, context, work));
+    }
+
+    /// Waits until the file is written.
+    pub fn finish_export(&mut self) {
+        let Some(job) = self.exporting.writing.take() else { return };
+        let poll = job.wait();
+        self.exported(poll);
+    }
+
+    /// Looks whether a file is written, and shows how far it is.
+    pub(super) fn poll_export(&mut self, context: &Context) {
+        let Some(job) = self.exporting.writing.take() else { return };
+        match job.poll() {
+            Poll::Running => {
+                if job.is_shown()
+                    && crate::panels::dialogs::progress(
+                        context,
+                        &self.look,
+                        &job.title,
+                        job.progress.fraction(),
+                    )
+                {
+                    job.progress.cancel();
+                }
+                context.request_repaint_after(std::time::Duration::from_millis(30));
+                self.exporting.writing = Some(job);
+            }
+            poll => self.exported(poll),
+        }
+    }
+
+    fn exported(&mut self, poll: Poll<anyhow::Result<String>>) {
+        let result = match poll {
+            Poll::Running => return,
+            Poll::Done(result) => result,
+            Poll::Broken => Err(anyhow!(self.look.text("job-broken"))),
+        };
+        match result {
+            Ok(name) => {
+                self.notice
+                    .say(self.look.texts.format("status-exported", &[("name", name.into())]));
+            }
+            Err(error) if error.root_cause().is::<Cancelled>() => {}
+            Err(error) => self.complain(&error),
+        }
+    }
+
+    /// Has the picture made for `request`, if it is another one than before.
+    fn make_preview(&mut self, context: &Context, request: &Request) {
+        let preview = &mut self.exporting.preview;
+        if let Some(job) = preview.making.take() {
+            match job.poll() {
+                Poll::Running => {
+                    context.request_repaint_after(std::time::Duration::from_millis(30));
+                    preview.making = Some(job);
+                    return;
+                }
+                poll => preview.take(context, poll),
+            }
+        }
+        let step = self.view.playback.step;
+        let is_wanted = preview.wanted.as_ref().is_some_and(|(document, wanted, at)| {
+            document.is_same_state(&self.document) && wanted == request && *at == step
+        });
+        if is_wanted {
+            return;
+        }
+        let wanted = (self.document.clone(), request.clone(), step);
+        preview.wanted = Some(wanted.clone());
+        let most = PREVIEW.map(|side| f64::from(side * context.pixels_per_point()));
+        let work = move |progress: &Progress| {
+            let (document, request, step) = wanted;
+            request.preview(&document, step, most, progress)
+        };
+        preview.making = Some(Job::start(String::new(), context, work));
+    }
+
+    /// Waits until the picture in the dialog is made.
+    pub fn finish_preview(&mut self, context: &Context) {
+        if let Some(job) = self.exporting.preview.making.take() {
+            self.exporting.preview.take(context, job.wait());
+        }
+    }
+
+    fn shown_of_document(&mut self) -> (Show, usize) {
+        let dimension = match self.document {
+            AnyDocument::Plane(_) => 2,
+            AnyDocument::Space(_) => 3,
+        };
+        (*self.show_of_document(), dimension)
+    }
+
+    fn show_of_document(&mut self) -> &mut Show {
+        match self.document {
+            AnyDocument::Plane(_) => self.view.show_mut::<2>(),
+            AnyDocument::Space(_) => self.view.show_mut::<3>(),
+        }
+    }
+}
+
+impl Preview {
+    /// Takes the picture that was made; one that could not be made is told when it
+    /// is exported.
+    fn take(&mut self, context: &Context, poll: Poll<anyhow::Result<Pixels>>) {
+        match poll {
+            Poll::Done(Ok(pixels)) => {
+                let (image, options) = (image(&pixels), TextureOptions::LINEAR);
+                self.texture = Some(context.load_texture("export", image, options));
+            }
+            Poll::Done(Err(_)) | Poll::Broken | Poll::Running => {}
+        }
+    }
+}
+
+fn image(pixels: &Pixels) -> ColorImage {
+    let size = [pixels.width as usize, pixels.height as usize];
+    ColorImage::from_rgba_unmultiplied(size, &pixels.rgba)
+}

@@ -1,0 +1,228 @@
+//! What the window offers for an export; remembered from one to the next.
+
+use super::{Eye, Format, Order, Request, Size, Steps};
+use crate::document::{AnyDocument, Document};
+use crate::figures::{Moments, views_of};
+use crate::view::View;
+use crate::with_document;
+use octoscope_core::scenario::StepAt;
+use octoscope_figure::views::{Fields, FigureView};
+use octoscope_figure::{Background, Show, Theme, TikzForm, Unit};
+use serde::{Deserialize, Serialize};
+
+/// What is chosen in the dialog of an export.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct Choice {
+    /// What is drawn; not remembered, as other scenarios have other views.
+    #[serde(skip)]
+    pub view: FigureView,
+    /// Whether the fields of a worksheet are filled in.
+    #[serde(skip)]
+    pub solution: bool,
+    /// Format of the file.
+    pub format: Format,
+    /// Whether the file ends around the figure, whatever its size.
+    pub extent: Extent,
+    /// Width and height otherwise.
+    pub sides: [f64; 2],
+    /// Their unit.
+    pub unit: Unit,
+    /// Pixels per pixel of the page.
+    pub enlarged: f64,
+    /// Size of type and lines against the usual.
+    pub type_scale: f64,
+    /// Colours and lines.
+    pub theme: Theme,
+    /// Whether something lies behind the figure.
+    pub background: Background,
+    /// Which steps.
+    pub steps: StepChoice,
+    /// The steps of a range.
+    pub range: [usize; 2],
+    /// What is written around TikZ.
+    pub tikz: TikzForm,
+    /// How long each step of what moves is shown, in seconds.
+    pub pause_secs: f64,
+    /// Path of the file.
+    pub file: String,
+}
+
+/// Where a file ends.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub enum Extent {
+    /// Around the figure.
+    #[default]
+    Cropped,
+    /// At a size.
+    Sized,
+}
+
+/// Which steps are exported.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub enum StepChoice {
+    /// The one at which the playhead stands.
+    #[default]
+    Here,
+    /// From one to another.
+    Range,
+    /// All.
+    All,
+}
+
+impl Default for Choice {
+    fn default() -> Self {
+        Self {
+            view: FigureView::default(),
+            solution: false,
+            format: Format::Svg,
+            extent: Extent::Cropped,
+            sides: [120.0, 90.0],
+            unit: Unit::Millimetre,
+            enlarged: 1.0,
+            type_scale: 1.0,
+            theme: Theme::Print,
+            background: Background::Filled,
+            steps: StepChoice::Here,
+            range: [0, 10],
+            tikz: TikzForm::Standalone,
+            pause_secs: 0.5,
+            file: "figure.svg".to_owned(),
+        }
+    }
+}
+
+impl Choice {
+    /// Takes another format; the name of the file ends as it does. What moves is
+    /// of all steps, unless others are chosen.
+    pub fn set_format(&mut self, format: Format) {
+        let stem = match self.file.rsplit_once('.') {
+            Some((stem, ending)) if Format::of_ending(ending).is_some() => stem,
+            Some(_) | None => &self.file,
+        };
+        self.file = format!("{stem}.{}", format.ending());
+        self.format = format;
+        if format.moves() && self.steps == StepChoice::Here {
+            self.steps = StepChoice::All;
+        }
+    }
+
+    /// The size that is asked for, within what is possible.
+    pub fn size(&self) -> Option<Size> {
+        let longest = Size::longest(self.unit);
+        // Short numbers, and whole pixels.
+        let rounded = |side: f64| match self.unit {
+            Unit::Pixel => side.round(),
+            Unit::Millimetre | Unit::Point => (side * 100.0).round() / 100.0,
+        };
+        let [width, height] = self.sides.map(|side| rounded(side).clamp(1.0, longest));
+        match self.extent {
+            Extent::Cropped => None,
+            Extent::Sized => Some(Size { width, height, unit: self.unit }),
+        }
+    }
+
+    /// What is drawn of `document`: the view in space where the chosen one has nothing
+    /// to show.
+    pub fn view_of(&self, document: &AnyDocument) -> FigureView {
+        let views = with_document!(document, d => views_of(&d.scenario.query));
+        if views.contains(&self.view) { self.view } else { FigureView::default() }
+    }
+
+    /// Whether the enlargement counts.
+    pub fn can_be_enlarged(&self) -> bool {
+        let on_paper = matches!(self.unit, Unit::Millimetre | Unit::Point);
+        self.format.is_of_pixels() && !(self.extent == Extent::Sized && on_paper)
+    }
+
+    /// What is asked for of `document` as `view` shows it.
+    pub fn request(&self, document: &AnyDocument, view: &View) -> Request {
+        let short =
+            |x: f64, [least, most]: [f64; 2]| ((x * 100.0).round() / 100.0).clamp(least, most);
+        let enlarged = short(self.enlarged, [0.01, 100.0]);
+        let is_tikz = self.format == Format::Tikz;
+        let order = Order {
+            format: self.format,
+            theme: self.theme,
+            background: self.background,
+            size: self.size(),
+            enlarged: Some(enlarged).filter(|x| self.can_be_enlarged() && *x != 1.0),
+            type_scale: short(self.type_scale, [0.25, 8.0]),
+            tikz: if is_tikz { self.tikz } else { TikzForm::default() },
+            pause_secs: short(self.pause_secs, [0.02, 60.0]),
+        };
+        let steps = match self.steps {
+            StepChoice::Here => Steps::One(StepAt::At(view.playback.step)),
+            StepChoice::All => Steps::All,
+            StepChoice::Range => {
+                let [first, last] = self.range.map(|step| step.min(document.n_events()));
+                Steps::Range(StepAt::At(first.min(last)), StepAt::At(first.max(last)))
+            }
+        };
+        let shown = self.view_of(document);
+        let in_space = shown.shows_space();
+        let eye = with_document!(document, d => eye(d, view, &order)).filter(|_| in_space);
+        let show = with_document!(document, d => shown_of(d, view)).filter(|_| in_space);
+        let is_solved = shown == FigureView::Worksheet && self.solution;
+        Request {
+            view: shown,
+            order,
+            steps,
+            moments: Moments::default(),
+            exercise: (None, if is_solved { Fields::Solved } else { Fields::Empty }),
+            eye,
+            show,
+            language: view.language,
+        }
+    }
+}
+
+fn eye<const D: usize>(document: &Document<D>, view: &View, order: &Order) -> Option<Eye> {
+    view.camera::<D>().map(|camera| Eye::of(&camera, document, order.page()))
+}
+
+fn shown_of<const D: usize>(_: &Document<D>, view: &View) -> Option<Show> {
+    Some(*view.show::<D>()).filter(|show| *show != Show::at_first::<D>())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn another_format_has_another_ending() {
+        let check = |file: &str, expected: &str| {
+            let mut choice = Choice { file: file.to_owned(), ..Choice::default() };
+            choice.set_format(Format::Tikz);
+            assert_eq!(choice.file, expected);
+        };
+        check("a/b.svg", "a/b.tex");
+        check("b", "b.tex");
+        check("v1.2", "v1.2.tex");
+    }
+
+    #[test]
+    fn what_moves_is_of_all_steps() {
+        let mut choice = Choice::default();
+        choice.set_format(Format::Pdf);
+        assert_eq!(choice.steps, StepChoice::Here);
+        choice.set_format(Format::Gif);
+        assert_eq!(choice.steps, StepChoice::All);
+        choice.steps = StepChoice::Range;
+        choice.set_format(Format::Apng);
+        assert_eq!(choice.steps, StepChoice::Range);
+    }
+
+    #[test]
+    fn sizes_are_possible_ones() {
+        let choice = Choice {
+            extent: Extent::Sized,
+            sides: [1e9, 0.0],
+            unit: Unit::Pixel,
+            ..Choice::default()
+        };
+        assert_eq!(choice.size().unwrap().to_string(), "16384x1px");
+        let choice = Choice { sides: [33.333_333, 20.0], unit: Unit::Millimetre, ..choice };
+        assert_eq!(choice.size().unwrap().to_string(), "33.33x20mm");
+    }
+}

@@ -1,0 +1,161 @@
+//! Where a figure looks at the scene from, as the command line tells it.
+
+use crate::document::Document;
+use crate::space::interesting;
+use anyhow::bail;
+use octoscope_figure::{Camera, Page};
+use std::fmt;
+use std::str::FromStr;
+
+/// Where the scene is looked at from.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Eye {
+    /// Turn about the z axis; 0 looks from +x, 90 from +y.
+    pub yaw_degrees: f64,
+    /// Height above the plane of x and y; 90 looks from above.
+    pub pitch_degrees: f64,
+    /// 1 where everything fits.
+    pub zoom: f64,
+    /// Point of the world in the middle of the page; empty where everything
+    /// fits around it.
+    pub middle: Vec<f64>,
+}
+
+/// Smallest and largest zoom.
+const ZOOMS: [f64; 2] = [0.001, 1e6];
+
+impl Eye {
+    /// The eye of a camera that looks at `document` on `page`, in few digits.
+    pub fn of<const D: usize>(camera: &Camera<D>, document: &Document<D>, page: Page) -> Self {
+        let degrees = |angle: f64| (angle.to_degrees() * 100.0).round() / 100.0;
+        let pitch_degrees = degrees(camera.pitch).clamp(-90.0, 90.0);
+        let yaw_degrees = degrees(camera.yaw).rem_euclid(360.0);
+        let mut eye = Self { yaw_degrees, pitch_degrees, zoom: 1.0, middle: Vec::new() };
+        let framed = eye.framed(document, page);
+        eye.zoom = short(framed.height / camera.height).clamp(ZOOMS[0], ZOOMS[1]);
+        // A thousandth of what the page shows is not seen.
+        let unit = 10f64.powf((camera.height * 1e-3).log10().floor());
+        let rounded = |x: f64| format!("{:.12}", (x / unit).round() * unit).parse().unwrap_or(x);
+        eye.middle = camera.target.map(rounded).to_vec();
+        eye
+    }
+
+    /// The camera.
+    ///
+    /// # Errors
+    /// Refuses a middle of another dimension than the scene.
+    pub fn camera<const D: usize>(
+        &self,
+        document: &Document<D>,
+        page: Page,
+    ) -> anyhow::Result<Camera<D>> {
+        let mut camera = self.framed(document, page);
+        camera.height /= self.zoom;
+        if self.middle.is_empty() {
+            return Ok(camera);
+        }
+        let Ok(middle) = <[f64; D]>::try_from(&self.middle[..]) else {
+            bail!(
+                "the middle of --camera has {} numbers; give {D} in this scene, or none",
+                self.middle.len()
+            );
+        };
+        camera.target = middle;
+        Ok(camera)
+    }
+
+    fn framed<const D: usize>(&self, document: &Document<D>, page: Page) -> Camera<D> {
+        let bounds = interesting(document);
+        let mut camera = Camera::framing(&bounds, page);
+        camera.yaw = self.yaw_degrees.rem_euclid(360.0).to_radians();
+        camera.pitch = self.pitch_degrees.to_radians();
+        camera.frame(&bounds, page);
+        camera
+    }
+}
+
+/// Four digits of a number.
+fn short(x: f64) -> f64 {
+    format!("{x:.3e}").parse().unwrap_or(x)
+}
+
+impl FromStr for Eye {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let numbers: Result<Vec<f64>, _> =
+            text.split(',').map(|number| number.trim().parse()).collect();
+        let numbers = numbers.ok().filter(|numbers| numbers.iter().all(|x| x.is_finite()));
+        let Some(numbers) = numbers else {
+            return Err("give numbers such as -30,20,1.5".to_owned());
+        };
+        let ([yaw_degrees, pitch_degrees, zoom], 0 | 2 | 3) =
+            (numbers.first_chunk().copied().unwrap_or([f64::NAN; 3]), numbers.len().max(3) - 3)
+        else {
+            return Err(wrong_number(numbers.len()));
+        };
+        if numbers.len() < 3 {
+            return Err(wrong_number(numbers.len()));
+        }
+        if !(-90.0..=90.0).contains(&pitch_degrees) {
+            return Err(format!("the pitch is {pitch_degrees}; give degrees from -90 to 90"));
+        }
+        if !(ZOOMS[0]..=ZOOMS[1]).contains(&zoom) {
+            return Err(format!("the zoom is {zoom}; give a factor from 0.001 to 1000000"));
+        }
+        Ok(Self { yaw_degrees, pitch_degrees, zoom, middle: numbers[3..].to_vec() })
+    }
+}
+
+fn wrong_number(n: usize) -> String {
+    format!(
+        "there are {n} numbers; give three: yaw and pitch in degrees, zoom; and then, if you like, \
+         the point in the middle"
+    )
+}
+
+impl fmt::Display for Eye {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        write!(f, "{},{},{}", self.yaw_degrees, self.pitch_degrees, self.zoom)?;
+        self.middle.iter().try_for_each(|x| write!(f, ",{x}"))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::document::AnyDocument;
+    use crate::open::open_built_in;
+    use octoscope_core::progress::Progress;
+
+    #[test]
+    fn the_eye_has_three_numbers_within_bounds_and_a_middle() {
+        let eye = |middle: &[f64]| Eye {
+            yaw_degrees: -30.0,
+            pitch_degrees: 20.0,
+            zoom: 1.5,
+            middle: middle.to_vec(),
+        };
+        for (text, eye) in [("-30,20,1.5", eye(&[])), ("-30,20,1.5,0.5,-1", eye(&[0.5, -1.0]))] {
+            assert_eq!(text.parse(), Ok(eye.clone()));
+            assert_eq!(eye.to_string(), text);
+        }
+        for bad in ["-30,20", "1,2,3,4", "0,91,1", "0,0,0", "0,0,-1", "0,0,nan", "a,b,c", ""] {
+            assert!(bad.parse::<Eye>().is_err(), "{bad}");
+        }
+    }
+
+    #[test]
+    fn an_eye_looks_as_its_camera_does() {
+        let document = open_built_in("quadtree-82", &Progress::default()).unwrap();
+        let AnyDocument::Plane(document) = document else { panic!("not a quadtree") };
+        let page = Page { width: 400.0, height: 300.0 };
+        let mut camera = Camera::framing(&interesting(&document), page);
+        (camera.height, camera.target) = (camera.height / 3.0, [0.123_456, 0.7]);
+        let again = Eye::of(&camera, &document, page).camera(&document, page).unwrap();
+        assert!((again.height / camera.height - 1.0).abs() < 1e-3);
+        for e in 0..2 {
+            assert!((again.target[e] - camera.target[e]).abs() < 1e-3 * camera.height);
+        }
+    }
+}

@@ -1,0 +1,266 @@
+//! One export, whole: what the window and the command line ask for alike.
+
+use super::{Eye, Format, Order, Series, Steps, left_out, print_shown, write};
+use crate::document::{AnyDocument, Document};
+use crate::figures::{Moments, Wanted, figure_of};
+use crate::save;
+use crate::with_document;
+use octoscope_core::explain::sentence;
+use octoscope_core::progress::Progress;
+use octoscope_core::scenario::StepAt;
+use octoscope_core::text::Language;
+use octoscope_figure::views::{Fields, FigureView};
+use octoscope_figure::{
+    Background, Figure, FileOptions, Page, Pixels, PixelsError, Scale, Show, TikzForm, Unit, svg,
+};
+use std::path::Path;
+
+/// What is exported of a document, and how.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Request {
+    /// What is drawn.
+    pub view: FigureView,
+    /// What the file is like.
+    pub order: Order,
+    /// The steps.
+    pub steps: Steps,
+    /// The moments of a storyboard.
+    pub moments: Moments,
+    /// Number of the exercise on a worksheet, and what is in its fields.
+    pub exercise: (Option<u64>, Fields),
+    /// Where the scene is looked at from; without it, everything is seen.
+    pub eye: Option<Eye>,
+    /// What is shown; without it, what is shown at first.
+    pub show: Option<Show>,
+    /// Language of all words, and of the title.
+    pub language: Language,
+}
+
+impl Request {
+    /// Writes the files: to `path`, else to standard output.
+    ///
+    /// # Errors
+    /// Says what cannot be drawn or written; tells if it was cancelled.
+    pub fn run(
+        &self,
+        document: &AnyDocument,
+        path: Option<&Path>,
+        progress: &Progress,
+    ) -> anyhow::Result<()> {
+        let folder = path.map(|path| path.parent().unwrap_or(Path::new("")));
+        self.with_series(document, self.steps, folder, |series| {
+            write(&self.order, series, path, progress)
+        })
+    }
+
+    /// One step in pixels, no wider and no higher than `most`.
+    ///
+    /// # Errors
+    /// Says what cannot be drawn.
+    pub fn preview(
+        &self,
+        document: &AnyDocument,
+        step: usize,
+        most: [f64; 2],
+        progress: &Progress,
+    ) -> anyhow::Result<Pixels> {
+        let (figure, _) = self.figure_of(document, step, progress)?;
+        let page = [figure.page.width, figure.page.height];
+        let factor = (most[0] / page[0]).min(most[1] / page[1]);
+        Ok(self.pixels(&figure, factor)?)
+    }
+
+    /// The figure of one step as the text of an SVG.
+    ///
+    /// # Errors
+    /// Says what cannot be drawn.
+    pub fn svg(&self, document: &AnyDocument, step: usize) -> anyhow::Result<String> {
+        self.with_series(document, one(step), None, |series| {
+            let (figure, scale) =
+                Series::figure_of(&self.order, series, step, &Progress::default())?;
+            let (title, scenario) = ((series.title)(step), (series.scenario)(step));
+            let Order { theme, background, .. } = self.order;
+            let options =
+                FileOptions { theme, background, title: &title, scenario: &scenario, scale };
+            Ok(svg(&figure, &options))
+        })
+    }
+
+    /// One step in as many pixels as a picture of it has; twice as many, if the
+    /// file is one of vectors.
+    ///
+    /// # Errors
+    /// Says what cannot be drawn.
+    pub fn picture(&self, document: &AnyDocument, step: usize) -> anyhow::Result<Pixels> {
+        let is_of_pixels = self.order.format.is_of_pixels();
+        let more = if is_of_pixels || self.order.enlarged.is_some() { 1.0 } else { 2.0 };
+        let order = Order { format: Format::Png, ..self.order };
+        let picture = Self { order, ..self.clone() };
+        let (figure, scale) = picture.figure_of(document, step, &Progress::default())?;
+        Ok(self.pixels(&figure, more * scale.factor)?)
+    }
+
+    fn figure_of(
+        &self,
+        document: &AnyDocument,
+        step: usize,
+        progress: &Progress,
+    ) -> anyhow::Result<(Figure, Scale)> {
+        self.with_series(document, one(step), None, |series| {
+            Series::figure_of(&self.order, series, step, progress)
+        })
+    }
+
+    fn pixels(&self, figure: &Figure, factor: f64) -> Result<Pixels, PixelsError> {
+        let Order { theme, background, .. } = self.order;
+        let scale = Scale { factor, unit: Unit::Pixel };
+        let options = FileOptions { theme, background, scale, ..FileOptions::default() };
+        Pixels::of(figure, &options)
+    }
+
+    /// The figures of these steps of a document, whose scenario names its data file from
+    /// `folder`, or as it does now.
+    fn with_series<T>(
+        &self,
+        document: &AnyDocument,
+        steps: Steps,
+        folder: Option<&Path>,
+        then: impl FnOnce(&Series) -> anyhow::Result<T>,
+    ) -> anyhow::Result<T> {
+        let title = |step| {
+            with_document!(document, d => {
+                sentence(&d.tree, &d.scenario.ray, &d.trace, step, self.language).plain()
+            })
+        };
+        let scenario = |step| {
+            let scenario = document.scenario_at(step);
+            match folder {
+                Some(folder) => save::named_from(document, scenario, folder).print(),
+                None => scenario.print(),
+            }
+        };
+        self.moments.check(document.n_events())?;
+        then(&Series {
+            steps: steps.numbers(document.n_events())?,
+            figure: &|page, step| with_document!(document, d => self.figure(d, page, step)),
+            title: &title,
+            scenario: &scenario,
+        })
+    }
+
+    fn figure<const D: usize>(
+        &self,
+        document: &Document<D>,
+        page: Page,
+        step: usize,
+    ) -> anyhow::Result<Figure> {
+        let camera = self.eye.as_ref().map(|eye| eye.camera(document, page)).transpose()?;
+        let wanted = Wanted {
+            view: self.view,
+            step,
+            moments: self.moments.clone(),
+            exercise: self.exercise,
+            page,
+            camera,
+            show: self.show::<D>(),
+            language: self.language,
+        };
+        figure_of(document, &wanted)
+    }
+
+    /// What the figure leaves out, in words, if anything.
+    pub fn left_out<const D: usize>(&self, document: &Document<D>) -> Option<String> {
+        if self.view.shows_space() { left_out(document, &self.show::<D>()) } else { None }
+    }
+
+    /// What is shown of a tree of dimension D.
+    pub fn show<const D: usize>(&self) -> Show {
+        self.show.unwrap_or_else(Show::at_first::<D>)
+    }
+
+    /// The command that does the same with the scenario called `file`, along the
+    /// ray of these numbers if they are given.
+    pub fn command(&self, file: &str, ray: Option<&[f64]>, output: &str) -> Vec<String> {
+        let Self { view, order, steps, moments, exercise, eye, show, language } = self;
+        let mut words = vec!["octoscope".to_owned(), "export".to_owned(), file.to_owned()];
+        let mut option = |name: &str, value: String| words.push(format!("--{name}={value}"));
+        option("view", view.id().to_owned());
+        option("format", order.format.id().to_owned());
+        option("step", steps.to_string());
+        if *moments != Moments::default() {
+            option("steps", moments.to_string());
+        }
+        let (number, fields) = exercise;
+        if let Some(number) = number {
+            option("seed", number.to_string());
+        }
+        if let Some(ray) = ray {
+            let numbers: Vec<_> = ray.iter().map(|x| format!("{x:?}")).collect();
+            option("ray", numbers.join(","));
+        }
+        if let Some(size) = order.size {
+            option("size", size.to_string());
+        }
+        if let Some(enlarged) = order.enlarged {
+            option("scale", enlarged.to_string());
+        }
+        let usual = Order::default();
+        if order.type_scale != usual.type_scale {
+            option("type-scale", order.type_scale.to_string());
+        }
+        if order.theme != usual.theme {
+            option("theme", order.theme.id().to_owned());
+        }
+        if order.pause_secs != usual.pause_secs {
+            option("pause", order.pause_secs.to_string());
+        }
+        if let Some(eye) = eye {
+            option("camera", eye.to_string());
+        }
+        if let Some(show) = show {
+            option("show", print_shown(show));
+        }
+        if *language != Language::default() {
+            option("lang", language.id().to_owned());
+        }
+        let flags = [
+            ("--solution", *fields == Fields::Solved),
+            ("--transparent", order.background == Background::Transparent),
+            ("--beamer", matches!(order.tikz, TikzForm::Beamer | TikzForm::BeamerSnippet)),
+            ("--snippet", matches!(order.tikz, TikzForm::Snippet | TikzForm::BeamerSnippet)),
+        ];
+        words
+            .extend(flags.into_iter().filter(|(_, is_on)| *is_on).map(|(flag, _)| flag.to_owned()));
+        words.extend(["-o".to_owned(), output.to_owned()]);
+        words
+    }
+}
+
+/// One step, whichever are asked for.
+fn one(step: usize) -> Steps {
+    Steps::One(StepAt::At(step))
+}
+
+/// Words as a shell reads them.
+pub fn shell_line(words: &[String]) -> String {
+    let quoted = words.iter().map(|word| {
+        let is_plain = |c: char| c.is_ascii_alphanumeric() || "-_./:=,@+%".contains(c);
+        if !word.is_empty() && word.chars().all(is_plain) {
+            word.clone()
+        } else {
+            format!("'{}'", word.replace('\'', "'\\''"))
+        }
+    });
+    quoted.collect::<Vec<_>>().join(" ")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_shell_reads_the_words_back() {
+        let words = ["a", "b c", "it's", "", "ä.svg", "--ray=-0.1,2"].map(str::to_owned);
+        assert_eq!(shell_line(&words), "a 'b c' 'it'\\''s' '' 'ä.svg' --ray=-0.1,2");
+    }
+}

@@ -1,0 +1,320 @@
+//! The dialog of an export: what is chosen, how it looks, the command that does
+//! the same.
+
+use crate::export::{Choice, Extent, Format, Origin, Request, StepChoice, shell_line};
+use crate::files;
+use crate::look::Look;
+use crate::panels::show;
+use crate::widgets::segments;
+use eframe::egui::{
+    Align, CollapsingHeader, ComboBox, Context, DragValue, Frame, Grid, Id, Image, Label, Layout,
+    Modal, RichText, ScrollArea, Spinner, TextEdit, TextureHandle, Ui, accesskit::Role, vec2,
+};
+use octoscope_core::text::Language;
+use octoscope_figure::views::FigureView;
+use octoscope_figure::{Background, Show, Theme, TikzForm, Unit};
+use std::path::Path;
+
+/// What is chosen, and all that the dialog shows beside it.
+pub struct Shown<'a> {
+    /// What is chosen.
+    pub choice: &'a mut Choice,
+    /// The views that have something to show.
+    pub views: &'a [FigureView],
+    /// What the figure shows.
+    pub show: &'a mut Show,
+    /// Language of the figure's title, and of the window.
+    pub language: &'a mut Language,
+    /// Dimension of the tree.
+    pub dimension: usize,
+    /// Number of the last step.
+    pub last_step: usize,
+    /// What all that comes to.
+    pub request: &'a Request,
+    /// What the command names.
+    pub origin: &'a Origin,
+    /// The picture of the figure, if it is there already.
+    pub preview: Option<&'a TextureHandle>,
+}
+
+/// What the user asks for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Answer {
+    /// Write the file.
+    Export,
+    /// Choose where to.
+    Choose,
+    /// Copy the figure as an image.
+    CopyImage,
+    /// Copy the figure as the text of an SVG.
+    CopySvg,
+    /// Copy the command.
+    CopyCommand,
+    /// Close the dialog.
+    Close,
+}
+
+/// Largest extent of the preview, in points.
+pub const PREVIEW: [f32; 2] = [360.0, 270.0];
+
+/// Shows the dialog.
+pub fn ui(context: &Context, look: &Look, mut shown: Shown) -> Option<Answer> {
+    let mut answer = None;
+    let frame = Frame::popup(&context.global_style()).inner_margin(20.0);
+    let room = context.content_rect().size();
+    let response = Modal::new(Id::unique("export")).frame(frame).show(context, |ui| {
+        ui.label(RichText::new(look.text("dialog-export")).heading().strong());
+        ui.add_space(6.0);
+        let is_wide = room.x > 860.0;
+        ui.set_width(if is_wide { 800.0 } else { (room.x - 60.0).min(440.0) });
+        let most = (room.y - 250.0).clamp(120.0, 430.0);
+        if is_wide {
+            ui.horizontal_top(|ui| {
+                ui.vertical(|ui| {
+                    ui.set_width(410.0);
+                    let scroll = ScrollArea::vertical().max_height(most).auto_shrink([false, true]);
+                    scroll.show(ui, |ui| settings(ui, look, &mut shown));
+                });
+                ui.vertical(|ui| preview(ui, look, &shown));
+            });
+        } else {
+            let scroll = ScrollArea::vertical().max_height(most).auto_shrink([false, true]);
+            scroll.show(ui, |ui| {
+                settings(ui, look, &mut shown);
+                preview(ui, look, &shown);
+            });
+        }
+        ui.separator();
+        answer = command(ui, look, &shown).or(buttons(ui, look, &mut shown));
+    });
+    if response.should_close() { answer.or(Some(Answer::Close)) } else { answer }
+}
+
+fn settings(ui: &mut Ui, look: &Look, shown: &mut Shown) {
+    let Shown { choice, views, show: what, dimension, last_step, language, .. } = shown;
+    let name = |key: &str| look.text(key);
+    Grid::new("export").num_columns(2).spacing([12.0, 8.0]).show(ui, |ui| {
+        let label = ui.label(name("dialog-export-view")).id;
+        let named = |view: FigureView| name(&format!("figure-{}", view.id()));
+        let list = ComboBox::from_id_salt("view").width(260.0).height(400.0);
+        let list = list.selected_text(named(choice.view)).show_ui(ui, |ui| {
+            for &view in *views {
+                ui.selectable_value(&mut choice.view, view, named(view));
+            }
+        });
+        list.response.labelled_by(label);
+        ui.end_row();
+        if choice.view == FigureView::Worksheet {
+            ui.label("");
+            ui.checkbox(&mut choice.solution, name("export-solution"));
+            ui.end_row();
+        }
+
+        ui.label(name("export-format"));
+        let formats = Format::ALL.map(|format| (format, format.name().to_owned()));
+        let mut format = choice.format;
+        if segments(ui, &mut format, &formats) {
+            choice.set_format(format);
+        }
+        ui.end_row();
+
+        ui.label(name("export-extent"));
+        let extents = [(Extent::Cropped, "export-cropped"), (Extent::Sized, "export-sized")];
+        segments(ui, &mut choice.extent, &extents.map(|(extent, key)| (extent, name(key))));
+        ui.end_row();
+        if choice.extent == Extent::Sized {
+            ui.label(name("export-size"));
+            sides(ui, look, choice);
+            ui.end_row();
+        }
+        if choice.can_be_enlarged() {
+            ui.label(name("export-enlarged"));
+            number(ui, look, "export-enlarged", &mut choice.enlarged, [0.1, 8.0], 0.02);
+            ui.end_row();
+        }
+
+        ui.label(name("export-type-scale"));
+        number(ui, look, "export-type-scale", &mut choice.type_scale, [0.25, 4.0], 0.01);
+        ui.end_row();
+
+        ui.label(name("export-theme"));
+        let themes = Theme::ALL.map(|theme| (theme, name(&format!("theme-{}", theme.id()))));
+        segments(ui, &mut choice.theme, &themes);
+        ui.end_row();
+
+        ui.label(name("export-background"));
+        let mut is_clear = choice.background == Background::Transparent;
+        ui.checkbox(&mut is_clear, name("export-transparent"));
+        choice.background = if is_clear { Background::Transparent } else { Background::Filled };
+        ui.end_row();
+
+        ui.label(name("export-steps"));
+        let steps = [
+            (StepChoice::Here, "export-here"),
+            (StepChoice::Range, "export-range"),
+            (StepChoice::All, "export-all"),
+        ];
+        segments(ui, &mut choice.steps, &steps.map(|(step, key)| (step, name(key))));
+        ui.end_row();
+        if choice.steps == StepChoice::Range {
+            ui.label("");
+            ui.horizontal(|ui| {
+                for (step, key) in choice.range.iter_mut().zip(["export-from", "export-to"]) {
+                    let label = ui.label(name(key));
+                    ui.add(DragValue::new(step).range(0..=*last_step)).labelled_by(label.id);
+                }
+            });
+            ui.end_row();
+        }
+        if choice.format.moves() {
+            ui.label(name("export-pause"));
+            number(ui, look, "export-pause", &mut choice.pause_secs, [0.02, 10.0], 0.01);
+            ui.end_row();
+        }
+        if choice.format == Format::Tikz {
+            ui.label("TikZ");
+            ui.vertical(|ui| tikz(ui, look, choice));
+            ui.end_row();
+        }
+
+        ui.label(name("export-language"));
+        let languages = [Language::English, Language::German];
+        segments(ui, *language, &languages.map(|one| (one, one.id().to_uppercase())));
+        ui.end_row();
+    });
+    if choice.view.shows_space() {
+        CollapsingHeader::new(name("export-show"))
+            .show(ui, |ui| show::ui(ui, look, what, *dimension));
+    }
+}
+
+fn sides(ui: &mut Ui, look: &Look, choice: &mut Choice) {
+    ui.horizontal(|ui| {
+        for (index, key) in ["export-width", "export-height"].into_iter().enumerate() {
+            if index == 1 {
+                ui.label("×");
+            }
+            let longest = crate::export::Size::longest(choice.unit);
+            number(ui, look, key, &mut choice.sides[index], [1.0, longest], 0.5);
+        }
+        let units = Unit::ALL.map(|unit| (unit, unit.id().to_owned()));
+        let before = choice.unit;
+        if segments(ui, &mut choice.unit, &units) {
+            let factor = before.points() / choice.unit.points();
+            choice.sides = choice.sides.map(|side| (side * factor).round().max(1.0));
+        }
+    });
+}
+
+fn tikz(ui: &mut Ui, look: &Look, choice: &mut Choice) {
+    let (mut slides, mut snippet) = match choice.tikz {
+        TikzForm::Standalone => (false, false),
+        TikzForm::Snippet => (false, true),
+        TikzForm::Beamer => (true, false),
+        TikzForm::BeamerSnippet => (true, true),
+    };
+    ui.checkbox(&mut slides, look.text("export-slides"));
+    ui.checkbox(&mut snippet, look.text("export-snippet"));
+    choice.tikz = match (slides, snippet) {
+        (false, false) => TikzForm::Standalone,
+        (false, true) => TikzForm::Snippet,
+        (true, false) => TikzForm::Beamer,
+        (true, true) => TikzForm::BeamerSnippet,
+    };
+}
+
+fn number(ui: &mut Ui, look: &Look, key: &str, value: &mut f64, range: [f64; 2], speed: f64) {
+    let field = DragValue::new(value).range(range[0]..=range[1]).speed(speed).max_decimals(2);
+    let response = ui.add_sized([64.0, 24.0], field);
+    let (name, value) = (look.text(key), *value);
+    response.widget_info(|| {
+        let mut info = eframe::egui::WidgetInfo::labeled(Role::SpinButton, true, name.as_str());
+        info.value = Some(value);
+        info
+    });
+}
+
+fn preview(ui: &mut Ui, look: &Look, shown: &Shown) {
+    let [width, height] = PREVIEW;
+    let name = look.text("export-preview");
+    Frame::new().fill(look.palette.panel).inner_margin(8.0).show(ui, |ui| {
+        ui.set_min_size(vec2(width, height));
+        let layout = Layout::centered_and_justified(eframe::egui::Direction::TopDown);
+        ui.allocate_ui_with_layout(vec2(width, height), layout, |ui| match shown.preview {
+            Some(texture) => {
+                ui.add(Image::new(texture).max_size(vec2(width, height)).alt_text(name));
+            }
+            None => {
+                ui.add(Spinner::new());
+            }
+        });
+    });
+}
+
+/// The command that does the same, to be read and copied.
+fn command(ui: &mut Ui, look: &Look, shown: &Shown) -> Option<Answer> {
+    let line = line(shown.request, shown.origin, &shown.choice.file);
+    let mut answer = None;
+    ui.horizontal(|ui| {
+        ui.label(RichText::new(look.text("export-command")).color(look.palette.quiet));
+        ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+            if ui.button(look.text("export-copy-command")).clicked() {
+                answer = Some(Answer::CopyCommand);
+            }
+        });
+    });
+    let frame = Frame::new().fill(look.palette.field).inner_margin(8.0);
+    frame.show(ui, |ui| {
+        ui.set_min_width(ui.available_width());
+        ui.add(Label::new(RichText::new(line).monospace().size(12.5)).wrap().selectable(true));
+    });
+    if shown.origin.is_unsaved {
+        let note =
+            look.texts.format("export-unsaved", &[("file", shown.origin.file.clone().into())]);
+        ui.label(RichText::new(note).color(look.palette.quiet).size(13.0));
+    }
+    answer
+}
+
+/// The command, as a shell reads it.
+pub fn line(request: &Request, origin: &Origin, file: &str) -> String {
+    shell_line(&request.command(&origin.file, origin.ray.as_deref(), file))
+}
+
+fn buttons(ui: &mut Ui, look: &Look, shown: &mut Shown) -> Option<Answer> {
+    let mut answer = None;
+    ui.add_space(6.0);
+    ui.horizontal(|ui| {
+        let label = ui.label(look.text("export-file"));
+        ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+            if ui.button(look.text("export-choose")).clicked() {
+                answer = Some(Answer::Choose);
+            }
+            let room = ui.available_width() - 12.0;
+            let field = TextEdit::singleline(&mut shown.choice.file).desired_width(room);
+            ui.add(field).labelled_by(label.id);
+        });
+    });
+    if files::is_there(Path::new(&shown.choice.file)) {
+        let note = RichText::new(look.text("export-replaces"));
+        ui.label(note.color(look.palette.quiet).size(13.0));
+    }
+    ui.add_space(4.0);
+    ui.horizontal(|ui| {
+        for (key, asked) in [
+            ("export-do", Answer::Export),
+            ("export-copy-image", Answer::CopyImage),
+            ("export-copy-svg", Answer::CopySvg),
+        ] {
+            if ui.button(look.text(key)).clicked() {
+                answer = Some(asked);
+            }
+        }
+        ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+            if ui.button(look.text("dialog-close")).clicked() {
+                answer = Some(Answer::Close);
+            }
+        });
+    });
+    answer
+}

@@ -1,0 +1,169 @@
+//! Exports from the window, and what comes back from them.
+
+use crate::desk::Desk;
+use eframe::egui::{Key, Modifiers, accesskit::Role};
+use octoscope::export::{Choice, Extent, Format, StepChoice};
+use octoscope::view::{Dialog, View};
+use octoscope::with_document;
+use octoscope_core::scenario::built_in;
+use octoscope_figure::{Background, Camera, Page, Theme, TikzForm, Unit};
+use std::fs;
+use std::path::Path;
+use std::process::Command;
+use tempfile::{TempDir, tempdir};
+
+/// The command that the dialog shows.
+fn shown_command(desk: &Desk) -> String {
+    let texts = desk.texts();
+    let command = texts.iter().find(|text| text.starts_with("octoscope export"));
+    command.expect("the dialog shows a command").clone()
+}
+
+/// Exports from the dialog; then runs the command that it shows in `folder`, and
+/// compares the files.
+#[track_caller]
+fn check(desk: &mut Desk, folder: &TempDir, choice: Choice) {
+    let file = choice.file.clone();
+    desk.state_mut().view.export = choice;
+    desk.press_with(Modifiers::COMMAND, Key::E);
+    assert_eq!(desk.state().view.dialog, Some(Dialog::Export));
+    let command = shown_command(desk);
+    let path = folder.path().join(&file);
+    let from_window = folder.path().join("window").join(&file);
+    fs::create_dir_all(from_window.parent().unwrap()).unwrap();
+    desk.state_mut().view.export.file = from_window.display().to_string();
+    desk.run();
+    desk.click(Role::Button, "Export");
+    desk.state_mut().finish_export();
+    desk.run();
+    assert_eq!(desk.state().view.dialog, None, "{command}");
+
+    let program = Path::new(env!("CARGO_BIN_EXE_octoscope"));
+    let line = command.replacen("octoscope", &program.display().to_string(), 1);
+    let output =
+        Command::new("sh").args(["-c", &line]).current_dir(folder.path()).output().unwrap();
+    assert!(output.status.success(), "{command}: {}", String::from_utf8_lossy(&output.stderr));
+    let [by_command, by_window] = [path, from_window].map(|path| fs::read(path).unwrap());
+    assert!(by_command.len() > 500 && by_command == by_window, "{command}");
+}
+
+fn choice(format: Format) -> Choice {
+    let mut choice = Choice::default();
+    choice.set_format(format);
+    choice
+}
+
+#[test]
+fn the_command_in_the_dialog_gives_the_same_bytes() {
+    let folder = tempdir().unwrap();
+    let mut desk = Desk::new();
+    desk.press(Key::End);
+    for format in [Format::Svg, Format::Pdf, Format::Png, Format::Tikz] {
+        check(&mut desk, &folder, choice(format));
+    }
+    // A ray that was turned round, from elsewhere, with other things shown.
+    desk.press(Key::R);
+    let page = Page { width: 640.0, height: 480.0 };
+    let bounds = desk.plane().tree.domain().root_box();
+    let mut camera = Camera::framing(&bounds, page);
+    (camera.target, camera.height) = ([0.31, 0.42], camera.height / 1.7);
+    desk.state_mut().view.plane_camera = Some(camera);
+    desk.state_mut().view.plane_show.codes = true;
+    for (unit, theme) in Unit::ALL.into_iter().zip(Theme::ALL) {
+        let chosen = Choice {
+            extent: Extent::Sized,
+            sides: [200.0, 150.0],
+            unit,
+            theme,
+            type_scale: 1.3,
+            background: Background::Transparent,
+            ..choice(Format::Svg)
+        };
+        check(&mut desk, &folder, chosen);
+    }
+}
+
+#[test]
+fn the_command_of_a_range_of_steps_gives_the_same_bytes() {
+    let folder = tempdir().unwrap();
+    let mut desk = Desk::new();
+    desk.open_scenario(&built_in("figure-7").unwrap());
+    let saved = folder.path().join("a scene.octo");
+    fs::write(&saved, built_in("figure-7").unwrap().print()).unwrap();
+    desk.open(&saved);
+    let steps = |format| Choice {
+        steps: StepChoice::Range,
+        range: [3, 6],
+        pause_secs: 0.25,
+        extent: Extent::Sized,
+        sides: [160.0, 120.0],
+        unit: Unit::Pixel,
+        tikz: TikzForm::Beamer,
+        ..choice(format)
+    };
+    for format in [Format::Gif, Format::Apng, Format::Tikz, Format::Pdf] {
+        check(&mut desk, &folder, steps(format));
+    }
+}
+
+#[test]
+fn what_is_not_saved_is_told_to_be_saved_first() {
+    let mut desk = Desk::new();
+    with_document!(desk.state_mut().document_mut(), d => d.scenario.recipe.depth -= 1);
+    desk.step();
+    desk.state_mut().finish_work();
+    desk.run();
+    desk.press_with(Modifiers::COMMAND, Key::E);
+    assert!(desk.says("First save the scenario as scenario.octo."));
+    assert!(shown_command(&desk).contains(" scenario.octo "));
+}
+
+#[test]
+fn an_exported_figure_opens_at_the_same_step() {
+    let folder = tempdir().unwrap();
+    for format in [Format::Svg, Format::Pdf] {
+        let mut desk = Desk::new();
+        desk.press(Key::R);
+        desk.press(Key::ArrowDown);
+        let (step, ray, sentence) =
+            (desk.step_number(), desk.plane().scenario.ray, desk.sentence());
+        let path = folder.path().join(format!("figure.{}", format.ending()));
+        desk.state_mut().view.export =
+            Choice { file: path.display().to_string(), ..choice(format) };
+        desk.press_with(Modifiers::COMMAND, Key::E);
+        desk.click(Role::Button, "Export");
+        desk.state_mut().finish_export();
+
+        let again = Desk::with_file(&path);
+        assert_eq!(again.state().view.dialog, None);
+        assert_eq!(again.step_number(), step, "{format:?}");
+        assert_eq!(again.plane().scenario.ray, ray);
+        assert_eq!(again.sentence(), sentence);
+        assert!(again.plane().path.is_none(), "it is saved under another name");
+    }
+}
+
+#[test]
+fn what_was_chosen_is_remembered() {
+    let mut desk = Desk::new();
+    desk.press_with(Modifiers::COMMAND, Key::E);
+    desk.click(Role::Button, "PDF");
+    assert!(desk.state().view.export.file.ends_with(".pdf"));
+    desk.press(Key::Escape);
+    assert_eq!(desk.state().view.dialog, None);
+    let json = serde_json::to_string(&desk.state().view).unwrap();
+    let view: View = serde_json::from_str(&json).unwrap();
+    assert_eq!(view.export.format, Format::Pdf);
+}
+
+#[test]
+fn a_path_that_cannot_be_written_is_one_message() {
+    let mut desk = Desk::new();
+    desk.state_mut().view.export.file = "no/such/folder/a.svg".to_owned();
+    desk.press_with(Modifiers::COMMAND, Key::E);
+    desk.click(Role::Button, "Export");
+    desk.state_mut().finish_export();
+    desk.run();
+    let Some(Dialog::Error(message)) = desk.state().view.dialog.clone() else { panic!() };
+    assert!(message.contains("no such folder"), "{message}");
+}
