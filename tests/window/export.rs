@@ -6,6 +6,7 @@ use octoscope::export::{Choice, Extent, Format, StepChoice};
 use octoscope::view::{Dialog, View};
 use octoscope::with_document;
 use octoscope_core::scenario::built_in;
+use octoscope_figure::views::FigureView;
 use octoscope_figure::{Background, Camera, Page, Theme, TikzForm, Unit};
 use std::fs;
 use std::path::Path;
@@ -25,7 +26,13 @@ fn shown_command(desk: &Desk) -> String {
 fn check(desk: &mut Desk, folder: &TempDir, choice: Choice) {
     let file = choice.file.clone();
     desk.state_mut().view.export = choice;
-    desk.press_with(Modifiers::COMMAND, Key::E);
+    desk.key_press_modifiers(Modifiers::COMMAND, Key::E);
+    // The dialog does not settle before its picture is there.
+    desk.step();
+    desk.step();
+    let context = desk.ctx.clone();
+    desk.state_mut().finish_preview(&context);
+    desk.run();
     assert_eq!(desk.state().view.dialog, Some(Dialog::Export));
     let command = shown_command(desk);
     let path = folder.path().join(&file);
@@ -60,6 +67,11 @@ fn the_command_in_the_dialog_gives_the_same_bytes() {
     desk.press(Key::End);
     for format in [Format::Svg, Format::Pdf, Format::Png, Format::Tikz] {
         check(&mut desk, &folder, choice(format));
+    }
+    for view in [FigureView::TRail, FigureView::Storyboard, FigureView::Worksheet] {
+        let format = if view == FigureView::TRail { Format::Tikz } else { Format::Svg };
+        let solution = view == FigureView::Worksheet;
+        check(&mut desk, &folder, Choice { view, solution, ..choice(format) });
     }
     // A ray that was turned round, from elsewhere, with other things shown.
     desk.press(Key::R);
@@ -141,6 +153,18 @@ fn an_exported_figure_opens_at_the_same_step() {
         assert_eq!(again.sentence(), sentence);
         assert!(again.plane().path.is_none(), "it is saved under another name");
     }
+}
+
+#[test]
+fn every_view_that_fits_can_be_chosen() {
+    let mut desk = Desk::new();
+    desk.press_with(Modifiers::COMMAND, Key::E);
+    desk.click(Role::ComboBox, "What");
+    desk.click(Role::Button, "t-rail");
+    assert_eq!(desk.state().view.export.view, FigureView::TRail);
+    assert!(shown_command(&desk).contains("--view=t-rail"));
+    // What space shows is asked for only where it is seen.
+    assert!(!desk.says("What is shown"));
 }
 
 #[test]
