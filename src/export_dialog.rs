@@ -35,6 +35,8 @@ pub struct Shown<'a> {
     pub origin: &'a Origin,
     /// The picture of the figure, if it is there already.
     pub preview: Option<&'a TextureHandle>,
+    /// Why the figure cannot be drawn, in words.
+    pub fault: Option<&'a str>,
 }
 
 /// What the user asks for.
@@ -240,12 +242,17 @@ fn preview(ui: &mut Ui, look: &Look, shown: &Shown) {
     Frame::new().fill(look.palette.panel).inner_margin(8.0).show(ui, |ui| {
         ui.set_min_size(vec2(width, height));
         let layout = Layout::centered_and_justified(eframe::egui::Direction::TopDown);
-        ui.allocate_ui_with_layout(vec2(width, height), layout, |ui| match shown.preview {
-            Some(texture) => {
-                ui.add(Image::new(texture).max_size(vec2(width, height)).alt_text(name));
-            }
-            None => {
-                ui.add(Spinner::new());
+        ui.allocate_ui_with_layout(vec2(width, height), layout, |ui| {
+            match (shown.fault, shown.preview) {
+                (Some(fault), _) => {
+                    ui.add(Label::new(fault).wrap());
+                }
+                (None, Some(texture)) => {
+                    ui.add(Image::new(texture).max_size(vec2(width, height)).alt_text(name));
+                }
+                (None, None) => {
+                    ui.add(Spinner::new());
+                }
             }
         });
     });

@@ -13,6 +13,7 @@ use anyhow::anyhow;
 use eframe::egui::{ColorImage, Context, TextureHandle, TextureOptions};
 use octoscope_core::progress::{Cancelled, Progress};
 use octoscope_core::scenario::AnyScenario;
+use octoscope_core::text::Texts;
 use octoscope_figure::{Pixels, Show};
 use std::path::{Path, PathBuf};
 
@@ -30,6 +31,8 @@ pub(super) struct Exporting {
 #[derive(Default)]
 struct Preview {
     texture: Option<TextureHandle>,
+    /// Why there is none.
+    fault: Option<String>,
     /// What the picture shows, or will show once it is made.
     wanted: Option<(AnyDocument, Request, usize)>,
     making: Option<Job<anyhow::Result<Pixels>>>,
@@ -60,6 +63,7 @@ impl App {
             request: &request,
             origin: &origin,
             preview: self.exporting.preview.texture.as_ref(),
+            fault: self.exporting.preview.fault.as_deref(),
         };
         let answer = export_dialog::ui(context, &self.look, shown);
         (self.view.export, self.view.language) = (choice, language);
@@ -184,7 +188,7 @@ impl App {
                     preview.making = Some(job);
                     return;
                 }
-                poll => preview.take(context, poll),
+                poll => preview.take(context, &self.look.texts, poll),
             }
         }
         let step = self.view.playback.step;
@@ -207,7 +211,7 @@ impl App {
     /// Waits until the picture in the dialog is made.
     pub fn finish_preview(&mut self, context: &Context) {
         if let Some(job) = self.exporting.preview.making.take() {
-            self.exporting.preview.take(context, job.wait());
+            self.exporting.preview.take(context, &self.look.texts, job.wait());
         }
     }
 
@@ -228,15 +232,16 @@ impl App {
 }
 
 impl Preview {
-    /// Takes the picture that was made; one that could not be made is told when it
-    /// is exported.
-    fn take(&mut self, context: &Context, poll: Poll<anyhow::Result<Pixels>>) {
+    /// Takes the picture that was made, or why it could not be made.
+    fn take(&mut self, context: &Context, texts: &Texts, poll: Poll<anyhow::Result<Pixels>>) {
         match poll {
             Poll::Done(Ok(pixels)) => {
                 let (image, options) = (image(&pixels), TextureOptions::LINEAR);
                 self.texture = Some(context.load_texture("export", image, options));
+                self.fault = None;
             }
-            Poll::Done(Err(_)) | Poll::Broken | Poll::Running => {}
+            Poll::Done(Err(error)) => self.fault = Some(complaint::told(texts, &error)),
+            Poll::Broken | Poll::Running => {}
         }
     }
 }

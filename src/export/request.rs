@@ -9,10 +9,11 @@ use octoscope_core::explain::sentence;
 use octoscope_core::progress::Progress;
 use octoscope_core::scenario::StepAt;
 use octoscope_core::text::Language;
-use octoscope_figure::views::{Fields, FigureView};
+use octoscope_figure::views::{Fields, FigureView, ViewError};
 use octoscope_figure::{
     Background, Figure, FileOptions, Page, Pixels, PixelsError, Scale, Show, TikzForm, Unit, svg,
 };
+use std::ops::RangeInclusive;
 use std::path::Path;
 
 /// What is exported of a document, and how.
@@ -141,11 +142,31 @@ impl Request {
         };
         self.moments.check(document.n_events())?;
         then(&Series {
-            steps: steps.numbers(document.n_events())?,
+            steps: self.shown_of(document, steps)?,
             figure: &|page, step| with_document!(document, d => self.figure(d, page, step)),
             title: &title,
             scenario: &scenario,
         })
+    }
+
+    /// The numbers of these steps; of all, those from the first with something to show.
+    fn shown_of(
+        &self,
+        document: &AnyDocument,
+        steps: Steps,
+    ) -> anyhow::Result<RangeInclusive<usize>> {
+        let numbers = steps.numbers(document.n_events())?;
+        let (start, last) = (*numbers.start(), *numbers.end());
+        if steps != Steps::All {
+            return Ok(numbers);
+        }
+        let page = self.order.page();
+        let shown = with_document!(document, d => self.figure(d, page, start));
+        let first = shown.err().and_then(|error| match error.downcast_ref() {
+            Some(ViewError::Step { first, .. }) => Some(*first),
+            Some(ViewError::Query { .. } | ViewError::Never { .. }) | None => None,
+        });
+        Ok(first.unwrap_or(start)..=last)
     }
 
     fn figure<const D: usize>(

@@ -254,6 +254,9 @@ fn several_steps_are_pages_pictures_frames_or_files() {
     let control = file.windows(4).position(|name| name == b"acTL").unwrap();
     let n_frames = u32::from_be_bytes(*file[control + 4..].first_chunk().unwrap());
     assert_eq!(n_frames as usize, n_steps);
+    // As far as there is something to show.
+    desk.prints("export a.octo --view t-rail --size 80x60 -o c.gif");
+    assert!(read("c.gif").starts_with(b"GIF89a"));
     let message = desk.refuses("export a.octo --step all --format svg");
     assert!(message.contains("-o"), "{message}");
 }

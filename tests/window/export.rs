@@ -2,10 +2,12 @@
 
 use crate::desk::Desk;
 use eframe::egui::{Key, Modifiers, accesskit::Role};
+use egui_kittest::kittest::Queryable;
 use octoscope::export::{Choice, Extent, Format, StepChoice};
 use octoscope::view::{Dialog, View};
 use octoscope::with_document;
 use octoscope_core::scenario::built_in;
+use octoscope_figure::views::FigureView;
 use octoscope_figure::{Background, Camera, Page, Theme, TikzForm, Unit};
 use std::fs;
 use std::path::Path;
@@ -25,7 +27,13 @@ fn shown_command(desk: &Desk) -> String {
 fn check(desk: &mut Desk, folder: &TempDir, choice: Choice) {
     let file = choice.file.clone();
     desk.state_mut().view.export = choice;
-    desk.press_with(Modifiers::COMMAND, Key::E);
+    desk.key_press_modifiers(Modifiers::COMMAND, Key::E);
+    // The dialog does not settle before its picture is there.
+    desk.step();
+    desk.step();
+    let context = desk.ctx.clone();
+    desk.state_mut().finish_preview(&context);
+    desk.run();
     assert_eq!(desk.state().view.dialog, Some(Dialog::Export));
     let command = shown_command(desk);
     let path = folder.path().join(&file);
@@ -33,7 +41,9 @@ fn check(desk: &mut Desk, folder: &TempDir, choice: Choice) {
     fs::create_dir_all(from_window.parent().unwrap()).unwrap();
     desk.state_mut().view.export.file = from_window.display().to_string();
     desk.run();
-    desk.click(Role::Button, "Export");
+    desk.get_by_role_and_label(Role::Button, "Export").click();
+    desk.step();
+    desk.step();
     desk.state_mut().finish_export();
     desk.run();
     assert_eq!(desk.state().view.dialog, None, "{command}");
@@ -60,6 +70,10 @@ fn the_command_in_the_dialog_gives_the_same_bytes() {
     desk.press(Key::End);
     for format in [Format::Svg, Format::Pdf, Format::Png, Format::Tikz] {
         check(&mut desk, &folder, choice(format));
+    }
+    for view in [FigureView::TRail, FigureView::Storyboard, FigureView::Listing] {
+        let format = if view == FigureView::TRail { Format::Tikz } else { Format::Svg };
+        check(&mut desk, &folder, Choice { view, ..choice(format) });
     }
     // A ray that was turned round, from elsewhere, with other things shown.
     desk.press(Key::R);
@@ -141,6 +155,18 @@ fn an_exported_figure_opens_at_the_same_step() {
         assert_eq!(again.sentence(), sentence);
         assert!(again.plane().path.is_none(), "it is saved under another name");
     }
+}
+
+#[test]
+fn every_view_that_fits_can_be_chosen() {
+    let mut desk = Desk::new();
+    desk.press_with(Modifiers::COMMAND, Key::E);
+    desk.click(Role::ComboBox, "What");
+    desk.click(Role::Button, "t-rail");
+    assert_eq!(desk.state().view.export.view, FigureView::TRail);
+    assert!(shown_command(&desk).contains("--view=t-rail"));
+    // What space shows is asked for only where it is seen.
+    assert!(!desk.says("What is shown"));
 }
 
 #[test]

@@ -55,6 +55,7 @@ fn escaped(text: &str) -> String {
             '…' => out += "\\dots{}",
             '°' => out += "$^\\circ$",
             '₀'..='₉' => out += &format!("$_{}$", u32::from(c) - u32::from('₀')),
+            'ₘ' => out += "$_m$",
             c if c.is_control() => out.push(' '),
             c if (c as u32) < 0x180 || ('–'..='„').contains(&c) => out.push(c),
             c => match mathematics(c) {
@@ -118,6 +119,7 @@ mod tests {
         check("−∞ … 3°", "$-$$\\infty$ \\dots{} 3$^\\circ$");
         check("a < b", "a $<$ b");
         check("x₀", "x$_0$");
+        check("tₘ", "t$_m$");
         check("„so“ – ‘x’", "„so“ – ‘x’");
         check("a\u{1}b ☃", "a b [U+2603]");
     }
