@@ -66,8 +66,8 @@ fn n_fitting(ui: &Ui, look: &Look, runs: &[Run]) -> usize {
     let name = |run: &Run| width(run.algorithm.id().to_owned(), FontId::proportional(13.0));
     let names = widest(&mut runs.iter().map(name)) + BUTTON;
     let columns = HEADS.iter().enumerate().scan(names, |end, (n, key)| {
-        // The sign of the order stands behind a head, that of the verdict before a number.
-        let head = width(format!("{} ↑", look.text(key)), FontId::proportional(12.0));
+        let head = width(look.text(key), FontId::proportional(12.0));
+        // The sign of the verdict stands before a number.
         let sign = if n == 0 { "= " } else { "" };
         let number =
             |run: &Run| width(format!("{sign}{}", numbers(run)[n]), FontId::monospace(13.0));
