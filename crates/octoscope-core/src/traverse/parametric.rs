@@ -92,12 +92,7 @@ impl<const D: usize, P: Parameter, O: Observer<D>> Walk<'_, D, P, O> {
         // Halve: the parameters of the mid planes.
         let half = 1 << (level - 1);
         let planes = code.map(|c| c + half);
-        let (mid, event) = if self.options.variants.has(Variant::Averaged) {
-            averaged(self.tree.domain(), self.ray, near, planes, far)
-        } else {
-            let mid = at_planes::<D, P>(self.tree.domain(), self.ray, planes);
-            (mid, halved(self.ray, mid))
-        };
+        let (mid, event) = halve(self.tree.domain(), self.ray, self.options, [near, far], planes);
         self.observe.observe(event);
 
         // Enter: the first child is past every mid plane that is not after the entry.
@@ -150,11 +145,28 @@ impl<const D: usize, P: Parameter, O: Observer<D>> Walk<'_, D, P, O> {
     }
 }
 
+/// Parameters of the mid planes at grid indices `planes`, with the step of finding
+/// them: each from its coordinate, or as a mean of `near` and `far`.
+#[inline]
+pub(super) fn halve<const D: usize, P: Parameter>(
+    domain: &Domain<D>,
+    ray: &Ray<D>,
+    options: Options,
+    [near, far]: [[P; D]; 2],
+    planes: [u32; D],
+) -> ([P; D], Event<D>) {
+    if options.variants.has(Variant::Averaged) {
+        return averaged(domain, ray, near, planes, far);
+    }
+    let mid = at_planes::<D, P>(domain, ray, planes);
+    (mid, halved(ray, mid))
+}
+
 /// Parameters of the mid planes as the mean of those of the near and far planes
 /// [Revelles 2000, eq. 13], along axes without motion from their coordinate
 /// (eq. 15); with the step of finding them. No division in doubles.
 #[inline]
-pub(super) fn averaged<const D: usize, P: Parameter>(
+fn averaged<const D: usize, P: Parameter>(
     domain: &Domain<D>,
     ray: &Ray<D>,
     near: [P; D],

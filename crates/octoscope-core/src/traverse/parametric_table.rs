@@ -14,9 +14,9 @@
 //! as its authors corrected it; mid planes from their coordinate.
 
 use super::algorithm::Options;
-use super::clip::{Clip, at_planes, clip_root, earliest, halved, latest};
+use super::clip::{Clip, clip_root, earliest, latest};
 use super::misprint::{self, Base};
-use super::parametric::averaged;
+use super::parametric::halve;
 use super::report::{Report, finish, missed};
 use super::variant::Variant;
 use crate::event::{Event, Observer, Outcome};
@@ -131,12 +131,7 @@ impl<const D: usize, P: Parameter, O: Observer<D>> Walk<'_, D, P, O> {
         // Halve: the parameters of the mid planes.
         let half = 1 << (level - 1);
         let planes = code.map(|c| c + half);
-        let (mid, event) = if self.options.variants.has(Variant::Averaged) {
-            averaged(self.tree.domain(), self.ray, near, planes, far)
-        } else {
-            let mid = at_planes::<D, P>(self.tree.domain(), self.ray, planes);
-            (mid, halved(self.ray, mid))
-        };
+        let (mid, event) = halve(self.tree.domain(), self.ray, self.options, [near, far], planes);
         self.observe.observe(event);
 
         // Enter: Table 2, from the near plane that is reached last.
