@@ -1,18 +1,14 @@
 //! The figure of a scene: marks, seen through a camera.
 
+mod labels;
+
 use crate::camera::corners;
-use crate::figure::text_reach;
 use crate::ground::{bounds_of, ground, is_ground};
-use crate::numbers::{Number, Stand, stands};
 use crate::painter::{Half, Painted, at_share, back_to_front};
 use crate::parts::{Arrow, part_of_plane};
 use crate::sides::sides_to_eye;
-use crate::{
-    Anchor, Camera, Drawn, Figure, Form, Mark, Page, Part, Projected, Role, Shape, Style, Theme,
-};
+use crate::{Camera, Drawn, Figure, Form, Mark, Page, Part, Projected, Role, Shape, Style, Theme};
 use octoscope_core::geometry::Aabb;
-use octoscope_core::tree::NodeId;
-use std::collections::HashMap;
 
 /// Figure of `marks` as `camera` shows them on `page`. In space, boxes of one
 /// tree cover each other as they do for the eye; leaves and solids lie below
@@ -335,179 +331,6 @@ impl<const D: usize> Canvas<'_, D> {
             let order = above_space(mark.role);
             self.drawn.extend([(order, line), (order, head)]);
         }
-    }
-
-    fn write(&mut self, mark: &Mark<D>) {
-        let Some(text) = &mark.text else {
-            return;
-        };
-        let place = |world| self.camera.project(self.page, world).map(|p| p.at);
-        match mark.shape {
-            Shape::Label(at) if D == 2 && matches!(mark.role, Role::AxisLabel(_)) => {
-                if let Some(at) = place(at) {
-                    let reach = text_reach(mark.role, text);
-                    let at = self.outside(mark.role, at, reach);
-                    if let Some(at) = self.room([at], reach) {
-                        self.text(mark, at, text);
-                    }
-                }
-            }
-            Shape::Label(at) => {
-                let reach = text_reach(mark.role, text);
-                let candidates = place(at).into_iter().flat_map(|[x, y]| {
-                    [[0.0, 0.0], [0.0, -1.0], [0.0, 1.0], [1.0, 0.0], [-1.0, 0.0]]
-                        .map(|[i, j]| [x + 1.6 * i * reach[0], y + 1.6 * j * reach[1]])
-                });
-                if let Some(at) = self.room(candidates, reach) {
-                    self.text(mark, at, text);
-                }
-            }
-            Shape::LabelIn { at, bounds } => {
-                let reach = text_reach(mark.role, text);
-                let [width, height] = self.extent(&bounds);
-                let fits = width > 2.0 * reach[0] + 4.0 && height > 2.0 * reach[1] + 2.0;
-                let places = [at, bounds.centre()].map(place);
-                let places = places.into_iter().flatten().filter(|_| fits);
-                if let Some(at) = self.room(places, reach) {
-                    self.text(mark, at, text);
-                }
-            }
-            Shape::Plane { bounds, .. } => {
-                // A letter beside a small plane would hide what it names.
-                let [width, height] = self.extent(&bounds);
-                if width.max(height) < LEGIBLE {
-                    return;
-                }
-                // Beyond a corner of the plane, the lowest on the page first.
-                let reach = text_reach(mark.role, text);
-                let Some(middle) = place(bounds.centre()) else {
-                    return;
-                };
-                let mut ends: Vec<_> = corners(&bounds).filter_map(place).collect();
-                ends.sort_by(|a, b| b[1].total_cmp(&a[1]).then(b[0].total_cmp(&a[0])));
-                let candidates = ends.into_iter().map(|end| {
-                    let length = distance(end, middle).max(1e-9);
-                    std::array::from_fn(|e| {
-                        end[e] + (end[e] - middle[e]) / length * (reach[e] + 5.0)
-                    })
-                });
-                if let Some(at) = self.room(candidates, reach) {
-                    self.text(mark, at, text);
-                }
-            }
-            Shape::Box(_)
-            | Shape::Segment(_)
-            | Shape::Arrow(_)
-            | Shape::Point(_)
-            | Shape::Tip(_)
-            | Shape::Sphere { .. }
-            | Shape::Triangle(_)
-            | Shape::LabelAlong(_) => {}
-        }
-    }
-
-    /// Width and height of a box on the page.
-    fn extent(&self, bounds: &Aabb<D>) -> [f64; 2] {
-        let on_page = corners(bounds).filter_map(|c| self.camera.project(self.page, c));
-        let (mut min, mut max) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
-        for Projected { at, .. } in on_page {
-            min = std::array::from_fn(|e| min[e].min(at[e]));
-            max = std::array::from_fn(|e| max[e].max(at[e]));
-        }
-        std::array::from_fn(|e| (max[e] - min[e]).max(0.0))
-    }
-
-    /// Where a label stands beside the tick `at` of its axis: below the x axis,
-    /// left of the y axis, on the page if the tick is.
-    fn outside(&self, role: Role, [x, y]: [f64; 2], reach: [f64; 2]) -> [f64; 2] {
-        const GAP: f64 = 7.0;
-        let page = [self.page.width, self.page.height];
-        let is_along_x = matches!(role, Role::AxisLabel(0));
-        let beside = if is_along_x { [x, y + reach[1] + GAP] } else { [x - reach[0] - GAP, y] };
-        let is_on_page = (0..2).all(|e| (0.0..=page[e]).contains(&[x, y][e]));
-        if !is_on_page {
-            return beside;
-        }
-        std::array::from_fn(|e| beside[e].min(page[e] - reach[e]).max(reach[e]))
-    }
-
-    /// Writes the labels along lines, as many as there is room for.
-    fn number(&mut self, marks: &[Mark<D>]) {
-        let page = [self.page.width, self.page.height];
-        let (mut numbers, mut labels) = (Vec::new(), Vec::new());
-        let leaves = self.visited_areas(marks);
-        let along = marks.iter().filter_map(|mark| match (mark.shape, &mark.text) {
-            (Shape::LabelAlong(ends), Some(text)) => Some((mark, ends, text)),
-            _ => None,
-        });
-        for (index, (mark, ends, text)) in along.enumerate() {
-            if let Some(chord) = self.camera.visible_segment(self.page, ends) {
-                let style = Style::of(Theme::Light, mark.role);
-                let [half_width, _] = text_reach(mark.role, text);
-                let disc = style.radius.max(half_width + 2.0);
-                let radius = disc + 0.5 * style.width;
-                let leaf = mark.node.and_then(|node| leaves.get(&node)).copied();
-                numbers.push(Number { order: index + 1, chord, radius, leaf });
-                labels.push((mark, disc, text));
-            }
-        }
-        let stands = stands(&numbers, &self.taken, page);
-        let stands: Vec<_> = labels
-            .into_iter()
-            .zip(stands)
-            .filter_map(|(label, stand)| Some((label, stand?)))
-            .collect();
-        for ((mark, ..), Stand { leader, .. }) in &stands {
-            if let Some(line) = leader {
-                let line = Form::Polyline(line.to_vec());
-                self.push_at(above_space(mark.role), mark, Part::Edge, line);
-            }
-        }
-        for ((mark, radius, text), Stand { at, .. }) in stands {
-            let disc = Form::Circle { centre: at, radius };
-            self.push_at(above_space(mark.role), mark, Part::Whole, disc);
-            self.text(mark, at, text);
-        }
-    }
-
-    /// Corners on the page of the visited leaves, where they are areas of it.
-    fn visited_areas(&self, marks: &[Mark<D>]) -> HashMap<NodeId, [[f64; 2]; 2]> {
-        if D != 2 {
-            return HashMap::new();
-        }
-        let boxes = marks.iter().filter_map(|mark| match (mark.role, mark.shape) {
-            (Role::Visited { .. }, Shape::Box(bounds)) => Some((mark.node?, bounds)),
-            _ => None,
-        });
-        let areas = boxes.filter_map(|(node, bounds)| {
-            let [a, b] = [bounds.min, bounds.max].map(|p| self.camera.project(self.page, p));
-            let (a, b) = (a?.at, b?.at);
-            let corner = |pick: fn(f64, f64) -> f64| std::array::from_fn(|e| pick(a[e], b[e]));
-            Some((node, [corner(f64::min), corner(f64::max)]))
-        });
-        areas.collect()
-    }
-
-    fn text(&mut self, mark: &Mark<D>, at: [f64; 2], text: &str) {
-        let form = Form::Text { at, anchor: Anchor::Middle, text: text.into() };
-        self.push_at(above_space(mark.role), mark, Part::Whole, form);
-    }
-
-    /// The first of some places where a label covers nothing; from then on it
-    /// is taken.
-    fn room(
-        &mut self,
-        places: impl IntoIterator<Item = [f64; 2]>,
-        reach: [f64; 2],
-    ) -> Option<[f64; 2]> {
-        let free = |at: &[f64; 2]| {
-            !self.taken.iter().any(|[other, extent]| {
-                (0..2).all(|e| (at[e] - other[e]).abs() < reach[e] + extent[e])
-            })
-        };
-        let at = places.into_iter().find(free)?;
-        self.taken.push([at, reach]);
-        Some(at)
     }
 
     /// Draws a form of a mark that lies in `bounds`.
