@@ -1,7 +1,7 @@
 //! Parameters t of the planes of the current node, on one axis.
 
 use crate::look::Look;
-use crate::widgets::{paint_figure, room};
+use crate::widgets::{node_note, paint_figure, room};
 use eframe::egui::{
     Align, Label, Layout, Pos2, RichText, Sense, Ui, UiBuilder, WidgetInfo, accesskit::Role, vec2,
 };
@@ -53,10 +53,7 @@ pub fn ui<const D: usize>(
 
 /// The node of which the rail tells.
 pub fn note<const D: usize>(look: &Look, tree: &Tree<D>, moment: &Moment<D>) -> String {
-    let Some(node) = rail_node(moment) else { return String::new() };
-    let codes = tree.code(node).map(|c| c.to_string()).join(", ");
-    let arguments = [("level", tree.level(node).into()), ("codes", codes.into())];
-    look.texts.format("node-note", &arguments)
+    node_note(look, tree, rail_node(moment))
 }
 
 /// What is pointed at on the rail.

@@ -4,7 +4,7 @@ use crate::look::Look;
 use crate::space::{PageInWindow, paint_figure};
 use crate::tree_view::TreeView;
 use crate::view::Hover;
-use crate::widgets::{caption, rich_label};
+use crate::widgets::{caption, node_note, rich_label};
 use eframe::egui::{
     Key, Painter, Rect, Response, Sense, Stroke, StrokeKind, Ui, Vec2, WidgetInfo, accesskit::Role,
     vec2,
@@ -42,10 +42,7 @@ enum Click {
 
 /// Levels of the current and of the root.
 pub fn note<const D: usize>(look: &Look, of: &DiagramOf<D>) -> String {
-    let Some(node) = of.moment.current else { return String::new() };
-    let codes = of.tree.code(node).map(|c| c.to_string()).join(", ");
-    let arguments = [("level", of.tree.level(node).into()), ("codes", codes.into())];
-    look.texts.format("node-note", &arguments)
+    node_note(look, of.tree, of.moment.current)
 }
 
 /// The diagram: nodes light each other here and in the picture; a click goes to

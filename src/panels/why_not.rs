@@ -2,7 +2,7 @@
 
 use crate::look::Look;
 use crate::view::Hover;
-use crate::widgets::{Lit, caption, child_bits, lit, rich_label};
+use crate::widgets::{Lit, caption, child_bits, lit, node_note, rich_label};
 use eframe::egui::{Grid, RichText, Ui};
 use octoscope_core::explain::{Naming, fate_name, fate_numbers, fate_sentence};
 use octoscope_core::geometry::Axes;
@@ -16,10 +16,7 @@ const WITH_BITS: f32 = 340.0;
 
 /// The node whose children are chosen among.
 pub fn note<const D: usize>(look: &Look, of: &DiagramOf<D>) -> String {
-    let Some(node) = of.moment.at_work(of.tree) else { return String::new() };
-    let codes = of.tree.code(node).map(|c| c.to_string()).join(", ");
-    let arguments = [("level", of.tree.level(node).into()), ("codes", codes.into())];
-    look.texts.format("node-note", &arguments)
+    node_note(look, of.tree, of.moment.at_work(of.tree))
 }
 
 /// A row a child, with the comparison that rules it out or the interval of the
