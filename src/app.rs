@@ -12,6 +12,7 @@ use crate::files;
 use crate::history::{History, Shared, Weighed};
 use crate::job::Job;
 use crate::look::Look;
+use crate::map::Maps;
 use crate::notice::Notice;
 use crate::open::open_built_in;
 use crate::space::Layers;
@@ -54,6 +55,8 @@ pub struct App {
     n_searches: u64,
     /// The ray of the gallery that was shown last.
     degenerate: Option<Degenerate>,
+    /// Maps of rays, for the panel that shows them.
+    maps: Maps,
     /// Layers on the graphics adapter; `None` without one.
     layers: Option<Layers>,
 }
@@ -119,6 +122,7 @@ impl App {
             noticed: None,
             n_searches: 0,
             degenerate: None,
+            maps: Maps::default(),
             layers,
         };
         app.go_to_start();

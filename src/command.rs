@@ -226,6 +226,7 @@ pub const COMMANDS: &[Row] = &[
     panel(PanelKind::Grid, "panel-grid"),
     panel(PanelKind::Compare, "panel-compare"),
     panel(PanelKind::Paper, "panel-paper"),
+    panel(PanelKind::Map, "panel-map"),
     row(Command::Question, "command-question", Menu::View, &[key(Key::Q)]),
     row(Command::RestorePanels, "command-restore-panels", Menu::View, &[ctrl(Key::R)]),
     row(Command::FrameAll, "command-frame-all", Menu::View, &[key(Key::F)]),

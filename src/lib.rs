@@ -16,6 +16,7 @@ pub mod finder;
 pub mod history;
 pub mod job;
 pub mod look;
+pub mod map;
 pub mod notice;
 pub mod open;
 pub mod panels;

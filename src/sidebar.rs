@@ -4,6 +4,7 @@ mod explanation;
 
 use crate::document::Document;
 use crate::look::Look;
+use crate::map::Maps;
 use crate::notice::Notice;
 use crate::panels::{query, ray, scene, show};
 use crate::space::{self, Layers, Space};
@@ -43,6 +44,7 @@ pub fn ui<const D: usize>(
     document: &mut Document<D>,
     view: &mut View,
     layers: Option<&mut Layers>,
+    maps: &mut Maps,
     notice: &mut Notice,
 ) -> Option<Wish> {
     let moment = document.moment(view.playback.step);
@@ -78,7 +80,7 @@ pub fn ui<const D: usize>(
                     scene = question(ui, look, document, view, notice);
                     ui.separator();
                 }
-                wish = explanation::ui(ui, look, document, &moment, view, &panels);
+                wish = explanation::ui(ui, look, document, &moment, view, maps, &panels);
                 if question_below {
                     ui.separator();
                     scene = question(ui, look, document, view, notice);

@@ -2,6 +2,7 @@
 
 mod dialog;
 mod hover;
+mod map;
 
 use crate::arrangement::Arrangement;
 use crate::export::Choice;
@@ -22,6 +23,7 @@ use std::collections::BTreeMap;
 
 pub use dialog::{Dialog, Search, Typed};
 pub use hover::Hover;
+pub use map::{MapView, RaysOf};
 
 /// State of the window: neither undone nor saved with the scenario.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -41,6 +43,8 @@ pub struct View {
     pub plane_show: Show,
     /// What it shows of octrees.
     pub space_show: Show,
+    /// What the map of rays shows.
+    pub map: MapView,
     /// What was chosen for the last export.
     pub export: Choice,
     /// The playhead.
@@ -165,11 +169,13 @@ pub enum PanelKind {
     Tree,
     /// What rules the children of a node out.
     WhyNot,
+    /// Many rays at once.
+    Map,
 }
 
 impl PanelKind {
     /// All panels, in the order of the menu.
-    pub const ALL: [Self; 20] = [
+    pub const ALL: [Self; 21] = [
         Self::Tree,
         Self::WhyNot,
         Self::Rail,
@@ -190,6 +196,7 @@ impl PanelKind {
         Self::Grid,
         Self::Compare,
         Self::Paper,
+        Self::Map,
     ];
 
     /// Key of its title in the language files.
@@ -215,6 +222,7 @@ impl PanelKind {
             Self::Paper => "panel-paper",
             Self::Tree => "panel-tree",
             Self::WhyNot => "panel-why-not",
+            Self::Map => "panel-map",
         }
     }
 }
@@ -236,7 +244,7 @@ impl Preset {
     pub fn panels<const D: usize>(self, query: &Query<D>) -> Vec<PanelKind> {
         use PanelKind::{
             Automaton, Children, Codes, Compare, Counters, Cuts, Grid, Halves, Links, Listing,
-            Neighbour, Paper, Rail, Region, Stack, Tables, Tree, Variables, WayDown, WhyNot,
+            Map, Neighbour, Paper, Rail, Region, Stack, Tables, Tree, Variables, WayDown, WhyNot,
         };
         let own = own_panel(query);
         let about_rays = matches!(query, Query::Ray { .. });
@@ -267,7 +275,7 @@ impl Preset {
             Query::Point { .. } | Query::Region { .. } | Query::Neighbour { .. } => false,
         };
         let says_something = |kind: &PanelKind| match kind {
-            Rail | Compare => about_rays,
+            Rail | Compare | Map => about_rays,
             Automaton => has_states,
             Stack => has_stack,
             Region | Neighbour | Tables | Cuts | Children | WayDown | Links | Halves | Grid => {

@@ -130,6 +130,7 @@ impl App {
         if let Some(job) = &self.tracing {
             self.conclude_tracing(job.wait());
         }
+        self.maps.finish_work();
     }
 
     /// Cancels the trace that is being made, if there is one.

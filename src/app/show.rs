@@ -44,8 +44,9 @@ impl App {
         });
         let layers = self.layers.as_mut();
         let wish = with_document!(&mut self.document, d => {
-            sidebar::ui(ui, &self.look, d, &mut self.view, layers, &mut self.notice)
+            sidebar::ui(ui, &self.look, d, &mut self.view, layers, &mut self.maps, &mut self.notice)
         });
+        self.maps.give_up_unwanted();
         let context = ui.ctx().clone();
         match wish {
             None => {}

@@ -11,6 +11,7 @@ pub mod grid;
 pub mod halves;
 pub mod links;
 pub mod listing;
+pub mod map;
 pub mod menu;
 pub mod neighbour;
 pub mod notes;

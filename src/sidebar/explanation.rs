@@ -2,8 +2,9 @@
 
 use crate::document::Document;
 use crate::look::Look;
+use crate::map::Maps;
 use crate::panels::{
-    automaton, children, codes, compare, counters, cuts, grid, halves, links, listing, neighbour,
+    automaton, children, codes, compare, counters, cuts, grid, halves, links, listing, map, neighbour,
     paper, region, stack, t_rail, tables, tree, variables, way_down, why_not,
 };
 use crate::sidebar::Wish;
@@ -38,6 +39,7 @@ pub fn ui<const D: usize>(
     document: &mut Document<D>,
     moment: &Moment<D>,
     view: &mut View,
+    maps: &mut Maps,
     panels: &[PanelKind],
 ) -> Option<Wish> {
     let mut wish = None;
@@ -63,7 +65,7 @@ pub fn ui<const D: usize>(
             chosen = change.map(|change| (kind, change)).or(chosen);
             if !folded {
                 // By its kind: what is remembered of a panel moves with it.
-                let body = |ui: &mut Ui| body(ui, look, document, moment, view, kind);
+                let body = |ui: &mut Ui| body(ui, look, document, moment, view, maps, kind);
                 wish = column.push_id(kind, body).inner.or(wish);
             }
         }
@@ -103,7 +105,8 @@ fn note<const D: usize>(
         | PanelKind::Counters
         | PanelKind::Tables
         | PanelKind::Compare
-        | PanelKind::Paper => String::new(),
+        | PanelKind::Paper
+        | PanelKind::Map => String::new(),
     }
 }
 
@@ -113,6 +116,7 @@ fn body<const D: usize>(
     document: &mut Document<D>,
     moment: &Moment<D>,
     view: &mut View,
+    maps: &mut Maps,
     kind: PanelKind,
 ) -> Option<Wish> {
     let trace = Arc::clone(&document.trace);
@@ -180,6 +184,14 @@ fn body<const D: usize>(
         PanelKind::WhyNot => {
             let of = diagram_of(document, moment);
             why_not::ui(ui, look, &of, view.language, &mut view.hover);
+        }
+        PanelKind::Map => {
+            let query = document.scenario.query;
+            let (ray, camera) = (document.scenario.ray, view.camera());
+            let subject = map::Subject { tree: &tree, query: &query, ray: &ray, camera };
+            if let Some(ray) = map::ui(ui, look, &subject, &mut view.map, maps.of()) {
+                document.scenario.ray = ray;
+            }
         }
         PanelKind::Stack => {
             let pointed = stack::ui(ui, look, &tree, moment);

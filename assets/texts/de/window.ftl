@@ -85,6 +85,7 @@ panel-tables = Nachbartabellen
 panel-compare = Vergleich
 panel-tree = Baum
 panel-why-not = Warum nicht?
+panel-map = Strahlenkarte
 panel-menu = Tafel { $title }
 panel-fold = Einklappen
 panel-unfold = Ausklappen
@@ -362,3 +363,34 @@ paper-all = Alle Errata von „Ray Tracing mit Octrees“
 paper-try = { $variant } ausprobieren
 job-other = Ein anderes Gegenbeispiel wird gesucht
 
+map-none = Zeigt viele Strahlen auf einmal, bei Suchen entlang eines Strahls.
+map-rays-origin = Vom Startpunkt
+map-rays-picture = Wie gesehen
+map-colouring = Was die Farben sagen
+map-sequence = Besuchte Folge
+map-leaves = Anzahl der besuchten Blätter
+map-steps = Schritte des Verfahrens
+map-comparisons = Vergleiche des Verfahrens
+map-differences = Richtig oder falsch
+map-ray = { $leaves ->
+    [one] 1 Blatt
+   *[other] { $leaves } Blätter
+}, { $steps ->
+    [one] 1 Schritt
+   *[other] { $steps } Schritte
+}, { $comparisons ->
+    [one] 1 Vergleich
+   *[other] { $comparisons } Vergleiche
+}
+map-extent-lines = → Winkel der Richtung, 0° bis 360°   ↑ Abstand von der Mitte, −{ $radius } bis { $radius }
+map-extent-sight = → zur Seite, −{ $turn }° bis { $turn }°   ↑ nach oben, −{ $rise }° bis { $rise }°
+map-extent-picture = Die Sehstrahlen der Raumansicht
+map-sequence-legend = Gleiche Farbe: dieselben Blätter in derselben Reihenfolge
+map-differences-legend = { $wrong ->
+    [0] Keiner von { $rays } Strahlen geht falsch
+    [one] 1 von { $rays } Strahlen geht falsch
+   *[other] { $wrong } von { $rays } Strahlen gehen falsch
+}
+map-by-batch = Gefunden vom Kern für viele Strahlen, der exakt rechnet
+map-by-algorithm = Gefunden vom gezeigten Verfahren, Strahl für Strahl; was richtig ist, vom Kern für viele Strahlen
+map-progress = Die Karte entsteht

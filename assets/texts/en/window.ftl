@@ -85,6 +85,7 @@ panel-tables = Neighbour tables
 panel-compare = Comparison
 panel-tree = Tree
 panel-why-not = Why not?
+panel-map = Map of rays
 panel-menu = Panel { $title }
 panel-fold = Fold
 panel-unfold = Unfold
@@ -362,3 +363,34 @@ paper-all = All errata of “Ray Tracing mit Octrees”
 paper-try = Try { $variant }
 job-other = Looking for another counterexample
 
+map-none = Shows many rays at once, in searches along a ray.
+map-rays-origin = From the origin
+map-rays-picture = As seen
+map-colouring = What the colours tell
+map-sequence = Visited sequence
+map-leaves = Number of visited leaves
+map-steps = Steps of the algorithm
+map-comparisons = Comparisons of the algorithm
+map-differences = Right or wrong
+map-ray = { $leaves ->
+    [one] 1 leaf
+   *[other] { $leaves } leaves
+}, { $steps ->
+    [one] 1 step
+   *[other] { $steps } steps
+}, { $comparisons ->
+    [one] 1 comparison
+   *[other] { $comparisons } comparisons
+}
+map-extent-lines = → angle of the direction, 0° to 360°   ↑ offset from the centre, −{ $radius } to { $radius }
+map-extent-sight = → to the side, −{ $turn }° to { $turn }°   ↑ upwards, −{ $rise }° to { $rise }°
+map-extent-picture = The lines of sight of the space view
+map-sequence-legend = The same colour: the same leaves in the same order
+map-differences-legend = { $wrong ->
+    [0] None of { $rays } rays goes wrong
+    [one] 1 of { $rays } rays goes wrong
+   *[other] { $wrong } of { $rays } rays go wrong
+}
+map-by-batch = Found by the kernel for many rays, which is exact
+map-by-algorithm = Found by the algorithm that is shown, ray by ray; what is right, by the kernel for many rays
+map-progress = The map is being made

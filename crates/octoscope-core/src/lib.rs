@@ -12,6 +12,7 @@
 
 pub mod event;
 pub mod explain;
+pub mod family;
 pub mod gallery;
 pub mod geometry;
 pub mod locate;

@@ -51,7 +51,7 @@ pub use mark::{Mark, Shape};
 pub use marks::{Show, far_end, leaves, marks};
 pub use options::{Background, FileOptions, Scale, Unit};
 pub use paint::Paint;
-pub use palette::{Colour, Palette, Theme, contrast};
+pub use palette::{Colour, Palette, Theme, contrast, ramp};
 pub use pdf::{ATTACHMENT, Pdf, PdfError, pdf};
 pub use pixels::{Pixels, PixelsError};
 pub use png::{Apng, PngError, png, png_of_pixels};

@@ -214,7 +214,7 @@ impl Palette {
 /// Place `share`, 0 … 1, on the ramp cividis [Nuñez, Anderton, Renslow 2018]:
 /// even in lightness, the same to colour-blind eyes. Dark themes begin at a
 /// fifth of it, so that nothing sinks into the background.
-pub(crate) fn ramp(theme: Theme, share: f64) -> Colour {
+pub fn ramp(theme: Theme, share: f64) -> Colour {
     const STOPS: [u32; 10] = [
         0x00224e, 0x123570, 0x3b496c, 0x575d6d, 0x707173, 0x8a8678, 0xa59c74, 0xc3b369, 0xe1cc55,
         0xfee838,

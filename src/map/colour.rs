@@ -1,0 +1,59 @@
+//! How the values of a map look.
+
+use super::asked::Colouring;
+use super::drawing::Raster;
+use super::measure::{NOTHING, WRONG};
+use octoscope_figure::{Colour, Theme, ramp};
+
+/// Colour of every cell, over the background of the theme.
+pub fn colours(theme: Theme, colouring: Colouring, raster: &Raster) -> Vec<Colour> {
+    let scale = Scale::of(colouring, raster);
+    raster.values.iter().map(|&value| scale.colour(theme, value)).collect()
+}
+
+/// What the values of a raster range over.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Scale {
+    colouring: Colouring,
+    /// Smallest and largest value that is not [`NOTHING`]; 0 and 0 if there is none.
+    pub range: [u32; 2],
+    /// Number of rays that are not right, where that is told.
+    pub n_wrong: usize,
+}
+
+impl Scale {
+    /// Scale of the values of `raster`.
+    pub fn of(colouring: Colouring, raster: &Raster) -> Self {
+        let values = || raster.values.iter().copied().filter(|&value| value != NOTHING);
+        let range = [values().min().unwrap_or(0), values().max().unwrap_or(0)];
+        let n_wrong = match colouring {
+            Colouring::Differences => values().filter(|&value| value == WRONG).count(),
+            Colouring::Sequence
+            | Colouring::Leaves
+            | Colouring::Steps
+            | Colouring::Comparisons => 0,
+        };
+        Self { colouring, range, n_wrong }
+    }
+
+    /// Colour of a value.
+    pub fn colour(&self, theme: Theme, value: u32) -> Colour {
+        let palette = octoscope_figure::Palette::of(theme);
+        if value == NOTHING {
+            return palette.background;
+        }
+        match self.colouring {
+            // Neighbours differ in lightness, and so to every eye.
+            Colouring::Sequence => {
+                let [low, high] = [value & 0xffff, value >> 16].map(|bits| f64::from(bits) / 65535.0);
+                ramp(theme, low).faded(0.55 + 0.45 * high).over(palette.background)
+            }
+            Colouring::Leaves | Colouring::Steps | Colouring::Comparisons => {
+                let [least, most] = self.range.map(f64::from);
+                ramp(theme, (f64::from(value) - least) / (most - least).max(1.0))
+            }
+            Colouring::Differences if value == WRONG => palette.rejected,
+            Colouring::Differences => palette.grid.faded(0.6).over(palette.background),
+        }
+    }
+}

@@ -1,0 +1,128 @@
+//! What becomes of the rays of a map, as numbers.
+
+use super::asked::{Asked, Colouring};
+use octoscope_core::event::{Event, Observer};
+use octoscope_core::geometry::Ray;
+use octoscope_core::query::Query;
+use octoscope_core::trace::Counters;
+use octoscope_core::traverse::{
+    Kernel, Leaf, Options, Slivers, StopAt, first_difference_of_run, visit_many,
+};
+use octoscope_core::tree::{NodeId, Tree};
+
+/// A run of more steps is cut: a printed rule may go round for ever.
+const MOST_STEPS: usize = 1_000_000;
+
+/// Value of a ray that visits nothing, and should not.
+pub const NOTHING: u32 = 0;
+/// Values of [`Colouring::Differences`].
+pub const RIGHT: u32 = 1;
+pub const WRONG: u32 = 2;
+
+/// What a search costs on one ray.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Counted {
+    /// Its steps.
+    pub n_steps: usize,
+    /// What they cost.
+    pub counters: Counters,
+    /// Visited leaves, in order.
+    pub leaves: Vec<NodeId>,
+}
+
+impl<const D: usize> Observer<D> for Counted {
+    fn observe(&mut self, event: Event<D>) {
+        self.n_steps += 1;
+        self.counters.add(&event);
+        if let Event::Leaf { node, .. } = event {
+            self.leaves.push(node);
+        }
+    }
+
+    fn wants_more(&self) -> bool {
+        self.n_steps < MOST_STEPS
+    }
+}
+
+/// Runs the search of a map on one ray.
+pub fn counted<const D: usize>(tree: &Tree<D>, ray: &Ray<D>, query: &Query<D>) -> Counted {
+    let mut counted = Counted::default();
+    query.run(tree, ray, &mut counted);
+    counted
+}
+
+/// The options of a search along the ray.
+fn options_of<const D: usize>(query: &Query<D>) -> Options {
+    match query {
+        Query::Ray { options, .. } => *options,
+        Query::Point { .. } | Query::Region { .. } | Query::Neighbour { .. } => Options::default(),
+    }
+}
+
+/// The values of all cells in some rows, from left to right, row after row.
+pub fn rows<const D: usize>(asked: &Asked<D>, rows: std::ops::Range<usize>) -> Vec<u32> {
+    let width = asked.size[0];
+    let mut values = vec![NOTHING; width * rows.len()];
+    let places = rows.flat_map(|row| (0..width).map(move |column| (column, row)));
+    let of_place = |(index, (column, row))| Some((index, asked.ray_of(column, row)?));
+    let (indices, rays): (Vec<usize>, Vec<Ray<D>>) =
+        places.enumerate().filter_map(of_place).unzip();
+    let mut set = |index: usize, value: u32| values[indices[index]] = value;
+    let tree = &*asked.tree;
+    let stop_at = options_of(&asked.query).stop_at;
+    match asked.colouring {
+        Colouring::Sequence => {
+            visit_many(tree, &rays, stop_at, Kernel::Vector, |ray, leaves| {
+                set(ray, name_of(leaves));
+            });
+        }
+        Colouring::Leaves => {
+            visit_many(tree, &rays, stop_at, Kernel::Vector, |ray, leaves| {
+                set(ray, clamped(leaves.len()));
+            });
+        }
+        Colouring::Steps | Colouring::Comparisons => {
+            let is_steps = asked.colouring == Colouring::Steps;
+            for (index, ray) in rays.iter().enumerate() {
+                let counted = counted(tree, ray, &asked.query);
+                let comparisons = counted.counters.comparisons() as usize;
+                set(index, clamped(if is_steps { counted.n_steps } else { comparisons }));
+            }
+        }
+        Colouring::Differences => {
+            visit_many(tree, &rays, StopAt::End, Kernel::Vector, |index, leaves| {
+                set(index, verdict(asked, &rays[index], leaves));
+            });
+        }
+    }
+    values
+}
+
+/// Whether the search visits the leaves that it should.
+fn verdict<const D: usize>(asked: &Asked<D>, ray: &Ray<D>, expected: &[Leaf]) -> u32 {
+    let found = counted(&asked.tree, ray, &asked.query).leaves;
+    if found.is_empty() && expected.is_empty() {
+        return NOTHING;
+    }
+    let expected: Vec<NodeId> = expected.iter().map(|leaf| leaf.node()).collect();
+    let options = options_of(&asked.query);
+    let slivers = Slivers::Ignore;
+    match first_difference_of_run(&asked.tree, ray, options, &expected, &found, slivers) {
+        None => RIGHT,
+        Some(_) => WRONG,
+    }
+}
+
+/// A number that is the same for the same leaves in the same order, and nearly always
+/// another one for others [FNV-1a].
+fn name_of(leaves: &[Leaf]) -> u32 {
+    if leaves.is_empty() {
+        return NOTHING;
+    }
+    let mix = |hash: u32, leaf: &Leaf| (hash ^ leaf.node().0).wrapping_mul(0x0100_0193);
+    leaves.iter().fold(0x811c_9dc5, mix).max(1)
+}
+
+fn clamped(count: usize) -> u32 {
+    u32::try_from(count).unwrap_or(u32::MAX)
+}
