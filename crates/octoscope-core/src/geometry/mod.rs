@@ -3,6 +3,7 @@
 mod aabb;
 mod axes;
 mod parameter;
+mod per_axis;
 mod ray;
 mod scaled;
 mod short;
@@ -10,6 +11,7 @@ mod short;
 pub use aabb::Aabb;
 pub use axes::{AXIS_NAMES, Axes};
 pub use parameter::{Exact, Parameter};
+pub(crate) use per_axis::{either, per_axis};
 pub use ray::{Ray, RayError};
 pub(crate) use scaled::Scaled;
 use short::Short;

@@ -72,7 +72,7 @@ impl<const D: usize, P: Parameter, O: Observer<D>> Walk<'_, D, P, O> {
             // Test: both planes of every axis, as if nothing were known of them.
             let child = state.mirrored(self.mirror);
             let child_node = self.tree.child(node, child);
-            let child_code = std::array::from_fn(|e| code[e] + u32::from(child.is_upper(e)) * half);
+            let child_code = child.code_in(code, half);
             let domain = self.tree.domain();
             let (near, far) = slabs::<D, P>(domain, self.ray, level - 1, child_code);
             let (enter, exit) = (latest(near).later(P::ORIGIN), earliest(far));

@@ -7,7 +7,7 @@
 
 use super::clip::{at_planes, earliest};
 use crate::event::{Event, Observer};
-use crate::geometry::{Axes, Parameter, Ray};
+use crate::geometry::{Axes, Parameter, Ray, per_axis};
 use crate::tree::{Code, Domain, last_where};
 
 /// Where the ray leaves a leaf.
@@ -31,13 +31,13 @@ pub fn exit_of<const D: usize, P: Parameter>(
     level: u8,
     code: Code<D>,
 ) -> Exit<D, P> {
-    let planes = std::array::from_fn(|e| {
+    let planes = per_axis(|e| {
         let moves_down = ray.direction()[e] < 0.0;
         if moves_down { code[e] } else { code[e] + (1 << level) }
     });
     let exits = at_planes::<D, P>(domain, ray, planes);
     let at = earliest(exits);
-    let axes = Axes::where_true(exits.map(|t| t.not_after(at)));
+    let axes = Axes::of(|e| exits[e].not_after(at));
     Exit { planes, exits, at, axes }
 }
 
@@ -61,7 +61,7 @@ pub fn target_of<const D: usize, P: Parameter>(
     code: Code<D>,
     exit: &Exit<D, P>,
 ) -> [i64; D] {
-    std::array::from_fn(|e| {
+    per_axis(|e| {
         let [first, last] = [code[e], code[e] + ((1 << level) - 1)];
         match (exit.axes.contains(e), ray.direction()[e] > 0.0) {
             (true, true) => i64::from(last) + 1,
@@ -86,9 +86,9 @@ pub fn beyond<const D: usize, P: Parameter>(
     observe.observe(Event::Target { level, from: code, to: target, axes: exit.axes });
 
     // Border: any code outside ends the walk.
-    let outside = target.map(|c| c < 0 || c >= i64::from(domain.grid_size()));
-    observe.observe(Event::Border { outside: Axes::where_true(outside) });
-    (!outside.contains(&true)).then(|| target.map(|c| c as u32))
+    let outside = Axes::<D>::of(|e| target[e] < 0 || target[e] >= i64::from(domain.grid_size()));
+    observe.observe(Event::Border { outside });
+    outside.is_empty().then(|| per_axis(|e| target[e] as u32))
 }
 
 /// Code of the smallest cell in which the ray is just after parameter `t`.
@@ -98,7 +98,7 @@ pub fn code_of_entry<const D: usize, P: Parameter>(
     t: P,
 ) -> Code<D> {
     let grid = [0, domain.grid_size() - 1];
-    std::array::from_fn(|e| code_at(domain, ray, e, t, grid))
+    per_axis(|e| code_at(domain, ray, e, t, grid))
 }
 
 /// Index on `axis` of the smallest cell, between `first` and `last`, in which

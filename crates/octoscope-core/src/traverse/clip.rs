@@ -2,8 +2,8 @@
 
 use super::algorithm::Options;
 use crate::event::Event;
-use crate::geometry::{Axes, Parameter, Ray};
-use crate::tree::{Code, Domain};
+use crate::geometry::{Axes, Parameter, Ray, either, per_axis};
+use crate::tree::{Child, Code, Domain};
 
 /// Interval of a ray inside the root.
 #[derive(Clone, Copy, Debug)]
@@ -89,6 +89,27 @@ pub fn earliest<const D: usize, P: Parameter>(parameters: [P; D]) -> P {
     P::earliest(parameters)
 }
 
+/// Parameters of the planes of a child: near ones where it lies in the lower half,
+/// mid and far ones where it lies in the upper half. `state` is its index in the
+/// mirrored numbering.
+#[inline(always)]
+pub fn planes_of_child<const D: usize, P: Parameter>(
+    state: Child<D>,
+    near: [P; D],
+    mid: [P; D],
+    far: [P; D],
+) -> ([P; D], [P; D]) {
+    let near_of_child = per_axis(|e| either(state.is_upper(e), mid[e], near[e]));
+    let far_of_child = per_axis(|e| either(state.is_upper(e), far[e], mid[e]));
+    (near_of_child, far_of_child)
+}
+
+/// Grid indices of the mid planes of a node whose children have a side of `half`.
+#[inline(always)]
+pub fn middle<const D: usize>(code: Code<D>, half: u32) -> [u32; D] {
+    per_axis(|e| code[e] + half)
+}
+
 /// Parameters of three planes, one per axis, at grid indices `planes`: what
 /// halves a node. Without motion along an axis the side of the origin decides:
 /// −∞ if it lies in the upper half, +∞ if in the lower [Revelles 2000, eq. 15].
@@ -99,14 +120,14 @@ pub fn at_planes<const D: usize, P: Parameter>(
     planes: [u32; D],
 ) -> [P; D] {
     let (origin, direction) = (ray.origin(), ray.direction());
-    let mut parameters = [P::BEFORE_ALL; D];
-    for e in 0..D {
+    per_axis(|e| {
         let plane = domain.plane(e, planes[e]);
         if direction[e] != 0.0 {
-            parameters[e] = P::at_plane(plane, origin[e], direction[e]);
+            P::at_plane(plane, origin[e], direction[e])
         } else if origin[e] < plane {
-            parameters[e] = P::BEYOND_ALL;
+            P::BEYOND_ALL
+        } else {
+            P::BEFORE_ALL
         }
-    }
-    parameters
+    })
 }

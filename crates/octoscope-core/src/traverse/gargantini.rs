@@ -12,7 +12,7 @@
 //! by the parameters of the planes and not by the coordinates of a rounded point.
 
 use super::algorithm::Options;
-use super::clip::{Clip, at_planes, clip};
+use super::clip::{Clip, at_planes, clip, middle};
 use super::hero::sorted;
 use super::report::{Report, finish, missed};
 use crate::event::{Event, Observer, Outcome};
@@ -50,6 +50,7 @@ struct Walk<'a, const D: usize, P, O> {
 impl<const D: usize, P: Parameter, O: Observer<D>> Walk<'_, D, P, O> {
     /// Reports the leaves below `node`, in which the ray is from `enter` to
     /// `exit`. Breaks where the traversal stops.
+    #[inline(always)]
     fn visit(
         &mut self,
         node: Node,
@@ -63,13 +64,24 @@ impl<const D: usize, P: Parameter, O: Observer<D>> Walk<'_, D, P, O> {
         if node.is_leaf() {
             return self.report.leaf(node, enter, exit, self.observe);
         }
+        self.visit_inner(node, level, code, enter, exit)
+    }
 
+    /// The same for an inner node.
+    fn visit_inner(
+        &mut self,
+        node: Node,
+        level: u8,
+        code: Code<D>,
+        enter: P,
+        exit: P,
+    ) -> ControlFlow<Outcome> {
         // Cut: sort the mid planes, leave out those beyond the interval.
         let half = 1 << (level - 1);
-        let mid = at_planes::<D, P>(self.tree.domain(), self.ray, code.map(|c| c + half));
+        let mid = at_planes::<D, P>(self.tree.domain(), self.ray, middle(code, half));
         self.observe.observe(Event::Halve { mid: mid.map(P::value) });
         let order = sorted(mid);
-        let inside = Axes::where_true(mid.map(|t| enter.before(t) && t.before(exit)));
+        let inside = Axes::of(|e| enter.before(mid[e]) & mid[e].before(exit));
         self.observe.observe(Event::Cuts { order: order.map(|axis| axis as u8), inside });
 
         let cuts = order.into_iter().filter(|&axis| inside.contains(axis)).map(|axis| mid[axis]);
@@ -81,15 +93,15 @@ impl<const D: usize, P: Parameter, O: Observer<D>> Walk<'_, D, P, O> {
             }
 
             // Classify: on which side of the mid planes is the middle of the piece?
-            let passed = mid.map(|plane| P::passed_midway(plane, from, to));
-            let child = Child::<D>::from_upper_halves(passed).mirrored(self.mirror);
+            let passed = Child::<D>::in_upper_half_where(|e| P::passed_midway(mid[e], from, to));
+            let child = passed.mirrored(self.mirror);
             let ends = [from.value(), to.value()];
             let middle = 0.5 * ends[0] + 0.5 * ends[1];
             self.observe.observe(Event::Classify { at: middle, piece: Some(ends), child });
 
             // Recurse with the piece.
             let child_node = self.tree.child(node, child);
-            let child_code = std::array::from_fn(|e| code[e] + u32::from(child.is_upper(e)) * half);
+            let child_code = child.code_in(code, half);
             self.visit(child_node, level - 1, child_code, from, to)?;
             self.observe.observe(Event::Up { node: Some(node.id) });
             from = to;

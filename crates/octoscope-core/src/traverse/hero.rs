@@ -13,7 +13,7 @@
 //! axis the side of the origin decides.
 
 use super::algorithm::Options;
-use super::clip::{Clip, at_planes, clip};
+use super::clip::{Clip, at_planes, clip, middle};
 use super::report::{Report, finish, missed};
 use crate::event::{Event, Observer, Outcome};
 use crate::geometry::{Axes, Parameter, Ray};
@@ -50,6 +50,7 @@ struct Walk<'a, const D: usize, P, O> {
 impl<const D: usize, P: Parameter, O: Observer<D>> Walk<'_, D, P, O> {
     /// Reports the leaves below `node`, in which the ray is from `enter` to
     /// `exit`. Breaks where the traversal stops.
+    #[inline(always)]
     fn visit(
         &mut self,
         node: Node,
@@ -63,20 +64,31 @@ impl<const D: usize, P: Parameter, O: Observer<D>> Walk<'_, D, P, O> {
         if node.is_leaf() {
             return self.report.leaf(node, enter, exit, self.observe);
         }
+        self.visit_inner(node, level, code, enter, exit)
+    }
 
+    /// The same for an inner node.
+    fn visit_inner(
+        &mut self,
+        node: Node,
+        level: u8,
+        code: Code<D>,
+        enter: P,
+        exit: P,
+    ) -> ControlFlow<Outcome> {
         // Mid planes.
         let half = 1 << (level - 1);
-        let mid = at_planes::<D, P>(self.tree.domain(), self.ray, code.map(|c| c + half));
+        let mid = at_planes::<D, P>(self.tree.domain(), self.ray, middle(code, half));
         self.observe.observe(Event::Halve { mid: mid.map(P::value) });
 
         // First child: the mask, with the bits flipped whose planes are passed.
-        let passed = Child::<D>::from_upper_halves(mid.map(|t| t.not_after(enter)));
+        let passed = Child::<D>::in_upper_half_where(|e| mid[e].not_after(enter));
         let mut child = passed.mirrored(self.mask);
         self.observe.observe(Event::Classify { at: enter.value(), piece: None, child });
 
         // Sort: the planes that are still to be met, in their order.
         let order = sorted(mid);
-        let inside = Axes::where_true(mid.map(|t| enter.before(t) && t.before(exit)));
+        let inside = Axes::of(|e| enter.before(mid[e]) & mid[e].before(exit));
         self.observe.observe(Event::Cuts { order: order.map(|axis| axis as u8), inside });
 
         let mut from = enter;
@@ -85,7 +97,7 @@ impl<const D: usize, P: Parameter, O: Observer<D>> Walk<'_, D, P, O> {
             // Visit the child up to the next plane.
             let next = ahead.peek().map(|&axis| mid[axis]);
             let child_node = self.tree.child(node, child);
-            let child_code = std::array::from_fn(|e| code[e] + u32::from(child.is_upper(e)) * half);
+            let child_code = child.code_in(code, half);
             self.visit(child_node, level - 1, child_code, from, next.unwrap_or(exit))?;
             self.observe.observe(Event::Up { node: Some(node.id) });
 

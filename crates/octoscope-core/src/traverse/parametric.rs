@@ -19,7 +19,7 @@
 //! * *The index is mirrored, not the ray*: a root away from 0 needs no care.
 
 use super::algorithm::Options;
-use super::clip::{Clip, at_planes, clip, earliest, latest};
+use super::clip::{Clip, at_planes, clip, earliest, latest, middle, planes_of_child};
 use super::misprint::{self, Base};
 use super::report::{Report, finish, missed};
 use super::variant::Variant;
@@ -73,6 +73,7 @@ impl<const D: usize, P: Parameter, O: Observer<D>> Walk<'_, D, P, O> {
     /// Reports the leaves below `node`, which has this level and code; `near`
     /// and `far` are the parameters of its planes. Breaks where the traversal
     /// stops.
+    #[inline(always)]
     fn visit(
         &mut self,
         node: Node,
@@ -88,10 +89,22 @@ impl<const D: usize, P: Parameter, O: Observer<D>> Walk<'_, D, P, O> {
         if node.is_leaf() {
             return self.report.leaf(node, entry, earliest(far), self.observe);
         }
+        self.visit_inner(node, level, code, near, far, entry)
+    }
 
+    /// The same for an inner node.
+    fn visit_inner(
+        &mut self,
+        node: Node,
+        level: u8,
+        code: Code<D>,
+        near: [P; D],
+        far: [P; D],
+        entry: P,
+    ) -> ControlFlow<Outcome> {
         // Halve: the parameters of the mid planes.
         let half = 1 << (level - 1);
-        let mut mid = at_planes::<D, P>(self.tree.domain(), self.ray, code.map(|c| c + half));
+        let mut mid = at_planes::<D, P>(self.tree.domain(), self.ray, middle(code, half));
         if self.options.variants.has(Variant::Averaged) {
             mid = averaged(self.ray, near, mid, far);
         }
@@ -100,7 +113,7 @@ impl<const D: usize, P: Parameter, O: Observer<D>> Walk<'_, D, P, O> {
         // Enter: the first child is past every mid plane that is not after the entry.
         let one_by_one = self.options.variants.has(Variant::OneByOne);
         let passed = |t: P| if one_by_one { t.before(entry) } else { t.not_after(entry) };
-        let mut state = Child::from_upper_halves(mid.map(passed));
+        let mut state = Child::in_upper_half_where(|e| passed(mid[e]));
         self.observe.observe(Event::First {
             entry: entry.value(),
             entry_axis: entry_axis(near),
@@ -110,13 +123,10 @@ impl<const D: usize, P: Parameter, O: Observer<D>> Walk<'_, D, P, O> {
 
         loop {
             // Visit the child, in the tree's own numbering.
-            let near_of_child =
-                std::array::from_fn(|e| if state.is_upper(e) { mid[e] } else { near[e] });
-            let far_of_child =
-                std::array::from_fn(|e| if state.is_upper(e) { far[e] } else { mid[e] });
+            let (near_of_child, far_of_child) = planes_of_child(state, near, mid, far);
             let child = state.mirrored(self.mirror);
             let child_node = self.tree.child(node, child);
-            let child_code = std::array::from_fn(|e| code[e] + u32::from(child.is_upper(e)) * half);
+            let child_code = child.code_in(code, half);
             self.observe.observe(Event::Visit {
                 node: child_node.id,
                 state: Some(state),
@@ -128,7 +138,7 @@ impl<const D: usize, P: Parameter, O: Observer<D>> Walk<'_, D, P, O> {
 
             // Step: through all planes that are reached first at once.
             let exit = earliest(far_of_child);
-            let mut axes = Axes::where_true(far_of_child.map(|t| t.not_after(exit)));
+            let mut axes = Axes::of(|e| far_of_child[e].not_after(exit));
             if one_by_one {
                 axes = axes.first();
             }

@@ -14,7 +14,7 @@
 //! as its authors corrected it; mid planes from their coordinate.
 
 use super::algorithm::Options;
-use super::clip::{Clip, at_planes, clip, earliest, latest};
+use super::clip::{Clip, at_planes, clip, earliest, latest, middle, planes_of_child};
 use super::misprint::{self, Base};
 use super::parametric::averaged;
 use super::report::{Report, finish, missed};
@@ -130,7 +130,7 @@ impl<const D: usize, P: Parameter, O: Observer<D>> Walk<'_, D, P, O> {
 
         // Halve: the parameters of the mid planes.
         let half = 1 << (level - 1);
-        let mut mid = at_planes::<D, P>(self.tree.domain(), self.ray, code.map(|c| c + half));
+        let mut mid = at_planes::<D, P>(self.tree.domain(), self.ray, middle(code, half));
         if self.options.variants.has(Variant::Averaged) {
             mid = averaged(self.ray, near, mid, far);
         }
@@ -152,13 +152,10 @@ impl<const D: usize, P: Parameter, O: Observer<D>> Walk<'_, D, P, O> {
 
         loop {
             // Visit the child, in the tree's own numbering.
-            let near_of_child =
-                std::array::from_fn(|e| if state.is_upper(e) { mid[e] } else { near[e] });
-            let far_of_child =
-                std::array::from_fn(|e| if state.is_upper(e) { far[e] } else { mid[e] });
+            let (near_of_child, far_of_child) = planes_of_child(state, near, mid, far);
             let child = state.mirrored(self.mirror);
             let child_node = self.tree.child(node, child);
-            let child_code = std::array::from_fn(|e| code[e] + u32::from(child.is_upper(e)) * half);
+            let child_code = child.code_in(code, half);
             self.observe.observe(Event::Visit {
                 node: child_node.id,
                 state: Some(state),

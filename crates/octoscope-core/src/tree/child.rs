@@ -1,6 +1,7 @@
 //! Child indices, in the numbering of Revelles: x is the most significant bit.
 
-use crate::geometry::Axes;
+use super::Code;
+use crate::geometry::{Axes, per_axis};
 
 /// Index of a child in its parent, 0 … 2^D−1: bit D−1−e is 1 in the upper half
 /// of axis e, so that i = 2x + y in a quadtree and i = 4x + 2y + z in an octree
@@ -24,6 +25,19 @@ impl<const D: usize> Child<D> {
     #[inline]
     pub fn from_upper_halves(upper: [bool; D]) -> Self {
         Self(Axes::where_true(upper).0)
+    }
+
+    /// The child that lies in the upper half of the axes that `holds` for.
+    #[inline(always)]
+    pub fn in_upper_half_where(holds: impl FnMut(usize) -> bool) -> Self {
+        Self(Axes::<D>::of(holds).0)
+    }
+
+    /// Code of the child of a node with code `code`, whose children have a side of
+    /// `half` smallest cells.
+    #[inline(always)]
+    pub fn code_in(self, code: Code<D>, half: u32) -> Code<D> {
+        per_axis(|e| code[e] + u32::from(self.is_upper(e)) * half)
     }
 
     /// Whether the child lies in the upper half of `axis`.

@@ -10,7 +10,7 @@ pub type Code<const D: usize> = [u32; D];
 /// Child that bit `level − 1` of every code selects in a node of `level` ≥ 1.
 #[inline]
 pub fn branch<const D: usize>(code: Code<D>, level: u8) -> Child<D> {
-    Child::from_upper_halves(code.map(|c| c >> (level - 1) & 1 == 1))
+    Child::in_upper_half_where(|e| code[e] >> (level - 1) & 1 == 1)
 }
 
 /// Level of the smallest cell, occupied or not, that holds both codes: one more
