@@ -16,7 +16,7 @@ use clock::Clock;
 use octoscope_core::event::{Event, Observer};
 use octoscope_core::geometry::Ray;
 use octoscope_core::query::{Arithmetic, Query};
-use octoscope_core::traverse::{Algorithm, Options, StopAt};
+use octoscope_core::traverse::{Algorithm, Kernel, Options, StopAt, visit_many};
 use octoscope_core::tree::Tree;
 use std::hint::black_box;
 use workload::{Rays, Scene};
@@ -48,19 +48,23 @@ const ALGORITHMS: [Algorithm; 5] = [
 #[derive(Clone, Copy, PartialEq)]
 enum Row {
     Traced(Algorithm, Arithmetic),
+    Batch(Kernel),
 }
 
 impl Row {
     fn all() -> Vec<Self> {
         let doubles = ALGORITHMS.map(|algorithm| Self::Traced(algorithm, Arithmetic::Doubles));
         let exact = ALGORITHMS.map(|algorithm| Self::Traced(algorithm, Arithmetic::Exact));
-        doubles.into_iter().chain(exact).collect()
+        let batch = [Kernel::Plain, Kernel::Vector].map(Self::Batch);
+        doubles.into_iter().chain(exact).chain(batch).collect()
     }
 
     fn name(self) -> String {
         match self {
             Self::Traced(algorithm, Arithmetic::Doubles) => algorithm.id().to_owned(),
             Self::Traced(algorithm, Arithmetic::Exact) => format!("{}, exact", algorithm.id()),
+            Self::Batch(Kernel::Plain) => "batch, plain".to_owned(),
+            Self::Batch(Kernel::Vector) => "batch, vectors".to_owned(),
         }
     }
 
@@ -75,6 +79,9 @@ impl Row {
                     black_box(query.run(tree, ray, &mut tally));
                 }
             }
+            Self::Batch(kernel) => visit_many(tree, rays, stop_at, kernel, |_, leaves| {
+                tally.full += leaves.iter().map(|leaf| u64::from(leaf.is_full())).sum::<u64>();
+            }),
         }
         tally.full
     }

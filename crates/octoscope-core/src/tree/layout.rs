@@ -12,7 +12,7 @@ use crate::geometry::{Aabb, either};
 
 /// Number of a node: 0 is the root, 1 + 2^D·row + i is child i of the inner
 /// node in `row`. The children of a node have consecutive numbers.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct NodeId(
     /// The number.
     pub u32,
@@ -56,7 +56,7 @@ impl Node {
 
 /// What is walked of an inner node: 8 bytes.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(super) struct Row {
+pub(crate) struct Row {
     /// Row of the first inner child.
     pub base: u32,
     /// Bit i: child i is an inner node.
@@ -92,6 +92,12 @@ impl<const D: usize> Tree<D> {
     #[inline]
     pub fn domain(&self) -> &Domain<D> {
         &self.domain
+    }
+
+    /// What is walked of the inner nodes; the root's row is the first.
+    #[inline]
+    pub(crate) fn rows(&self) -> &[Row] {
+        &self.rows
     }
 
     /// Number of nodes, inner ones and leaves.
