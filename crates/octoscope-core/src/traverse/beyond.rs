@@ -5,7 +5,7 @@
 //! axes are found by comparing parameters, not by rounding a point, and stay
 //! within the cell that is left: rounding cannot throw the ray into a wrong cell.
 
-use super::clip::{at_planes, earliest};
+use super::clip::{at_planes, first};
 use crate::event::{Event, Observer};
 use crate::geometry::{Axes, Parameter, Ray, per_axis};
 use crate::tree::{Code, Domain, last_where};
@@ -36,8 +36,7 @@ pub fn exit_of<const D: usize, P: Parameter>(
         if moves_down { code[e] } else { code[e] + (1 << level) }
     });
     let exits = at_planes::<D, P>(domain, ray, planes);
-    let at = earliest(exits);
-    let axes = Axes::of(|e| exits[e].not_after(at));
+    let (at, axes) = first(exits);
     Exit { planes, exits, at, axes }
 }
 

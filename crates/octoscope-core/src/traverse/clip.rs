@@ -89,6 +89,12 @@ pub fn earliest<const D: usize, P: Parameter>(parameters: [P; D]) -> P {
     P::earliest(parameters)
 }
 
+/// The earliest of some parameters, and the axes of all that come with it.
+#[inline(always)]
+pub fn first<const D: usize, P: Parameter>(parameters: [P; D]) -> (P, Axes<D>) {
+    P::first(parameters)
+}
+
 /// Parameters of the planes of a child: near ones where it lies in the lower half,
 /// mid and far ones where it lies in the upper half. `state` is its index in the
 /// mirrored numbering.

@@ -14,11 +14,11 @@
 
 use super::algorithm::Options;
 use super::beyond::code_of_entry;
-use super::clip::{Clip, at_planes, clip, earliest};
+use super::clip::{Clip, at_planes, clip, first};
 use super::report::{Report, finish, missed};
 use super::variant::Variant;
 use crate::event::{Event, Observer, Outcome};
-use crate::geometry::{Axes, Parameter, Ray};
+use crate::geometry::{Parameter, Ray};
 use crate::locate::descend;
 use crate::tree::{Code, Node, Tree};
 
@@ -82,8 +82,7 @@ fn walk<const D: usize, P: Parameter, O: Observer<D>>(
 
     loop {
         // Smallest tMax: the plane that is met next.
-        let exit = earliest(next);
-        let mut axes = Axes::where_true(next.map(|t| t.not_after(exit)));
+        let (exit, mut axes) = first(next);
         if one_by_one {
             axes = axes.first();
         }

@@ -12,7 +12,7 @@
 //! are met at once are crossed at once.
 
 use super::algorithm::Options;
-use super::clip::{Clip, at_planes, clip, earliest, middle};
+use super::clip::{Clip, at_planes, clip, earliest, first, middle};
 use super::report::{Report, finish, missed};
 use crate::event::{Event, Observer, Outcome};
 use crate::geometry::{Axes, Parameter, Ray, either, per_axis};
@@ -56,7 +56,7 @@ pub fn traverse<const D: usize, P: Parameter>(
             let mid = at_planes::<D, P>(domain, ray, middle(code, half));
             observe.observe(Event::Halve { mid: mid.map(P::value) });
             stack[usize::from(level)] = Level { node, mid, far };
-            let state = Child::<D>::in_upper_half_where(|e| mid[e].not_after(entry));
+            let state = Child::in_upper_halves(P::passed(mid, entry));
             let child = state.mirrored(mirror);
             observe.observe(Event::Classify { at: entry.value(), piece: None, child });
             node = tree.child(node, child);
@@ -67,12 +67,11 @@ pub fn traverse<const D: usize, P: Parameter>(
         }
 
         // Leave: through the planes that are met first.
-        let exit = earliest(far);
+        let (exit, axes) = first(far);
         let reported = report.leaf(node, entry, exit, observe);
         if reported.is_break() {
             return finish(reported, observe);
         }
-        let axes = Axes::<D>::of(|e| far[e].not_after(exit));
         observe.observe(Event::Leave { exits: far.map(P::value), axes });
 
         // New code: beyond these planes; outside the domain the walk ends. Below 0

@@ -82,7 +82,7 @@ impl<const D: usize, P: Parameter, O: Observer<D>> Walk<'_, D, P, O> {
         self.observe.observe(Event::Halve { mid: mid.map(P::value) });
 
         // First child: the mask, with the bits flipped whose planes are passed.
-        let passed = Child::<D>::in_upper_half_where(|e| mid[e].not_after(enter));
+        let passed = Child::in_upper_halves(P::passed(mid, enter));
         let mut child = passed.mirrored(self.mask);
         self.observe.observe(Event::Classify { at: enter.value(), piece: None, child });
 

@@ -19,7 +19,7 @@
 //! * *The index is mirrored, not the ray*: a root away from 0 needs no care.
 
 use super::algorithm::Options;
-use super::clip::{Clip, at_planes, clip, earliest, latest, middle, planes_of_child};
+use super::clip::{Clip, at_planes, clip, earliest, first, middle, planes_of_child};
 use super::misprint::{self, Base};
 use super::report::{Report, finish, missed};
 use super::variant::Variant;
@@ -83,13 +83,14 @@ impl<const D: usize, P: Parameter, O: Observer<D>> Walk<'_, D, P, O> {
         far: [P; D],
     ) -> ControlFlow<Outcome> {
         // The node is entered when the latest near plane is, but not before t = 0.
-        let entry = latest(near).later(P::ORIGIN);
+        let entry_axis = entry_axis(near);
+        let entry = entry_axis.map_or(P::ORIGIN, |axis| near[axis]);
 
         // Leaf: report it and return.
         if node.is_leaf() {
             return self.report.leaf(node, entry, earliest(far), self.observe);
         }
-        self.visit_inner(node, level, code, near, far, entry)
+        self.visit_inner(node, level, code, [near, far], entry, entry_axis)
     }
 
     /// The same for an inner node.
@@ -98,9 +99,9 @@ impl<const D: usize, P: Parameter, O: Observer<D>> Walk<'_, D, P, O> {
         node: Node,
         level: u8,
         code: Code<D>,
-        near: [P; D],
-        far: [P; D],
+        [near, far]: [[P; D]; 2],
         entry: P,
+        entry_axis: Option<usize>,
     ) -> ControlFlow<Outcome> {
         // Halve: the parameters of the mid planes.
         let half = 1 << (level - 1);
@@ -112,11 +113,14 @@ impl<const D: usize, P: Parameter, O: Observer<D>> Walk<'_, D, P, O> {
 
         // Enter: the first child is past every mid plane that is not after the entry.
         let one_by_one = self.options.variants.has(Variant::OneByOne);
-        let passed = |t: P| if one_by_one { t.before(entry) } else { t.not_after(entry) };
-        let mut state = Child::in_upper_half_where(|e| passed(mid[e]));
+        let mut state = if one_by_one {
+            Child::in_upper_half_where(|e| mid[e].before(entry))
+        } else {
+            Child::in_upper_halves(P::passed(mid, entry))
+        };
         self.observe.observe(Event::First {
             entry: entry.value(),
-            entry_axis: entry_axis(near),
+            entry_axis,
             compared: Axes::where_true([true; D]),
             state,
         });
@@ -137,8 +141,7 @@ impl<const D: usize, P: Parameter, O: Observer<D>> Walk<'_, D, P, O> {
             self.observe.observe(Event::Up { node: Some(node.id) });
 
             // Step: through all planes that are reached first at once.
-            let exit = earliest(far_of_child);
-            let mut axes = Axes::of(|e| far_of_child[e].not_after(exit));
+            let (_, mut axes) = first(far_of_child);
             if one_by_one {
                 axes = axes.first();
             }
@@ -174,10 +177,8 @@ pub(super) fn averaged<const D: usize, P: Parameter>(
 
 /// Axis of the near plane that is reached last, the first of equal ones; `None`
 /// if the origin is past them all.
+#[inline(always)]
 pub(super) fn entry_axis<const D: usize, P: Parameter>(near: [P; D]) -> Option<usize> {
-    let latest = latest(near);
-    if latest.not_after(P::ORIGIN) {
-        return None;
-    }
-    near.into_iter().position(|t| latest.not_after(t))
+    let axis = P::index_of_latest(near);
+    P::ORIGIN.before(near[axis]).then_some(axis)
 }

@@ -33,6 +33,12 @@ impl<const D: usize> Child<D> {
         Self(Axes::<D>::of(holds).0)
     }
 
+    /// The child that lies in the upper half of these axes.
+    #[inline(always)]
+    pub fn in_upper_halves(axes: Axes<D>) -> Self {
+        Self(axes.0)
+    }
+
     /// Code of the child of a node with code `code`, whose children have a side of
     /// `half` smallest cells.
     #[inline(always)]
