@@ -10,6 +10,7 @@ mod occupied;
 mod overlap;
 mod part;
 mod recipe;
+mod sort;
 
 pub use child::Child;
 pub use code::{Code, branch, common_level, morton};
