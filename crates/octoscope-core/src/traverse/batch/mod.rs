@@ -37,7 +37,8 @@ impl Leaf {
     const FULL: u32 = 1 << 31;
 
     fn new(node: NodeId, full: bool) -> Self {
-        Self(node.0.wrapping_sub(1) & !Self::FULL | u32::from(full) * Self::FULL)
+        let mark = if full { Self::FULL } else { 0 };
+        Self(node.0.wrapping_sub(1) & !Self::FULL | mark)
     }
 
     /// Number of the node.
