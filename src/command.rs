@@ -206,6 +206,7 @@ pub const COMMANDS: &[Row] = &[
     row(Command::Preset(4), "command-preset-compare", Menu::View, &[key(Key::Num5)]),
     row(Command::Preset(5), "command-preset-lecture", Menu::View, &[key(Key::Num6)]),
     row(Command::Preset(6), "command-preset-tree", Menu::View, &[key(Key::Num7)]),
+    row(Command::Preset(7), "command-preset-map", Menu::View, &[key(Key::Num8)]),
     panel(PanelKind::Tree, "panel-tree"),
     panel(PanelKind::WhyNot, "panel-why-not"),
     panel(PanelKind::Rail, "panel-t-rail"),

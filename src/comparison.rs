@@ -1,6 +1,6 @@
 //! All algorithms on the same ray.
 
-use octoscope_core::event::{Event, Observer};
+use crate::counted::{Counted, counted};
 use octoscope_core::geometry::Ray;
 use octoscope_core::query::{Arithmetic, Query};
 use octoscope_core::trace::Counters;
@@ -84,29 +84,9 @@ fn run<const D: usize>(
     algorithm: Algorithm,
     options: Options,
 ) -> Run {
-    let mut tally = Tally::default();
     let query = Query::Ray { algorithm, options, arithmetic: Arithmetic::Doubles };
-    query.run(tree, ray, &mut tally);
-    let Tally { n_steps, counters, leaves } = tally;
+    let Counted { n_steps, counters, leaves } = counted(tree, ray, &query);
     Run { algorithm, n_steps, counters, leaves, agrees: false }
-}
-
-/// Counts events and keeps the visited leaves.
-#[derive(Default)]
-struct Tally {
-    n_steps: usize,
-    counters: Counters,
-    leaves: Vec<NodeId>,
-}
-
-impl<const D: usize> Observer<D> for Tally {
-    fn observe(&mut self, event: Event<D>) {
-        self.n_steps += 1;
-        self.counters.add(&event);
-        if let Event::Leaf { node, .. } = event {
-            self.leaves.push(node);
-        }
-    }
 }
 
 #[cfg(test)]

@@ -7,6 +7,7 @@ pub mod cli;
 pub mod command;
 pub mod comparison;
 pub mod complaint;
+pub mod counted;
 pub mod document;
 pub mod export;
 pub mod export_dialog;

@@ -8,4 +8,3 @@ mod measure;
 pub use asked::{Asked, Colouring, Rays};
 pub use colour::{Scale, colours};
 pub use drawing::{Drawing, Maps};
-pub use measure::{Counted, counted};

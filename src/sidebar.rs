@@ -100,13 +100,14 @@ fn width(preset: Preset, room: f32) -> f32 {
     match preset {
         Preset::Debug if room >= WIDE => 616.0,
         Preset::Lecture => 320.0,
-        Preset::Compare if room >= WIDE => 440.0,
+        Preset::Compare | Preset::Map if room >= WIDE => 440.0,
         Preset::Bits
         | Preset::Rail
         | Preset::Automaton
         | Preset::Debug
         | Preset::Compare
-        | Preset::Tree => {
+        | Preset::Tree
+        | Preset::Map => {
             if room < WIDE {
                 320.0
             } else {

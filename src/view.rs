@@ -124,6 +124,8 @@ pub enum Preset {
     Lecture,
     /// The tree as a diagram, and what rules children out.
     Tree,
+    /// Many rays at once.
+    Map,
 }
 
 /// One panel.
@@ -229,7 +231,7 @@ impl PanelKind {
 
 impl Preset {
     /// All presets, in the order of their keys.
-    pub const ALL: [Self; 7] = [
+    pub const ALL: [Self; 8] = [
         Self::Bits,
         Self::Rail,
         Self::Automaton,
@@ -237,14 +239,15 @@ impl Preset {
         Self::Compare,
         Self::Lecture,
         Self::Tree,
+        Self::Map,
     ];
 
     /// The panels from top to bottom, for a query: those that have nothing to
     /// say about it give way to the one that explains it.
     pub fn panels<const D: usize>(self, query: &Query<D>) -> Vec<PanelKind> {
         use PanelKind::{
-            Automaton, Children, Codes, Compare, Counters, Cuts, Grid, Halves, Links, Listing,
-            Map, Neighbour, Paper, Rail, Region, Stack, Tables, Tree, Variables, WayDown, WhyNot,
+            Automaton, Children, Codes, Compare, Counters, Cuts, Grid, Halves, Links, Listing, Map,
+            Neighbour, Paper, Rail, Region, Stack, Tables, Tree, Variables, WayDown, WhyNot,
         };
         let own = own_panel(query);
         let about_rays = matches!(query, Query::Ray { .. });
@@ -265,6 +268,7 @@ impl Preset {
             Self::Lecture if D == 2 && own.is_none() => &[Rail, Codes],
             Self::Lecture => &[Rail],
             Self::Tree => &[Tree, WhyNot],
+            Self::Map => &[Map, Counters],
         };
         let has_states = matches!(
             query,
@@ -288,7 +292,7 @@ impl Preset {
         };
         let mut panels: Vec<_> = chosen.iter().copied().filter(says_something).collect();
         if let Some(own) = own.filter(|own| !panels.contains(own))
-            && !matches!(self, Self::Debug | Self::Tree)
+            && !matches!(self, Self::Debug | Self::Tree | Self::Map)
         {
             panels.insert(usize::from(about_rays).min(panels.len()), own);
             // What waits on the stack is half of what its panel shows.
@@ -311,7 +315,8 @@ impl Preset {
             | Self::Automaton
             | Self::Debug
             | Self::Compare
-            | Self::Tree => 1.0,
+            | Self::Tree
+            | Self::Map => 1.0,
         }
     }
 }
@@ -443,6 +448,7 @@ impl Default for View {
             scale: 1.0,
             plane_show: Show::at_first::<2>(),
             space_show: Show::at_first::<3>(),
+            map: MapView::default(),
             export: Choice::default(),
             playback: Playback::default(),
             plane_camera: None,

@@ -85,7 +85,7 @@ impl Colouring {
     }
 
     /// Whether the kernel for many rays tells it, whatever the algorithm.
-    pub fn is_of_batch(self) -> bool {
+    fn is_of_batch(self) -> bool {
         match self {
             Self::Sequence | Self::Leaves => true,
             Self::Steps | Self::Comparisons | Self::Differences => false,

@@ -28,10 +28,9 @@ impl Scale {
         let range = [values().min().unwrap_or(0), values().max().unwrap_or(0)];
         let n_wrong = match colouring {
             Colouring::Differences => values().filter(|&value| value == WRONG).count(),
-            Colouring::Sequence
-            | Colouring::Leaves
-            | Colouring::Steps
-            | Colouring::Comparisons => 0,
+            Colouring::Sequence | Colouring::Leaves | Colouring::Steps | Colouring::Comparisons => {
+                0
+            }
         };
         Self { colouring, range, n_wrong }
     }
@@ -45,7 +44,8 @@ impl Scale {
         match self.colouring {
             // Neighbours differ in lightness, and so to every eye.
             Colouring::Sequence => {
-                let [low, high] = [value & 0xffff, value >> 16].map(|bits| f64::from(bits) / 65535.0);
+                let [low, high] =
+                    [value & 0xffff, value >> 16].map(|bits| f64::from(bits) / 65535.0);
                 ramp(theme, low).faded(0.55 + 0.45 * high).over(palette.background)
             }
             Colouring::Leaves | Colouring::Steps | Colouring::Comparisons => {

@@ -145,8 +145,9 @@ fn raster<const D: usize>(asked: &Asked<D>, progress: &Progress) -> Result<Raste
 #[cfg(test)]
 mod tests {
     use super::super::asked::{Colouring, Rays};
-    use super::super::measure::{NOTHING, RIGHT, WRONG, counted};
+    use super::super::measure::{NOTHING, RIGHT, WRONG};
     use super::*;
+    use crate::counted::counted;
     use octoscope_core::family::Family;
     use octoscope_core::query::{Arithmetic, Query};
     use octoscope_core::traverse::{Algorithm, Options, Variant, Variants};
@@ -154,7 +155,7 @@ mod tests {
 
     fn asked(colouring: Colouring, algorithm: Algorithm, variants: Variants) -> Asked<2> {
         let tree: Tree<2> = grow(Domain::unit(3), (), &Progress::default(), |cell, ()| {
-            let is_inner = cell.level > 0 && cell.code.0[0] == 0;
+            let is_inner = cell.level > 0 && cell.code[0] == 0;
             if is_inner { Split::Inner(vec![(); 4]) } else { Split::Empty }
         })
         .unwrap();

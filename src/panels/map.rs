@@ -1,7 +1,8 @@
 //! The map of rays: every place is a ray, coloured by what becomes of it.
 
+use crate::counted::counted;
 use crate::look::Look;
-use crate::map::{Asked, Colouring, Drawing, Rays, Scale, colours, counted};
+use crate::map::{Asked, Colouring, Drawing, Rays, Scale, colours};
 use crate::theme::color32;
 use crate::view::{MapView, RaysOf};
 use crate::widgets::{caption, segments};
@@ -20,7 +21,7 @@ use octoscope_figure::{Camera, Page, Theme};
 use std::sync::Arc;
 
 /// Height of the map against its width.
-const HEIGHT: f32 = 0.75;
+const HEIGHT: f32 = 0.7;
 
 /// What the map is about.
 pub struct Subject<'a, const D: usize> {
@@ -272,7 +273,11 @@ fn legend<const D: usize>(ui: &mut Ui, look: &Look, drawing: &Drawing<D>, asked:
             }
         }
     }
-    let by = if asked.colouring.is_of_batch() { "map-by-batch" } else { "map-by-algorithm" };
+    let by = match asked.colouring {
+        Colouring::Sequence | Colouring::Leaves => "map-by-batch",
+        Colouring::Steps | Colouring::Comparisons => "map-by-algorithm",
+        Colouring::Differences => "map-by-both",
+    };
     caption(ui, look, look.text(by));
     if let Some(fraction) = drawing.progress() {
         let bar = ProgressBar::new(fraction as f32).desired_height(6.0);

@@ -4,8 +4,8 @@ use crate::document::Document;
 use crate::look::Look;
 use crate::map::Maps;
 use crate::panels::{
-    automaton, children, codes, compare, counters, cuts, grid, halves, links, listing, map, neighbour,
-    paper, region, stack, t_rail, tables, tree, variables, way_down, why_not,
+    automaton, children, codes, compare, counters, cuts, grid, halves, links, listing, map,
+    neighbour, paper, region, stack, t_rail, tables, tree, variables, way_down, why_not,
 };
 use crate::sidebar::Wish;
 use crate::view::{PanelKind, Preset, View};

@@ -66,6 +66,7 @@ fn at_1280_by_800_nothing_scrolls() {
         Preset::Debug,
         Preset::Compare,
         Preset::Tree,
+        Preset::Map,
     ];
     for (scene, language) in
         SCENES.into_iter().flat_map(|scene| Language::ALL.map(|language| (scene, language)))

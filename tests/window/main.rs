@@ -15,6 +15,7 @@ mod hall;
 mod layout;
 mod limits;
 mod links;
+mod map;
 mod notices;
 mod panels;
 mod paper;

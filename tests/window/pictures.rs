@@ -10,7 +10,8 @@ use eframe::wgpu::{Backends, DeviceType};
 use egui_kittest::kittest::Queryable;
 use egui_kittest::wgpu::default_wgpu_setup;
 use egui_kittest::{Harness, SnapshotOptions};
-use octoscope::view::{Dialog, Preset, Search, View};
+use octoscope::map::Colouring;
+use octoscope::view::{Dialog, MapView, Preset, RaysOf, Search, View};
 use octoscope::with_document;
 use octoscope_core::event::Event;
 use octoscope_core::locate::{Direction, NeighbourMethod, Reach};
@@ -488,5 +489,26 @@ fn the_tree_in_a_small_window_with_the_largest_type() {
         desk.state_mut().view.scale = View::SCALES[1];
         desk.state_mut().view.preset = Preset::Tree;
         desk.go_to(&At::Nth(9, "Step"));
+    });
+}
+
+#[test]
+fn a_map_of_all_lines_of_the_plane() {
+    compare("panel-map", |desk| {
+        desk.open_scenario(&plane("quadtree-82", |_| ()));
+        desk.state_mut().view.preset = Preset::Map;
+        desk.finish_maps();
+    });
+}
+
+#[test]
+fn a_picture_of_costs_in_dark_colours_and_german() {
+    compare("panel-map-space-german-dark", |desk| {
+        desk.open_scenario(&built_in("sphere-grid").unwrap());
+        let view = &mut desk.state_mut().view;
+        view.map = MapView { rays: RaysOf::Picture, colouring: Colouring::Comparisons };
+        view.preset = Preset::Map;
+        (view.theme, view.language) = (Theme::Dark, Language::German);
+        desk.finish_maps();
     });
 }

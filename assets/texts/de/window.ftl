@@ -24,6 +24,7 @@ command-preset-compare = Verfahren vergleichen
 command-preset-lecture = Vorlesung
 command-question = Szene, Strahl und Anfrage
 command-preset-tree = Geometrie und Baum
+command-preset-map = Geometrie und Strahlenkarte
 command-restore-panels = Anordnung zurücksetzen
 command-frame-all = Alles zeigen
 command-stand-node = Zum aktuellen Knoten
@@ -392,5 +393,6 @@ map-differences-legend = { $wrong ->
    *[other] { $wrong } von { $rays } Strahlen gehen falsch
 }
 map-by-batch = Gefunden vom Kern für viele Strahlen, der exakt rechnet
-map-by-algorithm = Gefunden vom gezeigten Verfahren, Strahl für Strahl; was richtig ist, vom Kern für viele Strahlen
+map-by-algorithm = Gefunden vom gezeigten Verfahren, Strahl für Strahl
+map-by-both = Gefunden vom gezeigten Verfahren; was richtig ist, vom Kern für viele Strahlen, der exakt rechnet
 map-progress = Die Karte entsteht

@@ -24,6 +24,7 @@ command-preset-compare = Compare the algorithms
 command-preset-lecture = Lecture
 command-question = Scene, ray and query
 command-preset-tree = Geometry and tree
+command-preset-map = Geometry and map of rays
 command-restore-panels = Restore this arrangement
 command-frame-all = Show everything
 command-stand-node = Go to the current node
@@ -392,5 +393,6 @@ map-differences-legend = { $wrong ->
    *[other] { $wrong } of { $rays } rays go wrong
 }
 map-by-batch = Found by the kernel for many rays, which is exact
-map-by-algorithm = Found by the algorithm that is shown, ray by ray; what is right, by the kernel for many rays
+map-by-algorithm = Found by the algorithm that is shown, ray by ray
+map-by-both = Found by the algorithm that is shown; what is right, by the kernel for many rays, which is exact
 map-progress = The map is being made

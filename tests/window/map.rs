@@ -1,0 +1,95 @@
+//! The map of rays: its rays are taken by mouse and keyboard.
+
+use crate::desk::{Desk, spoken};
+use eframe::egui::{Key, Modifiers, Rect, Vec2};
+use octoscope::document::AnyDocument;
+use octoscope::map::Colouring;
+use octoscope::view::{Preset, RaysOf};
+use octoscope_core::query::Query;
+use octoscope_core::scenario::built_in;
+use octoscope_core::traverse::{Algorithm, Options, Variant};
+
+impl Desk {
+    /// Adds the map to the panels and waits until it is made.
+    pub fn with_map(mut self) -> Self {
+        self.state_mut().view.preset = Preset::Map;
+        self.finish_maps();
+        self
+    }
+
+    pub fn finish_maps(&mut self) {
+        // The coarse one, and the whole one after it.
+        for _ in 0..2 {
+            self.state_mut().finish_work();
+            self.run();
+        }
+    }
+
+    fn map(&self) -> Rect {
+        let is_map = |name: &str| name.starts_with("Map of rays:");
+        let nodes = self.nodes();
+        let map = nodes.iter().find(|node| is_map(&spoken(node))).expect("the map is shown");
+        map.rect()
+    }
+}
+
+#[test]
+fn a_press_in_the_map_takes_its_ray() {
+    let mut desk = Desk::new().with_map();
+    let before = desk.plane().scenario.ray;
+    let map = desk.map();
+    // A quarter to the right is 90°, the middle the line through the centre.
+    desk.click_at(map.min + map.size() * Vec2::new(0.25, 0.5), 1);
+    let ray = desk.plane().scenario.ray;
+    assert_ne!(ray, before);
+    let [x, y] = ray.direction();
+    assert!(x.abs() < 0.02 * y, "it goes up: {ray:?}");
+    desk.press_with(Modifiers::COMMAND, Key::Z);
+    assert_eq!(desk.plane().scenario.ray, before);
+}
+
+#[test]
+fn arrow_keys_go_to_the_rays_beside_it() {
+    let mut desk = Desk::new().with_map();
+    let map = desk.map();
+    desk.click_at(map.center(), 1);
+    let (before, step) = (desk.plane().scenario.ray, desk.step_number());
+    desk.tap(Key::ArrowRight);
+    let after = desk.plane().scenario.ray;
+    assert_ne!(after, before);
+    assert_eq!(desk.step_number(), step, "the playhead stays");
+    desk.tap(Key::ArrowLeft);
+    assert_eq!(desk.plane().scenario.ray, before);
+}
+
+#[test]
+fn a_printed_rule_goes_wrong_on_many_rays() {
+    let mut desk = Desk::new();
+    let options = Options { variants: [Variant::B3].into_iter().collect(), ..Options::default() };
+    let (algorithm, arithmetic) = (Algorithm::Parametric, Default::default());
+    let AnyDocument::Plane(document) = desk.state_mut().document_mut() else { panic!() };
+    document.scenario.query = Query::Ray { algorithm, options, arithmetic };
+    desk.state_mut().view.map.colouring = Colouring::Differences;
+    let desk = desk.with_map();
+    let told = desk.texts().into_iter().find(|text| text.contains("rays go wrong"));
+    let n_wrong: u32 = told.unwrap().split(' ').next().unwrap().parse().unwrap();
+    assert!(n_wrong > 100, "{n_wrong}");
+    assert!(desk.says("Found by the algorithm that is shown"));
+}
+
+#[test]
+fn a_press_in_the_picture_takes_its_line_of_sight() {
+    let mut desk = Desk::new();
+    desk.open_scenario(&built_in("points-3d").unwrap());
+    desk.state_mut().view.map.rays = RaysOf::Picture;
+    let mut desk = desk.with_map();
+    let map = desk.map();
+    desk.click_at(map.center(), 1);
+    let domain = *desk.space().tree.domain();
+    let centre: [f64; 3] = std::array::from_fn(|e| domain.min()[e] + 0.5 * domain.side());
+    let ray = desk.space().scenario.ray;
+    let to_centre: [f64; 3] = std::array::from_fn(|e| centre[e] - ray.at(1.0)[e]);
+    let apart = to_centre.iter().map(|x| x * x).sum::<f64>().sqrt();
+    assert!(apart < 0.02 * domain.side(), "{ray:?}");
+    assert!(desk.says("The lines of sight"));
+}
