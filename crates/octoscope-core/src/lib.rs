@@ -15,6 +15,7 @@ pub mod explain;
 pub mod gallery;
 pub mod geometry;
 pub mod locate;
+pub mod measure;
 pub mod paper;
 pub mod progress;
 pub mod query;

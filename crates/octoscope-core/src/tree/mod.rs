@@ -5,6 +5,7 @@ mod code;
 mod domain;
 mod grow;
 mod layout;
+mod memory;
 mod net;
 mod occupied;
 mod overlap;
@@ -16,6 +17,7 @@ pub use code::{Code, branch, common_level, morton};
 pub use domain::{Domain, DomainError, last_where};
 pub use grow::{Cell, Split, grow};
 pub use layout::{Node, NodeId, Tree};
+pub use memory::Array;
 pub use part::Part;
 pub use recipe::{BuildError, Fill, MAX_NODES, Merge, Recipe, build};
 
