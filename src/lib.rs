@@ -3,6 +3,7 @@
 
 pub mod app;
 pub mod arrangement;
+pub mod bench;
 pub mod cli;
 pub mod command;
 pub mod comparison;

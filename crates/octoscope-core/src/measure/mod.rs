@@ -8,6 +8,7 @@
 mod branches;
 mod cache;
 mod count;
+mod disagreement;
 mod fit;
 mod memory;
 mod predictor;
@@ -19,6 +20,7 @@ mod watch;
 pub use branches::{Branch, BranchKind, Branches};
 pub use cache::{Cache, LINE};
 pub use count::{Counted, Tally, count};
+pub use disagreement::{Disagreement, disagreement};
 pub use fit::{PowerLaw, growth};
 pub use memory::{Memory, Read};
 pub use predictor::TwoBit;

@@ -1,6 +1,6 @@
 //! What was measured.
 
-use super::Counted;
+use super::{Counted, Disagreement};
 use crate::trace::Counter;
 use crate::traverse::Method;
 
@@ -26,6 +26,8 @@ pub struct Site {
     pub n_rays: usize,
     /// What each algorithm has cost.
     pub rows: Vec<Row>,
+    /// Where two of them have found other leaves, by more than slivers.
+    pub disagreement: Option<Disagreement>,
 }
 
 /// What an algorithm has cost at a site.
@@ -148,11 +150,6 @@ impl Site {
     /// The row of a method.
     pub fn row(&self, method: Method) -> Option<&Row> {
         self.rows.iter().find(|row| row.method == method)
-    }
-
-    /// Whether all algorithms have found the same leaves.
-    pub fn agrees(&self) -> bool {
-        self.rows.windows(2).all(|pair| pair[0].counted.checksum == pair[1].counted.checksum)
     }
 
     /// The least of a quantity.

@@ -5,7 +5,7 @@ use crate::geometry::Ray;
 use crate::query::{PointMethod, Query};
 use crate::scene::{Content, Cube, made};
 use crate::traverse::Variants;
-use crate::tree::Recipe;
+use crate::tree::{Merge, Recipe};
 
 /// A scenario that comes with the program.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -171,7 +171,9 @@ fn scenario<const D: usize>(entry: &BuiltIn, parameters: Parameters) -> Scenario
             ray = ([-0.25, 0.1, 0.15], [1.0, 0.5, 0.45]);
         }
         "cloud" => recipe.depth = 7,
+        // Of many small spheres every cell would be full, and the tree one leaf.
         "cylinders" | "objects" | "spheres-512" | "spheres-4096" | "spheres-32768" => {
+            recipe.merge = Merge::Kept;
             ray = ([-0.25, 0.1, 0.15], [1.0, 0.5, 0.45]);
         }
         other => unreachable!("‘{other}’ is in the list without a scenario"),
