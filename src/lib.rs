@@ -16,6 +16,7 @@ pub mod files;
 pub mod finder;
 pub mod history;
 pub mod job;
+pub mod lab;
 pub mod look;
 pub mod notice;
 pub mod open;

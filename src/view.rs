@@ -5,6 +5,7 @@ mod hover;
 
 use crate::arrangement::Arrangement;
 use crate::export::Choice;
+use crate::lab;
 use crate::playback::Playback;
 use crate::space::Standpoint;
 use crate::tree_view::TreeView;
@@ -43,6 +44,8 @@ pub struct View {
     pub space_show: Show,
     /// What was chosen for the last export.
     pub export: Choice,
+    /// What was chosen in the bench lab.
+    pub lab: lab::Choice,
     /// The playhead.
     pub playback: Playback,
     /// Camera of quadtrees; `None` fits everything.
@@ -436,6 +439,7 @@ impl Default for View {
             plane_show: Show::at_first::<2>(),
             space_show: Show::at_first::<3>(),
             export: Choice::default(),
+            lab: lab::Choice::default(),
             playback: Playback::default(),
             plane_camera: None,
             orbit_camera: None,

@@ -118,15 +118,22 @@ pub fn text(results: &Results) -> String {
             decimals(Quantity::RayLeaves.of(site, first), 2),
             first.counted.checksum,
         ));
-        for columns in [&TIMES[..], &COUNTS[..]] {
-            let head = columns.iter().map(|(head, _)| (*head).to_owned()).collect();
-            let rows = site.rows.iter();
-            let rows = rows.map(|row| columns.iter().map(|(_, of)| of(site, row)).collect());
-            text.push_str(&aligned(&std::iter::once(head).chain(rows).collect::<Vec<_>>()));
+        for table in tables(site) {
+            text.push_str(&table);
             text.push('\n');
         }
     }
     text
+}
+
+/// What depends on the machine, and what does not.
+pub fn tables(site: &Site) -> [String; 2] {
+    [&TIMES[..], &COUNTS[..]].map(|columns| {
+        let head = columns.iter().map(|(head, _)| (*head).to_owned()).collect();
+        let rows = site.rows.iter();
+        let rows = rows.map(|row| columns.iter().map(|(_, of)| of(site, row)).collect());
+        aligned(&std::iter::once(head).chain(rows).collect::<Vec<_>>())
+    })
 }
 
 /// How the time grows with the leaves of the tree, and what of the published comparison

@@ -125,3 +125,4 @@ lab-chart-tex = Diagramm als TikZ
 lab-table-csv = Tabelle als CSV
 lab-table-md = Tabelle als Markdown
 lab-left-out = Ausgelassen, weil der Baum zu groß ist: { $names }
+lab-site = { $scene }, Tiefe { $depth }: { $leaves } Blätter, { $rays } Strahlen

@@ -55,6 +55,7 @@ command-faster = Schneller abspielen
 command-slower = Langsamer abspielen
 command-spotlight = Lichtkegel
 command-notes = Notizen für den zweiten Bildschirm
+command-lab = Messlabor …
 command-find = Befehl suchen …
 command-keys = Tasten
 command-about = Über Octoscope

@@ -125,3 +125,4 @@ lab-chart-tex = Chart as TikZ
 lab-table-csv = Table as CSV
 lab-table-md = Table as Markdown
 lab-left-out = Left out where the tree is too large: { $names }
+lab-site = { $scene }, depth { $depth }: { $leaves } leaves, { $rays } rays

@@ -55,6 +55,7 @@ command-faster = Play faster
 command-slower = Play slower
 command-spotlight = Spotlight
 command-notes = Notes for the second screen
+command-lab = Bench lab…
 command-find = Find a command…
 command-keys = Keys
 command-about = About Octoscope
