@@ -22,11 +22,12 @@ const RAYS_AT_ONCE: usize = 128;
 /// Says which tree cannot be built.
 pub fn run(plan: &Plan, progress: &Progress) -> anyhow::Result<Results> {
     let mut results = Results { seed: plan.seed, sites: Vec::new() };
-    let n_stages = plan.n_sites() as u64;
+    // Building and linking a tree, and measuring.
+    let n_stages = 2 * plan.n_sites() as u64;
     for &scene in &plan.scenes {
         for depth in plan.depths.clone() {
-            progress.enter_stage(results.sites.len() as u64, n_stages);
-            match site(plan, scene, depth, progress) {
+            let stages = [2 * results.sites.len() as u64, n_stages];
+            match site(plan, scene, depth, stages, progress) {
                 Ok(site) => results.sites.push(site),
                 Err(error) if error.root_cause().is::<Cancelled>() => return Ok(results),
                 // Cancelled while the tree was built.
@@ -38,14 +39,20 @@ pub fn run(plan: &Plan, progress: &Progress) -> anyhow::Result<Results> {
     Ok(results)
 }
 
-fn site(plan: &Plan, scene: &str, depth: u8, progress: &Progress) -> anyhow::Result<Site> {
+fn site(
+    plan: &Plan,
+    scene: &str,
+    depth: u8,
+    stages: [u64; 2],
+    progress: &Progress,
+) -> anyhow::Result<Site> {
     let scenario = built_in(scene).ok_or_else(|| {
         let known = BUILT_IN.map(|scene| scene.id).join(", ");
         anyhow!("there is no built-in scene ‘{scene}’; there are {known}")
     })?;
     let site = match scenario {
-        AnyScenario::Quadtree(scenario) => site_in(plan, &scenario, depth, progress),
-        AnyScenario::Octree(scenario) => site_in(plan, &scenario, depth, progress),
+        AnyScenario::Quadtree(scenario) => site_in(plan, &scenario, depth, stages, progress),
+        AnyScenario::Octree(scenario) => site_in(plan, &scenario, depth, stages, progress),
     };
     let site = site.with_context(|| format!("{scene} at depth {depth}"))?;
     Ok(Site { scene: scene.to_owned(), depth, ..site })
@@ -55,8 +62,10 @@ fn site_in<const D: usize>(
     plan: &Plan,
     scenario: &Scenario<D>,
     depth: u8,
+    [stage, n_stages]: [u64; 2],
     progress: &Progress,
 ) -> anyhow::Result<Site> {
+    progress.enter_stage(stage, n_stages);
     // Every occupied cell is a leaf of its own: where spheres are so small that each
     // cell has a part of one, the tree would be a single full leaf.
     let recipe = Recipe { depth, merge: Merge::Kept, ..scenario.recipe };
@@ -68,6 +77,7 @@ fn site_in<const D: usize>(
     }
     let rays = rays_from_outside(tree.domain(), plan.seed, plan.n_rays);
 
+    progress.enter_stage(stage + 1, n_stages);
     progress.start((plan.methods.len() * rays.len() * (plan.n_repeats + 1)) as u64);
     let query = |method| Query::default().along_the_ray_by(method);
     let mut rows = Vec::new();

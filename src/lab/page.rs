@@ -96,6 +96,10 @@ pub fn ui(context: &Context, look: &Look, mut shown: Shown) -> Option<Answer> {
 fn tabs(ui: &mut Ui, look: &Look, choice: &mut Choice, results: &Results) {
     let tabs = Tab::ALL.map(|tab| (tab, look.text(tab.id())));
     segments(ui, &mut choice.tab, &tabs);
+    if !matches!(choice.tab, Tab::Scenes | Tab::Growth) {
+        ui.add_space(6.0);
+        return;
+    }
     ui.horizontal_wrapped(|ui| match choice.tab {
         Tab::Scenes => {
             costs(ui, look, choice);
@@ -147,11 +151,11 @@ fn content(ui: &mut Ui, look: &Look, shown: &Shown, height: f32) {
     let wide = ui.available_width();
     if shown.choice.tab == Tab::Table {
         let scroll = ScrollArea::both().id_salt("lab table").auto_shrink([false, false]);
+        ui.spacing_mut().item_spacing.y = 1.0;
         scroll.max_height(height).show_rows(ui, 17.0, shown.lines.len(), |ui, rows| {
             for line in &shown.lines[rows] {
                 let text = RichText::new(line).monospace().size(12.5);
-                let label = Label::new(text).wrap_mode(TextWrapMode::Extend);
-                ui.add_sized([ui.available_width(), 17.0], label.halign(Align::Min));
+                ui.add(Label::new(text).wrap_mode(TextWrapMode::Extend));
             }
         });
         return;

@@ -12,6 +12,8 @@ pub struct Progress {
     /// computation is of one piece.
     stage: AtomicU64,
     n_stages: AtomicU64,
+    /// The largest part of all stages that was told, as bits.
+    told: AtomicU64,
     cancelled: AtomicBool,
 }
 
@@ -57,7 +59,11 @@ impl Progress {
         if n_stages == 0.0 {
             return of_stage;
         }
-        Some(((stage + of_stage.unwrap_or(0.0)) / n_stages).min(1.0))
+        // What begins anew within a stage does not go back. Bits of numbers that are not
+        // negative are in the order of the numbers.
+        let part = ((stage + of_stage.unwrap_or(0.0)) / n_stages).min(1.0);
+        let before = f64::from_bits(self.told.fetch_max(part.to_bits(), Ordering::Relaxed));
+        Some(part.max(before))
     }
 }
 
@@ -77,6 +83,8 @@ mod tests {
         progress.start(2);
         assert_eq!(progress.advance(1), Ok(()));
         assert_eq!(progress.fraction(), Some(0.625));
+        progress.start(100);
+        assert_eq!(progress.fraction(), Some(0.625), "it does not go back");
         progress.cancel();
         assert_eq!(progress.advance(1), Err(Cancelled));
     }

@@ -1,6 +1,6 @@
 //! Bars of all algorithms in every scene, in the manner of figures 8 to 10 of the paper.
 
-use super::names::{in_unit, method_name, scene_name, short};
+use super::names::{in_unit, method_name, ratio as in_units, scene_name, short};
 use crate::views::sheet::Sheet;
 use crate::{Anchor, Figure, Form, Part, Role, metrics};
 use octoscope_core::explain::RichText;
@@ -107,7 +107,7 @@ fn panel(
         };
         let role = if ratio == 1.0 { Role::Spent } else { Role::Compared };
         sheet.push(role, Part::Whole, Form::Polygon(points));
-        sheet.text(Role::Note, [end + 5.0, middle], Anchor::Start, short(ratio, texts));
+        sheet.text(Role::Note, [end + 5.0, middle], Anchor::Start, in_units(Some(ratio), texts));
     }
     let bottom = y + HEAD + ROW * site.rows.len() as f64;
     sheet.line(Role::Rule, [[left, y + HEAD - 2.0], [left, bottom + 2.0]]);
