@@ -165,6 +165,10 @@ pub fn bench(arguments: &Bench) -> anyhow::Result<Answer> {
     } else {
         output.write_all(text(&results).as_bytes())?;
         output.write_all(summary(&results).as_bytes())?;
+        if cfg!(debug_assertions) {
+            let note = "this program was built without optimisation: its times tell nothing";
+            writeln!(output, "\n{note}, its counts do")?;
+        }
     }
     output.finish()?;
     Ok(answer(&results))

@@ -9,9 +9,11 @@ use serde::{Deserialize, Serialize};
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(default)]
 pub struct Choice {
-    /// Which of [`SCENES`].
+    /// Which of [`SCENES`]; not remembered, as there may be others another time.
+    #[serde(skip)]
     pub scenes: [bool; SCENES.len()],
-    /// Which of [`Algorithm::ALL`].
+    /// Which of [`Algorithm::ALL`]; not remembered either.
+    #[serde(skip)]
     pub algorithms: [bool; Algorithm::ALL.len()],
     /// Least and greatest depth.
     pub depths: [u8; 2],
@@ -172,6 +174,20 @@ mod tests {
         assert_eq!((odd.cost(), odd.size()), (Quantity::Time, Quantity::Cells));
         assert_eq!(odd.scene_in(&Results::default()), "");
         assert_eq!(odd.depth_in(&Results::default()), 6);
+    }
+
+    #[test]
+    fn scenes_and_algorithms_begin_as_usual_the_rest_is_remembered() {
+        let chosen = Choice {
+            scenes: [true; SCENES.len()],
+            algorithms: [true; Algorithm::ALL.len()],
+            n_rays: 77,
+            tab: Tab::Growth,
+            ..Choice::default()
+        };
+        let json = serde_json::to_string(&chosen).unwrap();
+        let read: Choice = serde_json::from_str(&json).unwrap();
+        assert_eq!(read, Choice { n_rays: 77, tab: Tab::Growth, ..Choice::default() });
     }
 
     #[test]

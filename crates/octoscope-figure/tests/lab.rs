@@ -3,7 +3,9 @@
 #![allow(clippy::unwrap_used, reason = "a test may panic")]
 
 use octoscope_core::geometry::Ray;
-use octoscope_core::measure::{Counted, Quantity, Results, Row, SCENES, Site, watch};
+use octoscope_core::measure::{
+    BranchKind, CLAIMS, Counted, Quantity, Results, Row, SCENES, Site, watch,
+};
 use octoscope_core::progress::Progress;
 use octoscope_core::text::{Language, Texts};
 use octoscope_core::traverse::Algorithm;
@@ -83,6 +85,22 @@ fn charts_have_room_for_everything_in_both_languages() {
             for width in [620.0, 900.0] {
                 check(&published_chart(&results, &texts, width), "published");
             }
+        }
+    }
+}
+
+#[test]
+fn everything_in_charts_has_a_name_in_both_languages() {
+    for language in Language::ALL {
+        let texts = texts(language);
+        let algorithms = Algorithm::ALL.map(|one| format!("lab-name-{}", one.id()));
+        let quantities = Quantity::COSTS.into_iter().chain(Quantity::SIZES).map(Quantity::id);
+        let quantities =
+            quantities.flat_map(|id| ["quantity", "unit"].map(|kind| format!("lab-{kind}-{id}")));
+        let kinds = BranchKind::ALL.map(|kind| format!("lab-kind-{}", kind.id()));
+        let claims = CLAIMS.map(|claim| format!("lab-claim-{}", claim.id));
+        for key in algorithms.into_iter().chain(quantities).chain(kinds).chain(claims) {
+            assert!(texts.has(&key), "{key} in {language:?}");
         }
     }
 }
