@@ -9,7 +9,7 @@ use std::process::Stdio;
 fn visit_prints_one_line_a_ray() {
     let desk = Desk::new();
     assert_eq!(desk.prints(VISIT), LINES);
-    for algorithm in ["parametric", "parametric-table", "codes", "exhaustive", "all"] {
+    for algorithm in ["parametric", "parametric-table", "codes", "exhaustive", "all", "batch"] {
         for more in ["", "--exact", "--threads 3", "--exact --threads 2"] {
             let arguments = format!("{VISIT} --algorithm {algorithm} {more}");
             assert_eq!(desk.prints(&arguments), LINES, "{arguments}");
@@ -66,6 +66,38 @@ fn the_summary_tells_the_checksum_of_what_would_be_printed() {
         let cells: Vec<&str> = line.split_whitespace().collect();
         assert_eq!(cells[1..5], ["3", "4", "1", &format!("{hash:016x}")], "{summary}");
         assert_eq!(cells.len(), 9, "{summary}");
+    }
+}
+
+#[test]
+fn the_batch_kernel_prints_what_the_algorithms_find() {
+    let desk = Desk::new();
+    let rays: String = (0..3000)
+        .map(|n: i32| format!("{} {} {} {}\n", n % 7 - 3, n % 11, n % 5 - 2, n % 3 + 1))
+        .collect();
+    desk.put("a.rays", &rays);
+    for more in ["", "--first", "--keep-cells"] {
+        let expected = desk.prints(&format!("{VISIT} --exact {more}"));
+        for threads in ["", "--threads 3"] {
+            let arguments = format!("{VISIT} --algorithm batch {more} {threads}");
+            assert_eq!(desk.prints(&arguments), expected, "{arguments}");
+        }
+        let row = |algorithm: &str| {
+            let arguments = format!("{VISIT} --exact --algorithm {algorithm} --summary {more}");
+            let table = desk.prints(&arguments);
+            let row = table.lines().nth(1).unwrap();
+            row.split_whitespace().map(str::to_owned).skip(1).take(4).collect::<Vec<_>>()
+        };
+        assert_eq!(row("batch"), row("parametric"));
+    }
+}
+
+#[test]
+fn the_batch_kernel_refuses_what_it_does_not_do() {
+    let desk = Desk::new();
+    for option in ["--touches", "--end 1"] {
+        let message = desk.refuses(&format!("{VISIT} --algorithm batch {option}"));
+        assert!(message.contains("choose an algorithm"), "{message}");
     }
 }
 

@@ -1,5 +1,6 @@
 //! `octoscope visit`: many rays through one tree.
 
+mod batch;
 mod check;
 mod in_order;
 mod line;
@@ -54,7 +55,9 @@ pub struct Visit {
     dim: Dimension,
     /// Identifier of the algorithm (see octoscope scenes), with @ and variants
     /// as in bsp@gem or parametric@B-2; or all: runs every one, prints what the
-    /// oracle finds, and fails where one differs from it.
+    /// oracle finds, and fails where one differs from it; or batch: many rays at
+    /// once, always exactly, by the kernel that is made for speed and that no
+    /// debugger shows.
     #[arg(long, value_name = "ID", default_value = "parametric")]
     algorithm: Choice,
     /// Ends each ray at its first occupied leaf.
@@ -125,13 +128,19 @@ fn repeat(text: &str) -> Result<NonZeroUsize, String> {
 enum Choice {
     One(Method),
     All,
+    /// Many rays at once.
+    Batch,
 }
 
 impl std::str::FromStr for Choice {
     type Err = MethodError;
 
     fn from_str(id: &str) -> Result<Self, MethodError> {
-        if id == "all" { Ok(Self::All) } else { id.parse().map(Self::One) }
+        match id {
+            "all" => Ok(Self::All),
+            batch::BATCH => Ok(Self::Batch),
+            _ => id.parse().map(Self::One),
+        }
     }
 }
 
@@ -140,6 +149,7 @@ impl Choice {
         match self {
             Self::One(method) => vec![method],
             Self::All => Algorithm::ALL.map(Method::from).to_vec(),
+            Self::Batch => Vec::new(),
         }
     }
 }
@@ -193,6 +203,9 @@ fn visit_in<const D: usize>(arguments: &Visit) -> anyhow::Result<Answer> {
         arithmetic: if arguments.exact { Arithmetic::Exact } else { Arithmetic::Doubles },
         touches: if arguments.touches { Touches::Listed } else { Touches::LeftOut },
     };
+    if arguments.algorithm == Choice::Batch {
+        return visit_at_once(arguments, &tree, &rays, asked);
+    }
     let mut output = Output::open(arguments.output.as_deref())?;
     let methods = arguments.algorithm.methods();
     let threads = arguments.threads;
@@ -216,6 +229,29 @@ fn visit_in<const D: usize>(arguments: &Visit) -> anyhow::Result<Answer> {
     }
     output.finish()?;
     Ok(differences.answer(rays.len()))
+}
+
+/// The same by the kernel for many rays.
+fn visit_at_once<const D: usize>(
+    arguments: &Visit,
+    tree: &Tree<D>,
+    rays: &[Ray<D>],
+    Asked { stop_at, segment_end, touches, .. }: Asked,
+) -> anyhow::Result<Answer> {
+    if segment_end.is_some() || touches == Touches::Listed {
+        let remedy = "leave out --end and --touches, or choose an algorithm";
+        return Err(anyhow!("batch visits whole rays and notices no touches; {remedy}"));
+    }
+    let threads = arguments.threads;
+    let mut output = Output::open(arguments.output.as_deref())?;
+    if arguments.summary {
+        let row = batch::measure(tree, rays, stop_at, threads, arguments.repeat)?;
+        output.write_all(summary::table(&[row]).as_bytes())?;
+    } else {
+        batch::lines(tree, rays, stop_at, threads, |line, _| output.write_all(line.as_bytes()))?;
+    }
+    output.finish()?;
+    Ok(Answer::Done)
 }
 
 fn read_tree<const D: usize>(arguments: &Visit) -> anyhow::Result<Tree<D>> {

@@ -17,13 +17,23 @@ use std::time::{Duration, Instant};
 /// Row of the table.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Summary {
-    method: Method,
+    /// What has found the leaves.
+    name: String,
     n_rays: usize,
-    tally: Tally,
+    /// How many were found.
+    pub tally: Tally,
     /// FNV-1a, 64 bits, of the lines that would be printed.
-    checksum: u64,
+    pub checksum: u64,
     /// Times of the runs, the shortest first.
-    times: Vec<Duration>,
+    pub times: Vec<Duration>,
+}
+
+impl Summary {
+    /// Before anything was found.
+    pub fn new(name: String, n_rays: usize) -> Self {
+        let (tally, times) = (Tally::default(), Vec::new());
+        Self { name, n_rays, tally, checksum: FNV_BASIS, times }
+    }
 }
 
 /// Runs `method` over all rays: once for the lines, then `repeat` times for
@@ -39,31 +49,20 @@ pub fn measure<const D: usize>(
     threads: NonZeroUsize,
     repeat: NonZeroUsize,
 ) -> io::Result<Summary> {
-    let mut tally = Tally::default();
-    let mut checksum = FNV_BASIS;
+    let mut summary = Summary::new(method.to_string(), rays.len());
     let work = |ray: &Ray<D>| {
         let met = met(tree, ray, method, asked);
         (line(tree, &met), met)
     };
     in_order(rays, threads, work, |_, (line, met)| {
-        checksum = fnv_1a(checksum, line.as_bytes());
-        for met in met {
-            match met {
-                Met::Empty(_) => tally.leaves += 1,
-                Met::Full(_) => {
-                    tally.leaves += 1;
-                    tally.occupied += 1;
-                }
-                Met::Touch(_) => {}
-            }
-        }
+        summary.checksum = fnv_1a(summary.checksum, line.as_bytes());
+        summary.tally.add(&met);
         Ok(())
     })?;
     let query = asked.along(method);
-    let mut times: Vec<Duration> =
-        (0..repeat.get()).map(|_| time(tree, rays, &query, threads)).collect();
-    times.sort_unstable();
-    Ok(Summary { method, n_rays: rays.len(), tally, checksum, times })
+    summary.times = (0..repeat.get()).map(|_| time(tree, rays, &query, threads)).collect();
+    summary.times.sort_unstable();
+    Ok(summary)
 }
 
 /// The rows as a table with a head, in columns.
@@ -94,13 +93,13 @@ pub fn table(rows: &[Summary]) -> String {
 }
 
 fn row(summary: &Summary) -> [String; 9] {
-    let Summary { method, n_rays, tally, checksum, times } = summary;
+    let Summary { name, n_rays, tally, checksum, times } = summary;
     let best = times.first().copied().unwrap_or_default();
     let median = times.get(times.len() / 2).copied().unwrap_or_default();
     let rate = |time: Duration| quotient(*n_rays as f64, time.as_secs_f64(), 0);
     let per_leaf = |time: Duration| quotient(time.as_secs_f64() * 1e9, tally.leaves as f64, 2);
     [
-        method.to_string(),
+        name.clone(),
         n_rays.to_string(),
         tally.leaves.to_string(),
         tally.occupied.to_string(),
@@ -146,9 +145,27 @@ fn time<const D: usize>(
 
 /// The least that keeps the compiler from leaving a traversal out: it counts.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-struct Tally {
-    leaves: u64,
-    occupied: u64,
+pub struct Tally {
+    /// Visited leaves.
+    pub leaves: u64,
+    /// Those of them in which there is something.
+    pub occupied: u64,
+}
+
+impl Tally {
+    /// Counts the visited ones of these leaves.
+    pub fn add(&mut self, met: &[Met]) {
+        for met in met {
+            match met {
+                Met::Empty(_) => self.leaves += 1,
+                Met::Full(_) => {
+                    self.leaves += 1;
+                    self.occupied += 1;
+                }
+                Met::Touch(_) => {}
+            }
+        }
+    }
 }
 
 impl<const D: usize> Observer<D> for Tally {
@@ -165,14 +182,13 @@ const FNV_BASIS: u64 = 0xcbf2_9ce4_8422_2325;
 const FNV_PRIME: u64 = 0x0000_0100_0000_01b3;
 
 /// Continues the FNV-1a hash `hash` with `bytes`.
-fn fnv_1a(hash: u64, bytes: &[u8]) -> u64 {
+pub fn fnv_1a(hash: u64, bytes: &[u8]) -> u64 {
     bytes.iter().fold(hash, |hash, &byte| (hash ^ u64::from(byte)).wrapping_mul(FNV_PRIME))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use octoscope_core::traverse::Algorithm;
 
     #[test]
     fn the_hash_is_fnv_1a() {
@@ -184,7 +200,7 @@ mod tests {
     #[test]
     fn the_table_shows_median_and_best() {
         let summary = Summary {
-            method: Algorithm::Codes.into(),
+            name: "codes".to_owned(),
             n_rays: 10,
             tally: Tally { leaves: 20, occupied: 5 },
             checksum: 0xff,

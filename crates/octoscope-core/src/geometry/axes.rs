@@ -25,6 +25,12 @@ impl<const D: usize> Axes<D> {
         Self(bits)
     }
 
+    /// The axes for which `holds`.
+    #[inline(always)]
+    pub fn of(holds: impl FnMut(usize) -> bool) -> Self {
+        Self::where_true(super::per_axis(holds))
+    }
+
     /// The set of one axis, 0 = x.
     #[inline]
     pub fn one(axis: usize) -> Self {
@@ -50,6 +56,7 @@ impl<const D: usize> Axes<D> {
     }
 
     /// Number of axes in the set.
+    #[inline]
     pub fn count(self) -> usize {
         self.0.count_ones() as usize
     }

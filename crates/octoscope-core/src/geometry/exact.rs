@@ -1,6 +1,6 @@
 //! Parameters whose comparison is exact.
 
-use super::{Parameter, Scaled, Short};
+use super::{Axes, Parameter, Scaled, Short};
 use std::cmp::Ordering;
 
 /// Parameter that keeps its operands, so that comparisons are exact for any
@@ -139,27 +139,71 @@ impl Parameter for Exact {
     #[inline]
     fn before(self, other: Self) -> bool {
         let (a, b) = (self.value, other.value);
-        let gap = (a - b).abs();
-        let larger = if a.abs() < b.abs() { b.abs() } else { a.abs() };
-        let is_told = (gap > ERROR * larger + f64::MIN_POSITIVE) & (gap < f64::INFINITY);
-        // Often a parameter is compared with the earliest of several: itself. No
-        // branches here: which one it is cannot be predicted.
-        let is_itself = (self.plane == other.plane)
-            & (self.origin == other.origin)
-            & (self.direction == other.direction)
-            & (a == b);
-        if is_told | is_itself {
-            return a < b;
+        let smaller = if a.abs() < b.abs() { a.abs() } else { b.abs() };
+        if is_told(a, b, smaller) { a < b } else { self.comes_before(other) }
+    }
+
+    #[inline(always)]
+    fn index_of_latest<const D: usize>(parameters: [Self; D]) -> usize {
+        leading(&parameters, 1.0).unwrap_or_else(|| first_of_latest(&parameters))
+    }
+
+    #[inline(always)]
+    fn first<const D: usize>(parameters: [Self; D]) -> (Self, Axes<D>) {
+        match leading(&parameters, -1.0) {
+            Some(axis) => (parameters[axis], Axes::one(axis)),
+            None => all_first(parameters),
         }
-        self.comes_before(other)
+    }
+
+    #[inline(always)]
+    fn passed<const D: usize>(parameters: [Self; D], now: Self) -> Axes<D> {
+        let mut all_told = true;
+        for axis in 0..D {
+            all_told &= is_told(parameters[axis].value, now.value, now.value.abs());
+        }
+        if all_told {
+            Axes::of(|axis| parameters[axis].value <= now.value)
+        } else {
+            all_passed(parameters, now)
+        }
     }
 }
 
-/// Bound of the error of two parameters, relative to the larger one: difference
-/// and quotient are rounded once each, so that a finite value is off by 2^-52 of
-/// itself at most, and by less than the smallest normal number where the quotient
-/// is too small for that.
-const ERROR: f64 = 3.0 * f64::EPSILON;
+// What is left where doubles do not tell.
+
+#[cold]
+fn first_of_latest<const D: usize>(parameters: &[Exact; D]) -> usize {
+    let later = |a: usize, b: usize| if parameters[a].before(parameters[b]) { b } else { a };
+    (1..D).fold(0, later)
+}
+
+#[cold]
+fn all_first<const D: usize>(parameters: [Exact; D]) -> (Exact, Axes<D>) {
+    let first = parameters.into_iter().fold(Exact::BEYOND_ALL, Exact::earlier);
+    (first, all_passed(parameters, first))
+}
+
+#[cold]
+fn all_passed<const D: usize>(parameters: [Exact; D], now: Exact) -> Axes<D> {
+    Axes::of(|axis| parameters[axis].not_after(now))
+}
+
+/// Bound of the error of two parameters of about the same size, relative to one of
+/// them: difference and quotient are rounded once each, so that a value is off by
+/// 2^-52 of itself at most, and by less than the smallest normal number where the
+/// quotient is too small for that.
+const ERROR: f64 = 6.0 * f64::EPSILON;
+
+/// Whether the order of two values tells that of their parameters; `size` is the
+/// size of one of them. If the other is of more than twice that size, they are far
+/// enough from each other anyway. Infinite values tell nothing: a difference that
+/// overflows may have a small quotient.
+#[inline(always)]
+fn is_told(a: f64, b: f64, size: f64) -> bool {
+    let gap = (a - b).abs();
+    (gap > ERROR * size + f64::MIN_POSITIVE) & (gap < f64::INFINITY)
+}
 
 /// Index of the largest of some values, or of the smallest if `sign` is −1; `None`
 /// if rounding may have made it so.
@@ -173,14 +217,12 @@ fn leading<const D: usize>(parameters: &[Exact; D], sign: f64) -> Option<usize> 
     for index in 1..D {
         first = if values[index] > values[first] { index } else { first };
     }
-    // A value of more than twice this one's size is far enough from it anyway.
-    let bound = 2.0 * ERROR * values[first].abs() + f64::MIN_POSITIVE;
-    let mut is_told = true;
+    let mut all_told = true;
     for index in 0..D {
-        let gap = values[first] - values[index];
-        is_told &= (index == first) | ((gap > bound) & (gap < f64::INFINITY));
+        let told = is_told(values[first], values[index], values[first].abs());
+        all_told &= (index == first) | told;
     }
-    is_told.then_some(first)
+    all_told.then_some(first)
 }
 
 #[cfg(test)]

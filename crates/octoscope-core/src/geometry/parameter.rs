@@ -3,6 +3,8 @@
 //! All that a traversal decides, it decides by comparing such parameters.
 //! Written over [`Parameter`], one algorithm runs in doubles and exactly.
 
+use super::Axes;
+
 /// Parameter t at which a ray meets a plane, or ±∞, or a given number. NaN only
 /// where an algorithm runs with a misprint.
 pub trait Parameter: Copy {
@@ -51,6 +53,31 @@ pub trait Parameter: Copy {
     #[inline]
     fn earliest<const D: usize>(parameters: [Self; D]) -> Self {
         parameters.into_iter().fold(Self::BEYOND_ALL, Self::earlier)
+    }
+
+    /// Index of the latest of some parameters, of the first one if several come
+    /// together.
+    #[inline(always)]
+    fn index_of_latest<const D: usize>(parameters: [Self; D]) -> usize {
+        let mut latest = 0;
+        for index in 1..D {
+            latest = if parameters[latest].before(parameters[index]) { index } else { latest };
+        }
+        latest
+    }
+
+    /// The earliest of some parameters, one an axis, and the axes of all that come
+    /// with it.
+    #[inline(always)]
+    fn first<const D: usize>(parameters: [Self; D]) -> (Self, Axes<D>) {
+        let first = Self::earliest(parameters);
+        (first, Self::passed(parameters, first))
+    }
+
+    /// The axes whose parameters come before or with `now`.
+    #[inline(always)]
+    fn passed<const D: usize>(parameters: [Self; D], now: Self) -> Axes<D> {
+        Axes::of(|axis| parameters[axis].not_after(now))
     }
 
     /// The later of the two.

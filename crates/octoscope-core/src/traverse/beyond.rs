@@ -6,9 +6,9 @@
 //! within the cell that is left: rounding cannot throw the ray into a wrong cell.
 
 use super::algorithm::Options;
-use super::clip::{at_planes, clip_root, earliest};
+use super::clip::{at_planes, clip_root, first};
 use crate::event::{Event, Observer, Search};
-use crate::geometry::{Axes, Parameter, Ray};
+use crate::geometry::{Axes, Parameter, Ray, per_axis};
 use crate::locate::descend;
 use crate::tree::{Code, Domain, Node, Tree, last_where};
 use std::cell::Cell;
@@ -34,13 +34,12 @@ pub fn exit_of<const D: usize, P: Parameter>(
     level: u8,
     code: Code<D>,
 ) -> Exit<D, P> {
-    let planes = std::array::from_fn(|e| {
+    let planes = per_axis(|e| {
         let moves_down = ray.direction()[e] < 0.0;
         if moves_down { code[e] } else { code[e] + (1 << level) }
     });
     let exits = at_planes::<D, P>(domain, ray, planes);
-    let at = earliest(exits);
-    let axes = Axes::where_true(exits.map(|t| t.not_after(at)));
+    let (at, axes) = first(exits);
     Exit { planes, exits, at, axes }
 }
 
@@ -65,7 +64,7 @@ pub fn target_of<const D: usize, P: Parameter>(
     exit: &Exit<D, P>,
 ) -> ([i64; D], Search) {
     let mut search = Search::NONE;
-    let target = std::array::from_fn(|e| {
+    let target = per_axis(|e| {
         let [first, last] = [code[e], code[e] + ((1 << level) - 1)];
         match (exit.axes.contains(e), ray.direction()[e] > 0.0) {
             (true, true) => i64::from(last) + 1,
@@ -97,7 +96,7 @@ pub fn beyond<const D: usize, P: Parameter>(
 
 /// The step to `target`, beyond the planes of `axes` of the cell with this level
 /// and code, and the test whether that is in the domain; `None` if it is not.
-pub fn within<const D: usize>(
+fn within<const D: usize>(
     domain: &Domain<D>,
     level: u8,
     code: Code<D>,
@@ -110,7 +109,7 @@ pub fn within<const D: usize>(
     // Border: a code outside ends the walk. Only crossed axes can lead there.
     let outside = domain.outside(target, axes);
     observe.observe(Event::Border { tested: axes, outside });
-    outside.is_empty().then(|| target.map(|c| c as u32))
+    outside.is_empty().then(|| per_axis(|e| target[e] as u32))
 }
 
 /// A leaf on the way of a ray.
@@ -172,7 +171,7 @@ pub fn code_of_entry<const D: usize, P: Parameter>(
 ) -> (Code<D>, Search) {
     let grid = [0, domain.grid_size() - 1];
     let mut search = Search::NONE;
-    let code = std::array::from_fn(|e| {
+    let code = per_axis(|e| {
         let (found, work) = code_at(domain, ray, e, t, grid);
         search = search.and(work);
         found

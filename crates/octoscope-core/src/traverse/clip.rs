@@ -2,7 +2,7 @@
 
 use super::algorithm::Options;
 use crate::event::{Event, Observer};
-use crate::geometry::{Axes, Parameter, Ray};
+use crate::geometry::{Axes, Parameter, Ray, per_axis};
 use crate::tree::{Code, Domain};
 
 /// Interval of a ray inside the root.
@@ -102,11 +102,23 @@ pub fn earliest<const D: usize, P: Parameter>(parameters: [P; D]) -> P {
     P::earliest(parameters)
 }
 
+/// The earliest of some parameters, and the axes of all that come with it.
+#[inline(always)]
+pub fn first<const D: usize, P: Parameter>(parameters: [P; D]) -> (P, Axes<D>) {
+    P::first(parameters)
+}
+
+/// Grid indices of the mid planes of a node whose children have a side of `half`.
+#[inline(always)]
+pub fn middle<const D: usize>(code: Code<D>, half: u32) -> [u32; D] {
+    per_axis(|e| code[e] + half)
+}
+
 /// The step of finding the parameters `mid` of mid planes, each from its
 /// coordinate.
-#[inline]
+#[inline(always)]
 pub fn halved<const D: usize, P: Parameter>(ray: &Ray<D>, mid: [P; D]) -> Event<D> {
-    let divided = Axes::where_true(ray.direction().map(|d| d != 0.0));
+    let divided = Axes::of(|e| ray.direction()[e] != 0.0);
     Event::Halve { mid: mid.map(P::value), divided }
 }
 
@@ -120,14 +132,14 @@ pub fn at_planes<const D: usize, P: Parameter>(
     planes: [u32; D],
 ) -> [P; D] {
     let (origin, direction) = (ray.origin(), ray.direction());
-    let mut parameters = [P::BEFORE_ALL; D];
-    for e in 0..D {
+    per_axis(|e| {
         let plane = domain.plane(e, planes[e]);
         if direction[e] != 0.0 {
-            parameters[e] = P::at_plane(plane, origin[e], direction[e]);
+            P::at_plane(plane, origin[e], direction[e])
         } else if origin[e] < plane {
-            parameters[e] = P::BEYOND_ALL;
+            P::BEYOND_ALL
+        } else {
+            P::BEFORE_ALL
         }
-    }
-    parameters
+    })
 }

@@ -16,11 +16,11 @@
 
 use super::algorithm::Options;
 use super::beyond::{code_of_entry, exit_of};
-use super::clip::{Clip, at_planes, clip_root, earliest};
+use super::clip::{Clip, at_planes, clip_root, first};
 use super::report::{Report, finish, go_on, missed};
 use super::variant::Variant;
 use crate::event::{Event, Observer, Outcome};
-use crate::geometry::{Axes, Parameter, Ray};
+use crate::geometry::{Parameter, Ray};
 use crate::locate::descend;
 use crate::tree::{Code, Node, Tree};
 use std::ops::ControlFlow;
@@ -80,15 +80,14 @@ fn walk<const D: usize, P: Parameter, O: Observer<D>>(
     observe.observe(Event::Grid { cell, next: next.map(P::value), search });
     let mut leaf = look_up(cell, observe);
     let mut now = enter;
-    let first = report_leaf(tree, ray, leaf, enter, &report, observe);
-    if first.is_break() {
-        return finish(first, observe);
+    let begun = report_leaf(tree, ray, leaf, enter, &report, observe);
+    if begun.is_break() {
+        return finish(begun, observe);
     }
 
     loop {
         // Smallest tMax: the plane that is met next.
-        let exit = earliest(next);
-        let mut axes = Axes::where_true(next.map(|t| t.not_after(exit)));
+        let (exit, mut axes) = first(next);
         if one_by_one {
             axes = axes.first();
         }

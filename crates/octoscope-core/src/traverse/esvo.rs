@@ -12,19 +12,18 @@
 //! are met at once are crossed at once.
 
 use super::algorithm::Options;
-use super::beyond::within;
-use super::clip::{Clip, at_planes, clip_root, earliest, halved};
+use super::clip::{Clip, at_planes, clip_root, earliest, first, halved, middle};
 use super::report::{Report, finish, missed};
 use crate::event::{Event, Observer, Outcome, Search};
-use crate::geometry::{Axes, Parameter, Ray};
+use crate::geometry::{Axes, Parameter, Ray, either, per_axis};
 use crate::tree::{Child, Code, MAX_ROOT_LEVEL, Node, Tree, branch, common_level};
 use std::ops::ControlFlow;
 
-/// What is kept of an inner node while the ray is below it.
+/// What is kept of an inner node while the ray is below it. Its code is that of
+/// whatever is below it, without the low bits.
 #[derive(Clone, Copy)]
 struct Level<const D: usize, P> {
     node: Node,
-    code: Code<D>,
     mid: [P; D],
     far: [P; D],
 }
@@ -47,78 +46,73 @@ pub fn traverse<const D: usize, P: Parameter>(
     let mut node = tree.root();
     let mut level = domain.root_level();
     let mut code: Code<D> = [0; D];
-    let start = Level { node, code, mid: far, far };
-    let mut stack = [start; MAX_ROOT_LEVEL as usize + 1];
+    let mut stack = [Level { node, mid: far, far }; MAX_ROOT_LEVEL as usize + 1];
     observe.observe(entered(node, entry, far));
 
     loop {
         // Down: into the half of every axis in which the ray is.
         while !node.is_leaf() {
             let half = 1 << (level - 1);
-            let mid = at_planes::<D, P>(domain, ray, code.map(|c| c + half));
+            let mid = at_planes::<D, P>(domain, ray, middle(code, half));
             observe.observe(halved(ray, mid));
-            stack[usize::from(level)] = Level { node, code, mid, far };
-            let passed = Child::<D>::from_upper_halves(mid.map(|t| t.not_after(entry)));
-            let child = passed.mirrored(mirror);
+            stack[usize::from(level)] = Level { node, mid, far };
+            let state = Child::in_upper_halves(P::passed(mid, entry));
+            let child = state.mirrored(mirror);
             observe.observe(Event::Classify { at: entry.value(), piece: None, child });
-            (node, code, far) = below(tree, &stack[usize::from(level)], level, child, mirror);
+            node = tree.child(node, child);
+            code = child.code_in(code, half);
+            far = state.pick(mid, far);
             level -= 1;
             observe.observe(entered(node, entry, far));
         }
 
         // Leave: through the planes that are met first.
-        let exit = earliest(far);
+        let (exit, axes) = first(far);
         let reported = report.leaf(node, entry, exit, observe);
         if reported.is_break() {
             return finish(reported, observe);
         }
-        let axes = Axes::where_true(far.map(|t| t.not_after(exit)));
         observe.observe(Event::Leave { exits: far.map(P::value), axes });
 
-        // New code: beyond these planes; outside the domain the walk ends.
-        let target: [i64; D] = std::array::from_fn(|e| {
-            let low = i64::from(code[e]);
-            match (axes.contains(e), mirror.contains(e)) {
-                (false, _) => low,
-                (true, false) => low + (1 << level),
-                (true, true) => low - 1,
-            }
+        // New code: beyond these planes; outside the domain the walk ends. Below 0
+        // is outside as well: −1 is the largest number of 32 bits.
+        let next: Code<D> = per_axis(|e| {
+            let step = either(mirror.contains(e), u32::MAX, 1 << level);
+            code[e].wrapping_add(either(axes.contains(e), step, 0))
         });
-        let target = (target, Search::NONE);
-        let Some(next) = within(domain, level, code, axes, target, observe) else {
+        let (from, to) = (code, signed(next));
+        observe.observe(Event::Target { level, from, to, axes, search: Search::NONE });
+        let outside = Axes::<D>::of(|e| next[e] >= domain.grid_size());
+        observe.observe(Event::Border { tested: axes, outside });
+        if !outside.is_empty() {
             return finish(ControlFlow::Continue(()), observe);
-        };
+        }
 
         // Resume: at the ancestor whose level is that of the highest new bit.
-        let xor = std::array::from_fn(|e| code[e] ^ next[e]);
-        let popped = common_level(code, next) - level;
-        level += popped;
-        observe.observe(Event::Difference { from: code, to: next, xor, level });
-        let ancestor = &stack[usize::from(level)];
-        observe.observe(Event::Resume { node: ancestor.node.id, level, popped });
+        let common = common_level(code, next);
+        let xor = per_axis(|e| code[e] ^ next[e]);
+        observe.observe(Event::Difference { from: code, to: next, xor, level: common });
+        let ancestor = &stack[usize::from(common)];
+        let popped = common - level;
+        observe.observe(Event::Resume { node: ancestor.node.id, level: common, popped });
+        level = common - 1;
+        let child = branch(next, common);
+        let state = child.mirrored(mirror);
+        node = tree.child(ancestor.node, child);
+        code = per_axis(|e| next[e] >> level << level);
+        far = state.pick(ancestor.mid, ancestor.far);
         entry = exit;
-        (node, code, far) = below(tree, ancestor, level, branch(next, level), mirror);
-        level -= 1;
         observe.observe(entered(node, entry, far));
     }
 }
 
-/// A child with its code and the parameters of its far planes.
-#[inline]
-fn below<const D: usize, P: Parameter>(
-    tree: &Tree<D>,
-    parent: &Level<D, P>,
-    level: u8,
-    child: Child<D>,
-    mirror: Axes<D>,
-) -> (Node, Code<D>, [P; D]) {
-    let state = child.mirrored(mirror);
-    let half = 1 << (level - 1);
-    let code = child.code_in(parent.code, half);
-    let far = state.pick(parent.mid, parent.far);
-    (tree.child(parent.node, child), code, far)
+/// Codes with −1 instead of the largest number.
+#[inline(always)]
+fn signed<const D: usize>(code: Code<D>) -> [i64; D] {
+    per_axis(|e| i64::from(code[e] as i32))
 }
 
+#[inline(always)]
 fn entered<const D: usize, P: Parameter>(node: Node, entry: P, far: [P; D]) -> Event<D> {
     let interval = [entry.value(), earliest(far).value()];
     Event::Enter { node: node.id, interval, call: false }

@@ -14,7 +14,7 @@
 //! piece, those passed in its middle are those not after its beginning.
 
 use super::algorithm::Options;
-use super::clip::{Clip, at_planes, clip_root, halved};
+use super::clip::{Clip, at_planes, clip_root, halved, middle};
 use super::hero::sorted;
 use super::report::{Report, finish, missed};
 use crate::event::{Event, Observer, Outcome};
@@ -52,6 +52,7 @@ struct Walk<'a, const D: usize, P, O> {
 impl<const D: usize, P: Parameter, O: Observer<D>> Walk<'_, D, P, O> {
     /// Reports the leaves below `node`, in which the ray is from `enter` to
     /// `exit`. Breaks where the traversal stops.
+    #[inline(always)]
     fn visit(
         &mut self,
         node: Node,
@@ -65,15 +66,26 @@ impl<const D: usize, P: Parameter, O: Observer<D>> Walk<'_, D, P, O> {
         if node.is_leaf() {
             return self.report.leaf(node, enter, exit, self.observe);
         }
+        self.visit_inner(node, level, code, enter, exit)
+    }
 
+    /// The same for an inner node.
+    fn visit_inner(
+        &mut self,
+        node: Node,
+        level: u8,
+        code: Code<D>,
+        enter: P,
+        exit: P,
+    ) -> ControlFlow<Outcome> {
         // Cut: sort the mid planes, leave out those beyond the interval.
         let half = 1 << (level - 1);
-        let mid = at_planes::<D, P>(self.tree.domain(), self.ray, code.map(|c| c + half));
+        let mid = at_planes::<D, P>(self.tree.domain(), self.ray, middle(code, half));
         self.observe.observe(halved(self.ray, mid));
         let (order, sorting) = sorted(mid);
-        let ahead = mid.map(|t| enter.before(t));
-        let inside = Axes::where_true(std::array::from_fn(|e| ahead[e] && mid[e].before(exit)));
-        let ranging = (D + ahead.iter().filter(|&&ahead| ahead).count()) as u8;
+        let ahead = Axes::<D>::of(|e| enter.before(mid[e]));
+        let inside = Axes::of(|e| ahead.contains(e) & mid[e].before(exit));
+        let ranging = D as u8 + ahead.count() as u8;
         let axes = order.map(|axis| axis as u8);
         self.observe.observe(Event::Cuts { order: axes, inside, sorting, ranging });
 
@@ -86,8 +98,8 @@ impl<const D: usize, P: Parameter, O: Observer<D>> Walk<'_, D, P, O> {
             }
 
             // Classify: on which side of the mid planes is the middle of the piece?
-            let passed = mid.map(|plane| P::passed_midway(plane, from, to));
-            let child = Child::<D>::from_upper_halves(passed).mirrored(self.mirror);
+            let passed = Child::<D>::in_upper_half_where(|e| P::passed_midway(mid[e], from, to));
+            let child = passed.mirrored(self.mirror);
             let ends = [from.value(), to.value()];
             let middle = 0.5 * ends[0] + 0.5 * ends[1];
             self.observe.observe(Event::Classify { at: middle, piece: Some(ends), child });

@@ -13,7 +13,7 @@
 //! axis the side of the origin decides.
 
 use super::algorithm::Options;
-use super::clip::{Clip, at_planes, clip_root, halved};
+use super::clip::{Clip, at_planes, clip_root, halved, middle};
 use super::report::{Report, finish, missed};
 use crate::event::{Event, Observer, Outcome};
 use crate::geometry::{Axes, Parameter, Ray};
@@ -50,6 +50,7 @@ struct Walk<'a, const D: usize, P, O> {
 impl<const D: usize, P: Parameter, O: Observer<D>> Walk<'_, D, P, O> {
     /// Reports the leaves below `node`, in which the ray is from `enter` to
     /// `exit`. Breaks where the traversal stops.
+    #[inline(always)]
     fn visit(
         &mut self,
         node: Node,
@@ -63,21 +64,32 @@ impl<const D: usize, P: Parameter, O: Observer<D>> Walk<'_, D, P, O> {
         if node.is_leaf() {
             return self.report.leaf(node, enter, exit, self.observe);
         }
+        self.visit_inner(node, level, code, enter, exit)
+    }
 
+    /// The same for an inner node.
+    fn visit_inner(
+        &mut self,
+        node: Node,
+        level: u8,
+        code: Code<D>,
+        enter: P,
+        exit: P,
+    ) -> ControlFlow<Outcome> {
         // Mid planes.
         let half = 1 << (level - 1);
-        let mid = at_planes::<D, P>(self.tree.domain(), self.ray, code.map(|c| c + half));
+        let mid = at_planes::<D, P>(self.tree.domain(), self.ray, middle(code, half));
         self.observe.observe(halved(self.ray, mid));
 
         // First child: the mask, with the bits flipped whose planes are passed.
-        let passed = mid.map(|t| t.not_after(enter));
-        let mut child = Child::<D>::from_upper_halves(passed).mirrored(self.mask);
+        let passed = P::passed(mid, enter);
+        let mut child = Child::in_upper_halves(passed).mirrored(self.mask);
         self.observe.observe(Event::Classify { at: enter.value(), piece: None, child });
 
         // Sort: the planes that are still to be met, in their order.
         let (order, sorting) = sorted(mid);
-        let inside = Axes::where_true(std::array::from_fn(|e| !passed[e] && mid[e].before(exit)));
-        let ranging = passed.iter().filter(|&&passed| !passed).count() as u8;
+        let inside = Axes::of(|e| !passed.contains(e) & mid[e].before(exit));
+        let ranging = (D - passed.count()) as u8;
         let axes = order.map(|axis| axis as u8);
         self.observe.observe(Event::Cuts { order: axes, inside, sorting, ranging });
 

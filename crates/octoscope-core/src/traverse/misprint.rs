@@ -9,12 +9,11 @@
 use super::algorithm::Options;
 use super::clip::{earliest, latest};
 use super::misprinted_rules::{Plane, Rules, first_child, mirrored_origin, selection};
-use super::parametric::entry_axis;
 use super::parametric_table::{entry_axes, exit_axis, transition};
 use super::report::{Report, finish, missed};
 use super::variant::Variant;
 use crate::event::{Event, Observer, Outcome};
-use crate::geometry::{Axes, Ray};
+use crate::geometry::{Axes, Parameter, Ray};
 use crate::tree::{Child, Code, Node, Tree};
 use std::ops::ControlFlow;
 
@@ -225,4 +224,15 @@ impl<const D: usize, O: Observer<D>> Walk<'_, D, O> {
         let axes = Axes::where_true(exits.map(|t| t <= first));
         if self.rules.has(Variant::OneByOne) { axes.first() } else { axes }
     }
+}
+
+/// Axis of the near plane that is reached last, the first of equal ones; `None`
+/// if the origin is past them all. What is no number, as only misprints bring it,
+/// comes neither before nor after any other.
+fn entry_axis<const D: usize>(near: [f64; D]) -> Option<usize> {
+    let last = latest(near);
+    if last <= 0.0 {
+        return None;
+    }
+    near.into_iter().position(|t| last.not_after(t))
 }

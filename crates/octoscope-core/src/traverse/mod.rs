@@ -7,6 +7,7 @@
 mod agree;
 mod algorithm;
 mod all_children;
+mod batch;
 mod beyond;
 mod bsp;
 mod clip;
@@ -31,6 +32,7 @@ pub use agree::{
     Difference, SLIVER, Slivers, doubles_suffice, first_difference, first_difference_of_run,
 };
 pub use algorithm::{Algorithm, Method, MethodError, Options, StopAt, UnknownAlgorithm};
+pub use batch::{Kernel, Leaf, visit_many};
 pub(crate) use beyond::{Exit, code_of_entry, target_of};
 pub(crate) use bsp::halves;
 pub(crate) use clip::slabs;

@@ -19,7 +19,7 @@
 //! * *The index is mirrored, not the ray*: a root away from 0 needs no care.
 
 use super::algorithm::Options;
-use super::clip::{Clip, at_planes, clip_root, earliest, halved, latest};
+use super::clip::{Clip, at_planes, clip_root, earliest, first, halved, middle};
 use super::misprint::{self, Base};
 use super::report::{Report, finish, missed};
 use super::variant::Variant;
@@ -73,6 +73,7 @@ impl<const D: usize, P: Parameter, O: Observer<D>> Walk<'_, D, P, O> {
     /// Reports the leaves below `node`, which has this level and code; `near`
     /// and `far` are the parameters of its planes. Breaks where the traversal
     /// stops.
+    #[inline(always)]
     fn visit(
         &mut self,
         node: Node,
@@ -82,26 +83,42 @@ impl<const D: usize, P: Parameter, O: Observer<D>> Walk<'_, D, P, O> {
         far: [P; D],
     ) -> ControlFlow<Outcome> {
         // The node is entered when the latest near plane is, but not before t = 0.
-        let entry = latest(near).later(P::ORIGIN);
+        let entry_axis = entry_axis(near);
+        let entry = entry_axis.map_or(P::ORIGIN, |axis| near[axis]);
 
         // Leaf: report it and return.
         if node.is_leaf() {
             return self.report.leaf(node, entry, earliest(far), self.observe);
         }
+        self.visit_inner(node, level, code, [near, far], entry, entry_axis)
+    }
 
+    /// The same for an inner node.
+    fn visit_inner(
+        &mut self,
+        node: Node,
+        level: u8,
+        code: Code<D>,
+        [near, far]: [[P; D]; 2],
+        entry: P,
+        entry_axis: Option<usize>,
+    ) -> ControlFlow<Outcome> {
         // Halve: the parameters of the mid planes.
         let half = 1 << (level - 1);
-        let planes = code.map(|c| c + half);
+        let planes = middle(code, half);
         let (mid, event) = halve(self.tree.domain(), self.ray, self.options, [near, far], planes);
         self.observe.observe(event);
 
         // Enter: the first child is past every mid plane that is not after the entry.
         let one_by_one = self.options.variants.has(Variant::OneByOne);
-        let passed = |t: P| if one_by_one { t.before(entry) } else { t.not_after(entry) };
-        let mut state = Child::from_upper_halves(mid.map(passed));
+        let mut state = if one_by_one {
+            Child::in_upper_half_where(|e| mid[e].before(entry))
+        } else {
+            Child::in_upper_halves(P::passed(mid, entry))
+        };
         self.observe.observe(Event::First {
             entry: entry.value(),
-            entry_axis: entry_axis(near),
+            entry_axis,
             compared: Axes::where_true([true; D]),
             state,
         });
@@ -123,8 +140,7 @@ impl<const D: usize, P: Parameter, O: Observer<D>> Walk<'_, D, P, O> {
             self.observe.observe(Event::Up { node: Some(node.id) });
 
             // Step: through all planes that are reached first at once.
-            let exit = earliest(far_of_child);
-            let mut axes = Axes::where_true(far_of_child.map(|t| t.not_after(exit)));
+            let (_, mut axes) = first(far_of_child);
             if one_by_one {
                 axes = axes.first();
             }
@@ -147,7 +163,7 @@ impl<const D: usize, P: Parameter, O: Observer<D>> Walk<'_, D, P, O> {
 
 /// Parameters of the mid planes at grid indices `planes`, with the step of finding
 /// them: each from its coordinate, or as a mean of `near` and `far`.
-#[inline]
+#[inline(always)]
 pub(super) fn halve<const D: usize, P: Parameter>(
     domain: &Domain<D>,
     ray: &Ray<D>,
@@ -189,10 +205,8 @@ fn averaged<const D: usize, P: Parameter>(
 
 /// Axis of the near plane that is reached last, the first of equal ones; `None`
 /// if the origin is past them all.
-pub(super) fn entry_axis<const D: usize, P: Parameter>(near: [P; D]) -> Option<usize> {
-    let latest = latest(near);
-    if latest.not_after(P::ORIGIN) {
-        return None;
-    }
-    near.into_iter().position(|t| latest.not_after(t))
+#[inline(always)]
+fn entry_axis<const D: usize, P: Parameter>(near: [P; D]) -> Option<usize> {
+    let axis = P::index_of_latest(near);
+    P::ORIGIN.before(near[axis]).then_some(axis)
 }

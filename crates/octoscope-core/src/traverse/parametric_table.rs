@@ -14,7 +14,7 @@
 //! as its authors corrected it; mid planes from their coordinate.
 
 use super::algorithm::Options;
-use super::clip::{Clip, clip_root, earliest, latest};
+use super::clip::{Clip, clip_root, earliest, latest, middle};
 use super::misprint::{self, Base};
 use super::parametric::halve;
 use super::report::{Report, finish, missed};
@@ -130,7 +130,7 @@ impl<const D: usize, P: Parameter, O: Observer<D>> Walk<'_, D, P, O> {
 
         // Halve: the parameters of the mid planes.
         let half = 1 << (level - 1);
-        let planes = code.map(|c| c + half);
+        let planes = middle(code, half);
         let (mid, event) = halve(self.tree.domain(), self.ray, self.options, [near, far], planes);
         self.observe.observe(event);
 

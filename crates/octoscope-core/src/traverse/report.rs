@@ -21,7 +21,7 @@ impl<P: Parameter> Report<P> {
 
     /// Reports that the ray is in leaf `node` from `enter` to `exit`: as a touch
     /// if these are no interval. Breaks if nothing is wanted of later leaves.
-    #[inline]
+    #[inline(always)]
     pub fn leaf<const D: usize>(
         &self,
         node: Node,
@@ -38,7 +38,7 @@ impl<P: Parameter> Report<P> {
 
     /// Reports that the ray is in leaf `node` from `enter` to `exit`, whatever
     /// these are. Breaks if nothing is wanted of later leaves.
-    #[inline]
+    #[inline(always)]
     pub fn crossed<const D: usize>(
         &self,
         node: Node,

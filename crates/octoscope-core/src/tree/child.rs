@@ -1,7 +1,7 @@
 //! Child indices, in the numbering of Revelles: x is the most significant bit.
 
 use super::Code;
-use crate::geometry::Axes;
+use crate::geometry::{Axes, either, per_axis};
 
 /// Index of a child in its parent, 0 … 2^D−1: bit D−1−e is 1 in the upper half
 /// of axis e, so that i = 2x + y in a quadtree and i = 4x + 2y + z in an octree
@@ -27,6 +27,18 @@ impl<const D: usize> Child<D> {
         Self(Axes::where_true(upper).0)
     }
 
+    /// The child that lies in the upper half of the axes that `holds` for.
+    #[inline(always)]
+    pub fn in_upper_half_where(holds: impl FnMut(usize) -> bool) -> Self {
+        Self(Axes::<D>::of(holds).0)
+    }
+
+    /// The child that lies in the upper half of these axes.
+    #[inline(always)]
+    pub fn in_upper_halves(axes: Axes<D>) -> Self {
+        Self(axes.0)
+    }
+
     /// Whether the child lies in the upper half of `axis`.
     #[inline]
     pub fn is_upper(self, axis: usize) -> bool {
@@ -47,15 +59,15 @@ impl<const D: usize> Child<D> {
     }
 
     /// Code of the child of a node with code `parent`; the child's side is `half`.
-    #[inline]
+    #[inline(always)]
     pub fn code_in(self, parent: Code<D>, half: u32) -> Code<D> {
-        std::array::from_fn(|e| parent[e] + u32::from(self.is_upper(e)) * half)
+        per_axis(|e| parent[e] + u32::from(self.is_upper(e)) * half)
     }
 
     /// Of every axis the second value in the upper half, else the first one.
-    #[inline]
+    #[inline(always)]
     pub fn pick<T: Copy>(self, lower: [T; D], upper: [T; D]) -> [T; D] {
-        std::array::from_fn(|e| if self.is_upper(e) { upper[e] } else { lower[e] })
+        per_axis(|e| either(self.is_upper(e), upper[e], lower[e]))
     }
 
     /// Index in the numbering of Frisken–Perry and of Morton codes, where x is

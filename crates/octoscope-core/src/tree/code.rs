@@ -10,7 +10,7 @@ pub type Code<const D: usize> = [u32; D];
 /// Child that bit `level − 1` of every code selects in a node of `level` ≥ 1.
 #[inline]
 pub fn branch<const D: usize>(code: Code<D>, level: u8) -> Child<D> {
-    Child::from_upper_halves(code.map(|c| c >> (level - 1) & 1 == 1))
+    Child::in_upper_half_where(|e| code[e] >> (level - 1) & 1 == 1)
 }
 
 /// Level of the smallest cell, occupied or not, that holds both codes: one more
@@ -22,15 +22,40 @@ pub fn common_level<const D: usize>(a: Code<D>, b: Code<D>) -> u8 {
 }
 
 /// Morton code: the bits of all axes interleaved, the x bit least significant
-/// in every group of D.
+/// in every group of D. Of each code the lowest 64 / D bits count.
 pub fn morton<const D: usize>(code: Code<D>) -> u64 {
     let mut interleaved = 0;
-    for bit in 0..u32::BITS.min(64 / D as u32) {
-        for (axis, c) in code.iter().enumerate() {
-            interleaved |= u64::from(c >> bit & 1) << (bit * D as u32 + axis as u32);
-        }
+    for (axis, &c) in code.iter().enumerate() {
+        interleaved |= spread::<D>(c.into()) << axis;
     }
     interleaved
+}
+
+/// Bits of a number with D − 1 zeros between them: halves are moved apart, then
+/// halves of halves, down to single bits.
+fn spread<const D: usize>(mut bits: u64) -> u64 {
+    let halvings: &[(u32, u64)] = match D {
+        2 => &[
+            (16, 0x0000_ffff_0000_ffff),
+            (8, 0x00ff_00ff_00ff_00ff),
+            (4, 0x0f0f_0f0f_0f0f_0f0f),
+            (2, 0x3333_3333_3333_3333),
+            (1, 0x5555_5555_5555_5555),
+        ],
+        3 => &[
+            (32, 0x001f_0000_0000_ffff),
+            (16, 0x001f_0000_ff00_00ff),
+            (8, 0x100f_00f0_0f00_f00f),
+            (4, 0x10c3_0c30_c30c_30c3),
+            (2, 0x1249_2492_4924_9249),
+        ],
+        _ => return (0..64 / D as u32).fold(0, |s, b| s | (bits >> b & 1) << (b * D as u32)),
+    };
+    bits &= u64::MAX >> (64 - 64 / D);
+    for &(shift, mask) in halvings {
+        bits = (bits | bits << shift) & mask;
+    }
+    bits
 }
 
 #[cfg(test)]
@@ -54,5 +79,24 @@ mod tests {
         assert_eq!(morton([0b11, 0b01]), 0b0111);
         assert_eq!(morton([1, 0, 0]), 1);
         assert_eq!(morton([0, 0, 2]), 0b100_000);
+    }
+
+    /// Bit by bit.
+    fn interleaved<const D: usize>(code: Code<D>) -> u64 {
+        let bits = (0..64 / D as u32).flat_map(|bit| (0..D).map(move |axis| (bit, axis)));
+        bits.fold(0, |all, (bit, axis)| {
+            all | (u64::from(code[axis]) >> bit & 1) << (bit * D as u32 + axis as u32)
+        })
+    }
+
+    #[test]
+    fn spreading_by_halves_interleaves_bit_by_bit() {
+        let mut random = crate::random::Random::new(1);
+        for _ in 0..1000 {
+            let [x, y, z] = [(); 3].map(|()| random.bits() as u32);
+            assert_eq!(morton([x, y, z]), interleaved([x, y, z]));
+            assert_eq!(morton([x, y]), interleaved([x, y]));
+            assert_eq!(morton([x >> 16]), interleaved([x >> 16]));
+        }
     }
 }

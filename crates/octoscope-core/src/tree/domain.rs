@@ -143,7 +143,7 @@ impl<const D: usize> Domain<D> {
     #[inline]
     pub fn outside(&self, code: [i64; D], crossed: Axes<D>) -> Axes<D> {
         let is_outside = |e: usize| !(0..i64::from(self.grid_size())).contains(&code[e]);
-        Axes::where_true(std::array::from_fn(|e| crossed.contains(e) && is_outside(e)))
+        Axes::of(|e| crossed.contains(e) && is_outside(e))
     }
 
     fn settle(&self, axis: usize, x: f64, passed: impl Fn(f64) -> bool) -> u32 {

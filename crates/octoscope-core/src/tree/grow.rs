@@ -55,6 +55,7 @@ pub fn grow<const D: usize, C>(
     progress: &Progress,
     mut split: impl FnMut(Cell<D>, C) -> Split<C>,
 ) -> Result<Tree<D>, Cancelled> {
+    progress.advance(1)?;
     let mut tree = Tree {
         domain,
         root_full: false,
@@ -64,50 +65,66 @@ pub fn grow<const D: usize, C>(
         items: Vec::new(),
         net: Net::default(),
     };
-    // Cells of one level in the order of their numbers, with the cells' parents.
-    let mut cells = vec![(NodeId::ROOT, [0; D], contents)];
+    // The inner nodes of one level in the order of their numbers, with the contents of
+    // their children. Leaves are done with where they are met: there are far more.
+    let mut inner = Vec::new();
+    tree.settle(NodeId::ROOT, domain.root_level(), [0; D], contents, &mut split, &mut inner);
     let mut level = domain.root_level();
-    loop {
+    while !inner.is_empty() {
         let mut below = Vec::new();
-        for (id, code, contents) in cells {
-            progress.advance(1)?;
-            let cell = Cell { domain: &domain, level, code };
-            match split(cell, contents) {
-                Split::Empty => {}
-                Split::Full(items) => {
-                    tree.mark(id, |row, bit| row.full |= bit);
-                    tree.root_full = id == NodeId::ROOT;
-                    tree.items.extend(items);
-                }
-                Split::Inner(contents) => {
-                    assert!(level > 0, "a cell of level 0 cannot be split");
-                    assert_eq!(contents.len(), Child::<D>::COUNT, "one part for each child");
-                    let row = tree.rows.len() as u32;
-                    tree.mark(id, |parent, bit| {
-                        if parent.inner == 0 {
-                            parent.base = row;
-                        }
-                        parent.inner |= bit;
-                    });
-                    tree.rows.push(Row::default());
-                    tree.places.push(Place { id, level, code });
-                    for (child, contents) in Child::all().zip(contents) {
-                        let id = NodeId(1 + (row << D | u32::from(child.0)));
-                        below.push((id, cell.child_code(child), contents));
-                    }
-                }
-            }
-            tree.first_item.push(tree.items.len() as u32);
-        }
-        if below.is_empty() {
-            return Ok(tree);
-        }
-        cells = below;
+        let first_row = tree.rows.len() - inner.len();
         level -= 1;
+        for (row, (code, contents)) in (first_row as u32..).zip(inner) {
+            progress.advance(Child::<D>::COUNT as u64)?;
+            for (child, contents) in Child::<D>::all().zip(contents) {
+                let id = NodeId(1 + (row << D | u32::from(child.0)));
+                let code = child.code_in(code, 1 << level);
+                tree.settle(id, level, code, contents, &mut split, &mut below);
+            }
+        }
+        inner = below;
     }
+    Ok(tree)
 }
 
 impl<const D: usize> Tree<D> {
+    /// Adds the node with the next number, as `split` decides; what is an inner node
+    /// goes to `inner` as well.
+    #[inline]
+    fn settle<C>(
+        &mut self,
+        id: NodeId,
+        level: u8,
+        code: Code<D>,
+        contents: C,
+        split: &mut impl FnMut(Cell<D>, C) -> Split<C>,
+        inner: &mut Vec<(Code<D>, Vec<C>)>,
+    ) {
+        match split(Cell { domain: &self.domain, level, code }, contents) {
+            Split::Empty => {}
+            Split::Full(items) => {
+                self.mark(id, |row, bit| row.full |= bit);
+                self.root_full = id == NodeId::ROOT;
+                self.items.extend(items);
+            }
+            Split::Inner(contents) => {
+                assert!(level > 0, "a cell of level 0 cannot be split");
+                assert_eq!(contents.len(), Child::<D>::COUNT, "one part for each child");
+                let row = self.rows.len() as u32;
+                self.mark(id, |parent, bit| {
+                    if parent.inner == 0 {
+                        parent.base = row;
+                    }
+                    parent.inner |= bit;
+                });
+                self.rows.push(Row::default());
+                self.places.push(Place { id, level, code });
+                inner.push((code, contents));
+            }
+        }
+        self.first_item.push(self.items.len() as u32);
+    }
+
     /// Changes the parent's row of a node, given the node's bit in its masks.
     fn mark(&mut self, id: NodeId, change: impl FnOnce(&mut Row, u8)) {
         if let Some(place) = id.0.checked_sub(1) {

@@ -8,11 +8,11 @@
 
 use super::net::Net;
 use super::{Child, Code, Domain};
-use crate::geometry::Aabb;
+use crate::geometry::{Aabb, either};
 
 /// Number of a node: 0 is the root, 1 + 2^D·row + i is child i of the inner
 /// node in `row`. The children of a node have consecutive numbers.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct NodeId(
     /// The number.
     pub u32,
@@ -38,7 +38,7 @@ pub struct Node {
 }
 
 const EMPTY_LEAF: u32 = u32::MAX;
-const FULL_LEAF: u32 = u32::MAX - 1;
+const FULL_LEAF: u32 = EMPTY_LEAF - 1;
 
 impl Node {
     /// Whether the node has no children.
@@ -56,7 +56,7 @@ impl Node {
 
 /// What is walked of an inner node: 8 bytes.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(super) struct Row {
+pub(crate) struct Row {
     /// Row of the first inner child.
     pub base: u32,
     /// Bit i: child i is an inner node.
@@ -94,6 +94,12 @@ impl<const D: usize> Tree<D> {
         &self.domain
     }
 
+    /// What is walked of the inner nodes; the root's row is the first.
+    #[inline]
+    pub(crate) fn rows(&self) -> &[Row] {
+        &self.rows
+    }
+
     /// Number of nodes, inner ones and leaves.
     pub fn n_nodes(&self) -> usize {
         1 + self.rows.len() * Child::<D>::COUNT
@@ -124,14 +130,9 @@ impl<const D: usize> Tree<D> {
         let row = self.rows[node.row as usize];
         let bit = 1u8 << child.0;
         let id = NodeId(1 + (node.row << D | u32::from(child.0)));
-        let row = if row.inner & bit != 0 {
-            row.base + (row.inner & (bit - 1)).count_ones()
-        } else if row.full & bit != 0 {
-            FULL_LEAF
-        } else {
-            EMPTY_LEAF
-        };
-        Node { id, row }
+        let inner = row.base + (row.inner & (bit - 1)).count_ones();
+        let leaf = EMPTY_LEAF - u32::from(row.full & bit != 0);
+        Node { id, row: either(row.inner & bit != 0, inner, leaf) }
     }
 
     /// The children of a node in the order of their indices; none of a leaf.

@@ -11,11 +11,13 @@ mod occupied;
 mod overlap;
 mod part;
 mod recipe;
+mod sort;
 
 pub use child::Child;
 pub use code::{Code, branch, common_level, morton};
 pub use domain::{Domain, DomainError, last_where};
 pub use grow::{Cell, Split, grow};
+pub(crate) use layout::Row;
 pub use layout::{Node, NodeId, Tree};
 pub use memory::Array;
 pub use part::Part;

@@ -1,11 +1,12 @@
 //! Building a tree from content.
 //!
 //! Everything but a picture is first turned into a list of cells, sorted along
-//! the order of the children from the root to the leaves. Then every node owns
-//! a range of the list and finds those of its children by bisection. O(n log n)
-//! for n points or cells; no copy of the content is made.
+//! the order of the children from the root to the leaves, by digits of their Morton
+//! codes. Then every node owns a range of the list and finds those of its children by
+//! bisection. O(n · depth) for n points or cells; no copy of the content is made.
 
 use super::occupied::{Occupied, occupied_cells};
+use super::sort::sort_by_key;
 use super::{Cell, Child, Code, Domain, DomainError, Split, Tree, grow, morton};
 use crate::progress::{Cancelled, Progress};
 use crate::scene::{Content, Image, pixels_of};
@@ -192,7 +193,7 @@ fn sorted_keys<const D: usize>(
     if count > 0 {
         return Err(BuildError::Outside { count, first });
     }
-    keys.sort_unstable();
+    sort_by_key(&mut keys);
     Ok(keys)
 }
 
@@ -239,6 +240,10 @@ fn child_ranges<const D: usize>(
 /// First of `range` for which `before` is false; it is true up to there.
 fn partition_point(range: Range<usize>, before: impl Fn(usize) -> bool) -> usize {
     let (mut from, mut to) = (range.start, range.end);
+    // In most nodes there is little to look at.
+    if range.len() <= 8 {
+        return range.into_iter().find(|&item| !before(item)).unwrap_or(to);
+    }
     while from < to {
         let middle = from + (to - from) / 2;
         if before(middle) { from = middle + 1 } else { to = middle }

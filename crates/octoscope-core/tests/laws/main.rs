@@ -2,6 +2,7 @@
 //! against brute force, every trace against itself.
 
 mod agreement;
+mod batch;
 mod fates;
 mod misprints;
 mod queries;

@@ -1,0 +1,102 @@
+//! Many rays at once.
+
+use super::in_order::in_order;
+use super::line::{Met, line};
+use super::summary::{Summary, Tally, fnv_1a};
+use octoscope_core::geometry::Ray;
+use octoscope_core::traverse::{Kernel, Leaf, StopAt, visit_many};
+use octoscope_core::tree::Tree;
+use std::hint::black_box;
+use std::io;
+use std::num::NonZeroUsize;
+use std::thread;
+use std::time::{Duration, Instant};
+
+/// Name of the kernel, where others have that of their algorithm.
+pub const BATCH: &str = "batch";
+
+/// Rays that a thread visits before it asks for more, and whose lines are kept until
+/// those before them are done.
+const BLOCK: usize = 512;
+const BLOCKS: usize = 64;
+
+/// Hands the line of every ray to `take`, in order, with the leaves that it tells.
+///
+/// # Errors
+/// Stops at the first error of `take`.
+pub fn lines<const D: usize>(
+    tree: &Tree<D>,
+    rays: &[Ray<D>],
+    stop_at: StopAt,
+    threads: NonZeroUsize,
+    mut take: impl FnMut(&str, &[Met]) -> io::Result<()>,
+) -> io::Result<()> {
+    for rays in rays.chunks(BLOCK * BLOCKS) {
+        let blocks: Vec<&[Ray<D>]> = rays.chunks(BLOCK).collect();
+        let work = |block: &&[Ray<D>]| {
+            let mut found = vec![Vec::new(); block.len()];
+            visit_many(tree, block, stop_at, Kernel::Vector, |index, leaves| {
+                found[index] = leaves.iter().map(|&leaf| met(leaf)).collect();
+            });
+            found
+        };
+        in_order(&blocks, threads, work, |_, found| {
+            found.iter().try_for_each(|met| take(&line(tree, met), met))
+        })?;
+    }
+    Ok(())
+}
+
+fn met(leaf: Leaf) -> Met {
+    if leaf.is_full() { Met::Full(leaf.node()) } else { Met::Empty(leaf.node()) }
+}
+
+/// Visits all rays once for the lines, then `repeat` times for the time of the kernel
+/// alone.
+///
+/// # Errors
+/// None of its own.
+pub fn measure<const D: usize>(
+    tree: &Tree<D>,
+    rays: &[Ray<D>],
+    stop_at: StopAt,
+    threads: NonZeroUsize,
+    repeat: NonZeroUsize,
+) -> io::Result<Summary> {
+    let mut summary = Summary::new(BATCH.to_owned(), rays.len());
+    lines(tree, rays, stop_at, threads, |line, met| {
+        summary.checksum = fnv_1a(summary.checksum, line.as_bytes());
+        summary.tally.add(met);
+        Ok(())
+    })?;
+    summary.times = (0..repeat.get()).map(|_| time(tree, rays, stop_at, threads)).collect();
+    summary.times.sort_unstable();
+    Ok(summary)
+}
+
+/// Time of one run over all rays.
+fn time<const D: usize>(
+    tree: &Tree<D>,
+    rays: &[Ray<D>],
+    stop_at: StopAt,
+    threads: NonZeroUsize,
+) -> Duration {
+    let run = |rays: &[Ray<D>]| {
+        let mut tally = Tally::default();
+        visit_many(tree, rays, stop_at, Kernel::Vector, |_, leaves| {
+            tally.leaves += leaves.len() as u64;
+            tally.occupied += leaves.iter().map(|leaf| u64::from(leaf.is_full())).sum::<u64>();
+        });
+        black_box(tally);
+    };
+    let start = Instant::now();
+    thread::scope(|scope| {
+        let mut parts = rays.chunks(rays.len().div_ceil(threads.get()).max(1));
+        let own = parts.next().unwrap_or_default();
+        for part in parts {
+            scope.spawn(move || run(part));
+        }
+        run(own);
+    });
+    start.elapsed()
+}

@@ -1,0 +1,75 @@
+//! `cargo xtask bench`.
+
+use crate::cargo::cargo;
+use std::collections::BTreeMap;
+use std::fmt::Write;
+use std::fs;
+
+/// What is measured: the name of the bench and the title of its part.
+const BENCHES: [(&str, &str); 3] = [
+    ("kernels", "Traversals"),
+    ("building", "Building"),
+    ("exactness", "Exact comparisons against doubles"),
+];
+
+/// What the numbers mean and which goals they meet; stays as it is.
+const TEXT: &str = include_str!("bench.md");
+
+/// Runs all benches and writes `BENCHMARKS.md`: the text, the machine and the tables.
+///
+/// # Errors
+/// Says which bench has failed, or that the file cannot be written.
+pub fn bench() -> Result<(), String> {
+    let mut page = TEXT.to_owned();
+    let _ = writeln!(page, "\n## The machine\n\n{}", machine());
+    for (bench, title) in BENCHES {
+        eprintln!("{title} …");
+        let output = cargo()
+            .args(["bench", "--quiet", "--package", "octoscope-core", "--bench", bench])
+            .output()
+            .map_err(|error| format!("cargo could not be started: {error}"))?;
+        if !output.status.success() {
+            let reason = String::from_utf8_lossy(&output.stderr);
+            return Err(format!("the bench {bench} has failed\n{reason}"));
+        }
+        let table = String::from_utf8_lossy(&output.stdout);
+        let _ = writeln!(page, "\n## {title}\n\n```text\n{}\n```", table.trim_matches('\n'));
+    }
+    fs::write("BENCHMARKS.md", page)
+        .map_err(|error| format!("BENCHMARKS.md cannot be written: {error}"))
+}
+
+/// Processor and system, without names that somebody has given.
+fn machine() -> String {
+    let system = format!("{} on {}", std::env::consts::OS, std::env::consts::ARCH);
+    let text = fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
+    processor(&text).map_or(system.clone(), |processor| format!("{processor}; {system}"))
+}
+
+/// Model and number of the processors that `/proc/cpuinfo` lists, and their vectors.
+fn processor(cpuinfo: &str) -> Option<String> {
+    let fields: BTreeMap<&str, &str> = cpuinfo
+        .lines()
+        .filter_map(|line| line.split_once(':'))
+        .map(|(name, value)| (name.trim(), value.trim()))
+        .collect();
+    let count = cpuinfo.lines().filter(|line| line.starts_with("processor")).count();
+    let flags = fields.get("flags")?;
+    let has = |flag: &str| flags.split_whitespace().any(|word| word == flag);
+    let vectors = ["avx512f", "avx2", "sse2"].into_iter().find(|flag| has(flag))?;
+    let [model, cache] = ["model name", "cache size"].map(|name| fields.get(name));
+    Some(format!("{count} × {}, {} of cache, vectors: {vectors}", model?, cache?))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_processor_is_told_in_one_line() {
+        let one = "processor : 0\nmodel name : Fast 7\ncache size : 1024 KB\nflags : sse2 avx2\n";
+        let told = processor(&[one, one].concat());
+        assert_eq!(told.as_deref(), Some("2 × Fast 7, 1024 KB of cache, vectors: avx2"));
+        assert_eq!(processor(""), None);
+    }
+}
