@@ -1,6 +1,6 @@
 //! What a query costs on many rays.
 
-use super::{Branches, Cache, Memory};
+use super::{Branches, Cache, FNV_BASIS, Memory, fnv_1a};
 use crate::event::{Event, Observer};
 use crate::geometry::Ray;
 use crate::progress::{Cancelled, Progress};
@@ -112,14 +112,6 @@ impl<const D: usize> Observer<D> for Counting<'_, D> {
             }
         }
     }
-}
-
-const FNV_BASIS: u64 = 0xcbf2_9ce4_8422_2325;
-const FNV_PRIME: u64 = 0x0000_0100_0000_01b3;
-
-/// Continues the FNV-1a hash `hash` with `bytes`.
-fn fnv_1a(hash: u64, bytes: &[u8]) -> u64 {
-    bytes.iter().fold(hash, |hash, &byte| (hash ^ u64::from(byte)).wrapping_mul(FNV_PRIME))
 }
 
 #[cfg(test)]

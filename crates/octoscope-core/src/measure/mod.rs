@@ -7,6 +7,7 @@
 
 mod branches;
 mod cache;
+mod checksum;
 mod count;
 mod disagreement;
 mod fit;
@@ -19,6 +20,7 @@ mod watch;
 
 pub use branches::{Branch, BranchKind, Branches};
 pub use cache::{Cache, LINE};
+pub use checksum::{FNV_BASIS, fnv_1a};
 pub use count::{Counted, Tally, count};
 pub use disagreement::{Disagreement, disagreement};
 pub use fit::{PowerLaw, growth};
