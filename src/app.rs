@@ -3,6 +3,7 @@
 mod exporting;
 mod hall;
 mod jobs;
+mod measuring;
 mod obey;
 mod show;
 
@@ -22,6 +23,7 @@ use crate::{render, save, theme, with_document};
 use eframe::egui::{CentralPanel, Context, Frame, Key, Ui, ViewportCommand};
 use exporting::Exporting;
 use jobs::Purpose;
+use measuring::Measuring;
 use octoscope_core::explain::short_title;
 use octoscope_core::gallery::Degenerate;
 use octoscope_core::progress::{Cancelled, Progress};
@@ -47,6 +49,7 @@ pub struct App {
     /// The trace that is being made of a long run.
     tracing: Option<Job<Result<AnyDocument, Cancelled>>>,
     exporting: Exporting,
+    measuring: Measuring,
     chosen: files::Answers,
     notice: Notice,
     /// The last notice by its number, and the state that it was about.
@@ -117,6 +120,7 @@ impl App {
             job: None,
             tracing: None,
             exporting: Exporting::default(),
+            measuring: Measuring::default(),
             chosen: files::Answers::default(),
             notice: Notice::default(),
             noticed: None,

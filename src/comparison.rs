@@ -35,7 +35,7 @@ const MOST_LINKS: usize = 50_000;
 const MOST_CELLS: u32 = 1 << 12;
 
 /// Whether an algorithm is quick enough in `tree` to be run for every movement.
-fn is_quick<const D: usize>(algorithm: Algorithm, tree: &Tree<D>) -> bool {
+pub fn is_quick<const D: usize>(algorithm: Algorithm, tree: &Tree<D>) -> bool {
     match algorithm {
         Algorithm::Exhaustive => tree.n_leaves() <= MOST_LEAVES,
         Algorithm::SametNet => tree.is_linked() || tree.n_nodes() <= MOST_LINKS,

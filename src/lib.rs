@@ -3,6 +3,7 @@
 
 pub mod app;
 pub mod arrangement;
+pub mod bench;
 pub mod cli;
 pub mod command;
 pub mod comparison;
@@ -16,6 +17,7 @@ pub mod files;
 pub mod finder;
 pub mod history;
 pub mod job;
+pub mod lab;
 pub mod look;
 pub mod map;
 pub mod notice;

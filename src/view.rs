@@ -6,6 +6,7 @@ mod map;
 
 use crate::arrangement::Arrangement;
 use crate::export::Choice;
+use crate::lab;
 use crate::playback::Playback;
 use crate::space::Standpoint;
 use crate::tree_view::TreeView;
@@ -47,6 +48,8 @@ pub struct View {
     pub map: MapView,
     /// What was chosen for the last export.
     pub export: Choice,
+    /// What was chosen in the bench lab.
+    pub lab: lab::Choice,
     /// The playhead.
     pub playback: Playback,
     /// Camera of quadtrees; `None` fits everything.
@@ -450,6 +453,7 @@ impl Default for View {
             space_show: Show::at_first::<3>(),
             map: MapView::default(),
             export: Choice::default(),
+            lab: lab::Choice::default(),
             playback: Playback::default(),
             plane_camera: None,
             orbit_camera: None,

@@ -41,23 +41,26 @@ const RULES: &[Rule] = &[
         place: "crates/octoscope-core/src/geometry/",
         except: &[],
         forbidden: &[
-            "tree", "event", "locate", "traverse", "query", "trace", "explain", "scene", "scenario",
+            "tree", "event", "locate", "traverse", "query", "trace", "explain", "scene",
+            "scenario", "measure",
         ],
     },
     Rule {
         place: "crates/octoscope-core/src/tree/",
         except: &[],
-        forbidden: &["event", "locate", "traverse", "query", "trace", "explain", "scenario"],
+        forbidden: &[
+            "event", "locate", "traverse", "query", "trace", "explain", "scenario", "measure",
+        ],
     },
     Rule {
         place: "crates/octoscope-core/src/traverse/",
         except: &[],
-        forbidden: &["trace", "explain", "scenario"],
+        forbidden: &["trace", "explain", "scenario", "measure"],
     },
     Rule {
         place: "crates/octoscope-core/src/locate/",
         except: &[],
-        forbidden: &["traverse", "trace", "explain", "scenario"],
+        forbidden: &["traverse", "trace", "explain", "scenario", "measure"],
     },
     Rule {
         place: "crates/octoscope-figure/src/",

@@ -114,6 +114,7 @@ impl App {
             | Command::Blank
             | Command::Spotlight
             | Command::Notes
+            | Command::Lab
             | Command::Find
             | Command::Keys
             | Command::About => true,
@@ -199,6 +200,7 @@ impl App {
                 let now = context.input(|input| input.time);
                 self.view.notes_since = self.view.notes_since.is_none().then_some(now);
             }
+            Command::Lab => self.view.dialog = Some(Dialog::Lab),
             Command::Find => self.view.dialog = Some(Dialog::Find(Search::default())),
             Command::Keys => self.view.dialog = Some(Dialog::Keys),
             Command::About => self.view.dialog = Some(Dialog::About),
@@ -357,6 +359,7 @@ impl App {
                 self.view.dialog = None;
                 self.export_to(context, &path);
             }
+            Some(Chosen::Lab(path)) => self.save_lab(&path),
             Some(Chosen::NoDialog(purpose)) => {
                 let path = self.suggested(purpose).to_string_lossy().into_owned();
                 // What is typed from now on is the path.
@@ -380,6 +383,7 @@ impl App {
             Purpose::Open => folder.join(""),
             Purpose::Save => path.unwrap_or_else(|| folder.join("scenario.octo")),
             Purpose::Export(_) => folder.join(self.view.export.file.trim()),
+            Purpose::Lab(ending) => folder.join(format!("bench.{ending}")),
         }
     }
 
@@ -393,7 +397,7 @@ impl App {
         let path = match typed.purpose {
             Purpose::Open => return self.open(context, path),
             Purpose::Save => named("octo"),
-            Purpose::Export(ending) => named(ending),
+            Purpose::Export(ending) | Purpose::Lab(ending) => named(ending),
         };
         if files::is_there(&path) && !typed.replaces {
             let path = path.to_string_lossy().into_owned();
@@ -404,6 +408,7 @@ impl App {
             Purpose::Open => {}
             Purpose::Save => self.save_to(&path),
             Purpose::Export(_) => self.export_to(context, &path),
+            Purpose::Lab(_) => self.save_lab(&path),
         }
     }
 }

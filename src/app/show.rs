@@ -88,6 +88,7 @@ impl App {
         }
         self.poll_export(&context);
         self.show_export_dialog(&context);
+        self.show_lab(&context);
         let answer = dialogs::ui(&context, &self.look, &mut self.view.dialog, commands);
         match answer {
             None => {}

@@ -4,6 +4,7 @@
 //! command answers [`Answer::Done`] or [`Answer::No`], or fails; these are the
 //! exit statuses 0, 1 and 2.
 
+mod bench;
 mod check;
 mod export;
 mod progress;
@@ -71,6 +72,7 @@ pub enum Command {
     Export(export::Export),
     Check(check::Check),
     Visit(visit::Visit),
+    Bench(bench::Bench),
     Scenes(scenes::Scenes),
 }
 
@@ -106,6 +108,7 @@ pub fn run(command: &Command) -> ExitCode {
         Command::Export(arguments) => export::export(arguments),
         Command::Check(arguments) => check::check(arguments),
         Command::Visit(arguments) => visit::visit(arguments),
+        Command::Bench(arguments) => bench::bench(arguments),
         Command::Scenes(arguments) => scenes::scenes(arguments),
     };
     match answer {

@@ -13,6 +13,8 @@ pub enum Chosen {
     Save(PathBuf),
     /// Export the view here.
     Export(PathBuf),
+    /// Save what the bench lab shows here.
+    Lab(PathBuf),
     /// There is no dialog on this system: a path has to be typed.
     NoDialog(Purpose),
 }
@@ -26,6 +28,8 @@ pub enum Purpose {
     Save,
     /// To hold the view, in the format of this file ending.
     Export(&'static str),
+    /// To hold what the bench lab shows, in the format of this file ending.
+    Lab(&'static str),
 }
 
 /// Answers of dialogs that have been opened.
@@ -69,14 +73,29 @@ impl Answers {
 
     /// Asks where to export to, in the format of this file ending.
     pub fn ask_export(&self, context: &Context, ending: &'static str) {
+        self.ask_named(context, Purpose::Export(ending), ("octoscope", ending), Chosen::Export);
+    }
+
+    /// Asks where to save what the bench lab shows, in the format of this file ending.
+    pub fn ask_lab(&self, context: &Context, ending: &'static str) {
+        self.ask_named(context, Purpose::Lab(ending), ("bench", ending), Chosen::Lab);
+    }
+
+    /// Asks for the name of a file, which gets this ending if it has none.
+    fn ask_named(
+        &self,
+        context: &Context,
+        purpose: Purpose,
+        (name, ending): (&str, &'static str),
+        chosen: fn(PathBuf) -> Chosen,
+    ) {
         let dialog = rfd::AsyncFileDialog::new()
             .add_filter(ending.to_uppercase(), &[ending])
-            .set_file_name(format!("octoscope.{ending}"));
+            .set_file_name(format!("{name}.{ending}"));
         let named = move |path: PathBuf| {
             let has_ending = path.extension().is_some();
-            Chosen::Export(if has_ending { path } else { path.with_extension(ending) })
+            chosen(if has_ending { path } else { path.with_extension(ending) })
         };
-        let purpose = Purpose::Export(ending);
         self.ask(context, purpose, async move { dialog.save_file().await }, named);
     }
 

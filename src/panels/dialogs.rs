@@ -36,7 +36,7 @@ pub fn ui(
     commands: &mut Vec<Command>,
 ) -> Option<Answer> {
     let shown = dialog.as_mut()?;
-    if *shown == Dialog::Export {
+    if matches!(shown, Dialog::Export | Dialog::Lab) {
         commands.clear();
         return None;
     }
@@ -61,8 +61,8 @@ pub fn ui(
                     .max_height(most_height(ui, 260.0))
                     .show(ui, |ui| ui.label(&*message));
             }
-            // It has a window of its own.
-            Dialog::Export => {}
+            // They have windows of their own.
+            Dialog::Export | Dialog::Lab => {}
             Dialog::Path(typed) => {
                 if path(ui, look, typed) {
                     answer = Some(Answer::Path(typed.clone()));
@@ -86,7 +86,7 @@ fn path(ui: &mut Ui, look: &Look, typed: &mut Typed) -> bool {
     let (name, hint, confirm) = match typed.purpose {
         Purpose::Open => ("path-open", "path-open-hint", "path-open-confirm"),
         Purpose::Save => ("path-save", "path-hint", "path-save-confirm"),
-        Purpose::Export(_) => ("path-export", "path-hint", "path-export-confirm"),
+        Purpose::Export(_) | Purpose::Lab(_) => ("path-export", "path-hint", "path-export-confirm"),
     };
     title(ui, &look.text(name));
     ui.label(look.text(hint));

@@ -15,6 +15,8 @@ pub enum Dialog {
     Error(String),
     /// Where and how to export.
     Export,
+    /// What algorithms cost.
+    Lab,
     /// A path is typed, where the system has no dialog for that.
     Path(Typed),
 }

@@ -12,6 +12,7 @@ mod export;
 mod files;
 mod find;
 mod hall;
+mod lab;
 mod layout;
 mod limits;
 mod links;

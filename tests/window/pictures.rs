@@ -10,18 +10,68 @@ use eframe::wgpu::{Backends, DeviceType};
 use egui_kittest::kittest::Queryable;
 use egui_kittest::wgpu::default_wgpu_setup;
 use egui_kittest::{Harness, SnapshotOptions};
+use octoscope::bench::run;
+use octoscope::lab::{Choice, Tab};
 use octoscope::map::Colouring;
 use octoscope::view::{Dialog, MapView, Preset, RaysOf, Search, View};
 use octoscope::with_document;
 use octoscope_core::event::Event;
 use octoscope_core::locate::{Direction, NeighbourMethod, Reach};
+use octoscope_core::measure::{Quantity, Results};
 use octoscope_core::paper::counterexample;
+use octoscope_core::progress::Progress;
 use octoscope_core::query::Query;
 use octoscope_core::scenario::{AnyScenario, Scenario, built_in};
 use octoscope_core::text::Language;
 use octoscope_core::traverse::{Algorithm, Variant, Variants};
 use octoscope_figure::Theme;
 use std::sync::OnceLock;
+
+/// The lab on one of its pages.
+fn show_lab(desk: &mut Desk, tab: Tab, cost: Quantity) {
+    let is_cost = |one: &Quantity| *one == cost;
+    let choice = Choice {
+        depths: [4, 6],
+        n_rays: 60,
+        n_repeats: 1,
+        tab,
+        cost: Quantity::COSTS.iter().position(is_cost).unwrap(),
+        algorithms: Algorithm::ALL.map(|one| one != Algorithm::Exhaustive),
+        ..Choice::default()
+    };
+    // Only counts are shown: they are the same on every machine.
+    if tab != Tab::Processor {
+        static RESULTS: OnceLock<Results> = OnceLock::new();
+        let measured = || run(&choice.plan().unwrap(), &Progress::default()).unwrap();
+        desk.state_mut().take_results(RESULTS.get_or_init(measured).clone());
+    }
+    desk.state_mut().view.lab = choice;
+    desk.state_mut().view.dialog = Some(Dialog::Lab);
+    desk.run();
+}
+
+#[test]
+fn the_lab_with_bars() {
+    compare("lab-scenes", |desk| show_lab(desk, Tab::Scenes, Quantity::NodeTouches));
+}
+
+#[test]
+fn the_lab_with_growth_in_dark_german() {
+    compare("lab-growth", |desk| {
+        desk.state_mut().view.theme = Theme::Dark;
+        desk.state_mut().view.language = Language::German;
+        desk.run();
+        show_lab(desk, Tab::Growth, Quantity::Comparisons);
+    });
+}
+
+#[test]
+fn the_lab_with_a_ray_for_the_processor() {
+    compare("lab-processor", |desk| {
+        desk.open_scenario(&built_in("points-3d").unwrap());
+        show_lab(desk, Tab::Processor, Quantity::Time);
+    });
+}
 
 /// Where the playhead is.
 enum At {

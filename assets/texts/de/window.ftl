@@ -56,6 +56,7 @@ command-faster = Schneller abspielen
 command-slower = Langsamer abspielen
 command-spotlight = Lichtkegel
 command-notes = Notizen für den zweiten Bildschirm
+command-lab = Messlabor …
 command-find = Befehl suchen …
 command-keys = Tasten
 command-about = Über Octoscope
@@ -109,6 +110,11 @@ scene-figure-7 = Abbildung 7: gespiegelter Strahl
 scene-points-3d = 300 Punkte im Raum
 scene-sphere-grid = Kugelgitter
 scene-cloud = Wolke aus 1890 Kugeln
+scene-cylinders = 4320 Zylinder und Kugeln
+scene-objects = 4350 Objekte
+scene-spheres-512 = 512 Kugeln
+scene-spheres-4096 = 4096 Kugeln
+scene-spheres-32768 = 32768 Kugeln
 scene-counts-points = { $items ->
     [one] 1 Punkt
    *[other] { $items } Punkte

@@ -56,6 +56,7 @@ command-faster = Play faster
 command-slower = Play slower
 command-spotlight = Spotlight
 command-notes = Notes for the second screen
+command-lab = Bench lab…
 command-find = Find a command…
 command-keys = Keys
 command-about = About Octoscope
@@ -109,6 +110,11 @@ scene-figure-7 = Figure 7: a mirrored ray
 scene-points-3d = 300 points in space
 scene-sphere-grid = Grid of spheres
 scene-cloud = Cloud of 1890 spheres
+scene-cylinders = 4320 cylinders and spheres
+scene-objects = 4350 objects
+scene-spheres-512 = 512 spheres
+scene-spheres-4096 = 4096 spheres
+scene-spheres-32768 = 32768 spheres
 scene-counts-points = { $items ->
     [one] 1 point
    *[other] { $items } points

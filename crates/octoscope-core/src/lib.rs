@@ -16,6 +16,7 @@ pub mod family;
 pub mod gallery;
 pub mod geometry;
 pub mod locate;
+pub mod measure;
 pub mod paper;
 pub mod progress;
 pub mod query;

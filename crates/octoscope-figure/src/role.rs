@@ -132,6 +132,14 @@ pub enum Role {
     Spent,
     /// Work of the whole run.
     Planned,
+    /// Work of others, beside the least.
+    Compared,
+    /// Line of an algorithm in a chart, by its number among all.
+    Series(usize),
+    /// What was at hand, or guessed right.
+    Hit,
+    /// What had to be fetched, or was guessed wrong.
+    Miss,
     /// Field that is to be filled in by hand.
     Blank,
     /// Where the ray is between the planes across an axis, 0 = x.
@@ -152,10 +160,32 @@ pub enum Role {
     Node,
 }
 
+/// Classes of the lines of a chart.
+const SERIES: [&str; 15] = [
+    "series-1",
+    "series-2",
+    "series-3",
+    "series-4",
+    "series-5",
+    "series-6",
+    "series-7",
+    "series-8",
+    "series-9",
+    "series-10",
+    "series-11",
+    "series-12",
+    "series-13",
+    "series-14",
+    "series-15",
+];
+
 impl Role {
+    /// Colours that lines of a chart have in turn; after them come other dashes.
+    pub const N_SERIES_COLOURS: usize = 5;
+
     /// One role of every kind, in the order in which they cover each other,
     /// the lowest first.
-    pub const KINDS: [Self; 86] = [
+    pub const KINDS: [Self; 104] = [
         Self::Pixel([128; 3]),
         Self::EmptyLeaf,
         Self::FullLeaf,
@@ -237,6 +267,24 @@ impl Role {
         Self::TransitionTogether,
         Self::Spent,
         Self::Planned,
+        Self::Compared,
+        Self::Series(0),
+        Self::Series(1),
+        Self::Series(2),
+        Self::Series(3),
+        Self::Series(4),
+        Self::Series(5),
+        Self::Series(6),
+        Self::Series(7),
+        Self::Series(8),
+        Self::Series(9),
+        Self::Series(10),
+        Self::Series(11),
+        Self::Series(12),
+        Self::Series(13),
+        Self::Series(14),
+        Self::Hit,
+        Self::Miss,
         Self::Blank,
         Self::Level,
         Self::Branch,
@@ -310,6 +358,10 @@ impl Role {
             Self::TransitionTogether => "transition-together",
             Self::Spent => "spent",
             Self::Planned => "planned",
+            Self::Compared => "compared",
+            Self::Series(number) => SERIES[number % SERIES.len()],
+            Self::Hit => "hit",
+            Self::Miss => "miss",
             Self::Blank => "blank",
             Self::Bar(axis) => ["bar-x", "bar-y", "bar-z"][axis],
             Self::Stop(axis) => ["stop-x", "stop-y", "stop-z"][axis],

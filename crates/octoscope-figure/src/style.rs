@@ -237,6 +237,16 @@ impl Style {
             }
             Role::Spent => Self { fill: Some(p.accent), ..Self::default() },
             Role::Planned => Self { fill: Some(p.accent.faded(0.18)), ..line(p.accent, 0.8) },
+            Role::Compared => Self { fill: Some(p.quiet_ink.faded(0.75)), ..Self::default() },
+            Role::Series(number) => {
+                let colours = [p.accent, p.ray, p.current_outline, p.rejected, p.quiet_ink];
+                let dash = [Dash::Solid, Dash::Dashed, Dash::Dotted];
+                let colour = colours[number % Role::N_SERIES_COLOURS];
+                let dash = dash[number / Role::N_SERIES_COLOURS % dash.len()];
+                Self { dash, ..line(colour, 1.8) }
+            }
+            Role::Hit => Self { fill: Some(p.quiet_ink.faded(0.75)), ..Self::default() },
+            Role::Miss => Self { fill: Some(p.ray), ..Self::default() },
             Role::Blank => line(p.quiet_ink, 0.8),
             Role::Level => line(p.grid.faded(0.7), 0.8).lettered(p.quiet_ink, 11.0, Weight::Mono),
             Role::Branch => {

@@ -2,8 +2,9 @@
 
 use super::in_order::in_order;
 use super::line::{Met, line};
-use super::summary::{Summary, Tally, fnv_1a};
+use super::summary::{Summary, tally};
 use octoscope_core::geometry::Ray;
+use octoscope_core::measure::{Tally, fnv_1a};
 use octoscope_core::traverse::{Kernel, Leaf, StopAt, visit_many};
 use octoscope_core::tree::Tree;
 use std::hint::black_box;
@@ -66,7 +67,7 @@ pub fn measure<const D: usize>(
     let mut summary = Summary::new(BATCH.to_owned(), rays.len());
     lines(tree, rays, stop_at, threads, |line, met| {
         summary.checksum = fnv_1a(summary.checksum, line.as_bytes());
-        summary.tally.add(met);
+        tally(&mut summary.tally, met);
         Ok(())
     })?;
     summary.times = (0..repeat.get()).map(|_| time(tree, rays, stop_at, threads)).collect();

@@ -3,8 +3,8 @@
 use super::Asked;
 use super::in_order::in_order;
 use super::line::{Met, line, met};
-use octoscope_core::event::{Event, Observer};
 use octoscope_core::geometry::Ray;
+use octoscope_core::measure::{FNV_BASIS, Tally, fnv_1a};
 use octoscope_core::query::Query;
 use octoscope_core::traverse::Method;
 use octoscope_core::tree::Tree;
@@ -56,7 +56,7 @@ pub fn measure<const D: usize>(
     };
     in_order(rays, threads, work, |_, (line, met)| {
         summary.checksum = fnv_1a(summary.checksum, line.as_bytes());
-        summary.tally.add(&met);
+        tally(&mut summary.tally, &met);
         Ok(())
     })?;
     let query = asked.along(method);
@@ -143,59 +143,22 @@ fn time<const D: usize>(
     start.elapsed()
 }
 
-/// The least that keeps the compiler from leaving a traversal out: it counts.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Tally {
-    /// Visited leaves.
-    pub leaves: u64,
-    /// Those of them in which there is something.
-    pub occupied: u64,
-}
-
-impl Tally {
-    /// Counts the visited ones of these leaves.
-    pub fn add(&mut self, met: &[Met]) {
-        for met in met {
-            match met {
-                Met::Empty(_) => self.leaves += 1,
-                Met::Full(_) => {
-                    self.leaves += 1;
-                    self.occupied += 1;
-                }
-                Met::Touch(_) => {}
-            }
-        }
+/// Counts the visited ones of these leaves.
+pub fn tally(tally: &mut Tally, met: &[Met]) {
+    for met in met {
+        let occupied = match met {
+            Met::Empty(_) => 0,
+            Met::Full(_) => 1,
+            Met::Touch(_) => continue,
+        };
+        tally.leaves += 1;
+        tally.occupied += occupied;
     }
-}
-
-impl<const D: usize> Observer<D> for Tally {
-    #[inline]
-    fn observe(&mut self, event: Event<D>) {
-        if let Event::Leaf { full, .. } = event {
-            self.leaves += 1;
-            self.occupied += u64::from(full);
-        }
-    }
-}
-
-const FNV_BASIS: u64 = 0xcbf2_9ce4_8422_2325;
-const FNV_PRIME: u64 = 0x0000_0100_0000_01b3;
-
-/// Continues the FNV-1a hash `hash` with `bytes`.
-pub fn fnv_1a(hash: u64, bytes: &[u8]) -> u64 {
-    bytes.iter().fold(hash, |hash, &byte| (hash ^ u64::from(byte)).wrapping_mul(FNV_PRIME))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn the_hash_is_fnv_1a() {
-        assert_eq!(fnv_1a(FNV_BASIS, b""), 0xcbf2_9ce4_8422_2325);
-        assert_eq!(fnv_1a(FNV_BASIS, b"a"), 0xaf63_dc4c_8601_ec8c);
-        assert_eq!(fnv_1a(FNV_BASIS, b"foobar"), 0x8594_4171_f739_67e8);
-    }
 
     #[test]
     fn the_table_shows_median_and_best() {

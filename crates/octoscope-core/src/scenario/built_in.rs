@@ -5,7 +5,7 @@ use crate::geometry::Ray;
 use crate::query::{PointMethod, Query};
 use crate::scene::{Content, Cube, made};
 use crate::traverse::Variants;
-use crate::tree::Recipe;
+use crate::tree::{Merge, Recipe};
 
 /// A scenario that comes with the program.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -21,7 +21,7 @@ pub struct BuiltIn {
 }
 
 /// All of them: the one to begin with first, then the plane, then space.
-pub const BUILT_IN: [BuiltIn; 8] = [
+pub const BUILT_IN: [BuiltIn; 13] = [
     BuiltIn { id: "quadtree-82", dimension: 2, seed: Some(6), n: Some([82, 1_000_000]) },
     BuiltIn { id: "figure-1", dimension: 2, seed: None, n: None },
     BuiltIn { id: "checker-cells", dimension: 2, seed: None, n: Some([4, 10]) },
@@ -30,6 +30,11 @@ pub const BUILT_IN: [BuiltIn; 8] = [
     BuiltIn { id: "points-3d", dimension: 3, seed: Some(3), n: Some([300, 1_000_000]) },
     BuiltIn { id: "sphere-grid", dimension: 3, seed: None, n: Some([3, 6]) },
     BuiltIn { id: "cloud", dimension: 3, seed: Some(0xC10D), n: Some([1890, 100_000]) },
+    BuiltIn { id: "cylinders", dimension: 3, seed: Some(0xC1), n: Some([4320, 20_000]) },
+    BuiltIn { id: "objects", dimension: 3, seed: Some(0x0B), n: Some([4350, 20_000]) },
+    BuiltIn { id: "spheres-512", dimension: 3, seed: None, n: None },
+    BuiltIn { id: "spheres-4096", dimension: 3, seed: None, n: None },
+    BuiltIn { id: "spheres-32768", dimension: 3, seed: None, n: None },
 ];
 
 /// The built-in scenario of this name with its own parameters.
@@ -96,8 +101,21 @@ pub(super) fn content<const D: usize>(
         "figure-7" => Content::Cells(vec![first_of([0, 1, 0])]),
         "sphere-grid" => made::sphere_grid(n),
         "cloud" => made::cloud(seed, n),
+        "cylinders" => in_space(made::cylinders_and_spheres(seed, n)),
+        "objects" => in_space(made::objects(seed, n)),
+        "spheres-512" => made::sphere_grid(3),
+        "spheres-4096" => made::sphere_grid(4),
+        "spheres-32768" => made::sphere_grid(5),
         other => unreachable!("‘{other}’ is in the list without content"),
     })
+}
+
+/// Content of space as that of dimension `D`, which is 3.
+fn in_space<const D: usize>(content: Content<3>) -> Content<D> {
+    let Content::Triangles(triangles) = content else {
+        unreachable!("solids are made of triangles")
+    };
+    Content::Triangles(triangles.into_iter().map(|t| t.map(first_of)).collect())
 }
 
 /// Points whose quadtree of capacity 1 and 5 levels has, along the x axis, the
@@ -153,6 +171,11 @@ fn scenario<const D: usize>(entry: &BuiltIn, parameters: Parameters) -> Scenario
             ray = ([-0.25, 0.1, 0.15], [1.0, 0.5, 0.45]);
         }
         "cloud" => recipe.depth = 7,
+        // Of many small spheres every cell would be full, and the tree one leaf.
+        "cylinders" | "objects" | "spheres-512" | "spheres-4096" | "spheres-32768" => {
+            recipe.merge = Merge::Kept;
+            ray = ([-0.25, 0.1, 0.15], [1.0, 0.5, 0.45]);
+        }
         other => unreachable!("‘{other}’ is in the list without a scenario"),
     }
     let ray = Ray::new(first_of(ray.0), first_of(ray.1));

@@ -3,6 +3,7 @@
 //! Spheres and points are multiples of 2^-20 in the unit cube, so that they
 //! are exact in single precision as well.
 
+use super::solids::{cuboid, cylinder, rounded, sphere, unit};
 use super::{Content, Image, Sphere};
 use crate::random::Random;
 use crate::tree::Code;
@@ -35,6 +36,58 @@ pub fn sphere_grid<const D: usize>(n: u32) -> Content<D> {
         Sphere { centre, radius }
     };
     Content::Spheres((0..1 << (n * D as u32)).map(sphere).collect())
+}
+
+/// Surfaces of `n` cylinders and spheres in turn, anywhere in the unit cube.
+pub fn cylinders_and_spheres(seed: u64, n: u32) -> Content<3> {
+    let mut random = Random::new(seed);
+    let mut triangles = Vec::new();
+    for number in 0..n {
+        let size = random.between(0.004, 0.016);
+        let place = [(); 3].map(|()| random.between(0.05, 0.95));
+        triangles.extend(match number % 2 {
+            0 => cylinder(rod(&mut random, place, 2.0 * size), 0.5 * size),
+            _ => sphere(rounded(place), size),
+        });
+    }
+    Content::Triangles(triangles)
+}
+
+/// Surfaces of `n` objects in the unit cube, cylinders, spheres and boxes in turn;
+/// every other one near one of five places.
+pub fn objects(seed: u64, n: u32) -> Content<3> {
+    let mut random = Random::new(seed);
+    let places: [[f64; 3]; 5] = [(); 5].map(|()| [(); 3].map(|()| random.between(0.3, 0.7)));
+    let mut triangles = Vec::new();
+    for number in 0..n {
+        let size = random.between(0.003, 0.02);
+        let place = match places.get(random.below(10) as usize) {
+            Some(near) => near.map(|x| x + random.between(-0.1, 0.1) + random.between(-0.1, 0.1)),
+            None => [(); 3].map(|()| random.between(0.05, 0.95)),
+        };
+        triangles.extend(match number % 3 {
+            0 => cylinder(rod(&mut random, place, 2.0 * size), 0.5 * size),
+            1 => sphere(rounded(place), size),
+            _ => {
+                let half = [(); 3].map(|()| size * random.between(0.4, 1.0));
+                let corner = |sign: f64| std::array::from_fn(|e| place[e] + sign * half[e]);
+                cuboid(corner(-1.0), corner(1.0))
+            }
+        });
+    }
+    Content::Triangles(triangles)
+}
+
+/// Ends of a line of twice this length around a place, in any direction.
+fn rod(random: &mut Random, place: [f64; 3], half: f64) -> [[f64; 3]; 2] {
+    let way = loop {
+        let way = [(); 3].map(|()| random.between(-1.0, 1.0));
+        let squared = way.iter().map(|x| x * x).sum::<f64>();
+        if (0.01..=1.0).contains(&squared) {
+            break unit(way);
+        }
+    };
+    [-half, half].map(|length| rounded(std::array::from_fn(|e| place[e] + length * way[e])))
 }
 
 /// `n` points in the unit cube: three in four around one of three places, the
@@ -105,6 +158,21 @@ mod tests {
     fn the_sphere_grids_have_512_4096_and_32768_spheres() {
         let counts = [3, 4, 5].map(|n| sphere_grid::<3>(n).len());
         assert_eq!(counts, [512, 4096, 32768]);
+    }
+
+    #[test]
+    fn solids_have_corners_on_the_grid_inside_the_unit_cube() {
+        for (content, n_triangles) in
+            [(cylinders_and_spheres(1, 20), 10 * (44 + 32)), (objects(1, 30), 10 * (44 + 32 + 12))]
+        {
+            let Content::Triangles(triangles) = content else { panic!("triangles") };
+            assert_eq!(triangles.len(), n_triangles);
+            for x in triangles.into_iter().flatten().flatten() {
+                assert!((0.0..=1.0).contains(&x) && (x / UNIT).fract() == 0.0, "{x}");
+            }
+        }
+        assert_eq!(objects(5, 9), objects(5, 9));
+        assert_ne!(objects(5, 9), objects(6, 9));
     }
 
     #[test]

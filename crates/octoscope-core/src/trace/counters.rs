@@ -298,6 +298,15 @@ impl Counters {
         }
     }
 
+    /// Adds the work of another run; of the stack, the greater depth counts.
+    pub fn absorb(&mut self, other: &Self) {
+        for counter in Counter::ALL {
+            let (own, more) = (self.get(counter), other.get(counter));
+            let is_a_depth = counter == Counter::StackDepth;
+            self.counts[counter as usize] = if is_a_depth { own.max(more) } else { own + more };
+        }
+    }
+
     /// Adds the work of finding a place on the ray: a point and its distance in
     /// cells as a guess, then parameters of planes.
     fn search(&mut self, search: Search) {

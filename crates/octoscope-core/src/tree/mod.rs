@@ -5,6 +5,7 @@ mod code;
 mod domain;
 mod grow;
 mod layout;
+mod memory;
 mod net;
 mod occupied;
 mod overlap;
@@ -18,6 +19,7 @@ pub use domain::{Domain, DomainError, last_where};
 pub use grow::{Cell, Split, grow};
 pub(crate) use layout::Row;
 pub use layout::{Node, NodeId, Tree};
+pub use memory::Array;
 pub use part::Part;
 pub use recipe::{BuildError, Fill, MAX_NODES, Merge, Recipe, build};
 

@@ -10,11 +10,11 @@ use std::sync::OnceLock;
 pub(super) struct Net<const D: usize>(OnceLock<Vec<Links<D>>>);
 
 /// Neighbour across the lower and the upper side of every axis.
-type Links<const D: usize> = [[Link; 2]; D];
+pub(super) type Links<const D: usize> = [[Link; 2]; D];
 
 /// A neighbour, or the border.
 #[derive(Clone, Copy, Debug)]
-struct Link(u32);
+pub(super) struct Link(u32);
 
 impl Link {
     /// No tree has so many nodes.

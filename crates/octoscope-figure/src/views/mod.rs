@@ -10,6 +10,7 @@ mod chart;
 mod codes;
 mod exercise;
 mod kind;
+pub mod lab;
 mod legend;
 mod listing;
 mod neighbour;
@@ -46,8 +47,16 @@ use octoscope_core::tree::NodeId;
 /// Source of the texts of all views in `language`.
 pub fn figure_texts(language: Language) -> &'static str {
     match language {
-        Language::English => include_str!("../../../../assets/texts/en/figures.ftl"),
-        Language::German => include_str!("../../../../assets/texts/de/figures.ftl"),
+        Language::English => concat!(
+            include_str!("../../../../assets/texts/en/figures.ftl"),
+            "\n",
+            include_str!("../../../../assets/texts/en/lab.ftl"),
+        ),
+        Language::German => concat!(
+            include_str!("../../../../assets/texts/de/figures.ftl"),
+            "\n",
+            include_str!("../../../../assets/texts/de/lab.ftl"),
+        ),
     }
 }
 

@@ -1,0 +1,226 @@
+//! How costs grow: lines in logarithmic axes, with the exponents of the laws fitted to
+//! them.
+
+use super::names::{in_unit, method_name, ratio, scene_name, short};
+use crate::views::sheet::Sheet;
+use crate::{Anchor, Figure, Form, Part, Role, metrics};
+use octoscope_core::explain::RichText;
+use octoscope_core::measure::{PowerLaw, Quantity, Results, growth};
+use octoscope_core::text::Texts;
+use octoscope_core::traverse::{Algorithm, Method};
+
+/// What is drawn against what.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Growth<'a> {
+    /// The scene.
+    pub scene: &'a str,
+    /// What it grows with.
+    pub size: Quantity,
+    /// What grows.
+    pub cost: Quantity,
+}
+
+/// One line.
+struct Series {
+    method: Method,
+    points: Vec<[f64; 2]>,
+    law: Option<PowerLaw>,
+}
+
+/// A line an algorithm over the depths of a scene, as a figure of this size.
+pub fn growth_chart(
+    results: &Results,
+    of: Growth,
+    texts: &Texts,
+    [width, height]: [f64; 2],
+) -> Figure {
+    let mut sheet = Sheet::default();
+    let mut all: Vec<Series> = results
+        .methods()
+        .into_iter()
+        .map(|method| {
+            let (points, law) = growth(results, of.scene, method, [of.size, of.cost]);
+            let in_units = |p: &[f64; 2]| [in_unit(of.size, p[0]), in_unit(of.cost, p[1])];
+            let usable = |p: &[f64; 2]| p.iter().all(|x| *x > 0.0 && x.is_finite());
+            let points = points.iter().map(in_units).filter(usable).collect();
+            Series { method, points, law }
+        })
+        .collect();
+    all.retain(|series| series.points.len() > 1);
+    if all.is_empty() {
+        let key = if results.sites.is_empty() { "lab-nothing" } else { "lab-one-depth" };
+        sheet.text(Role::Words, [0.0, 10.0], Anchor::Start, texts.get(key));
+        return sheet.figure([width, 20.0]);
+    }
+    let title = texts.get(&format!("lab-quantity-{}", of.cost.id()));
+    sheet.text(Role::Heading, [0.0, 9.0], Anchor::Start, title);
+    let arguments = [("scene", scene_name(of.scene, texts).into())];
+    let note = texts.format("lab-growth-note", &arguments);
+    let top = 22.0 + sheet.paragraph(Role::Note, [0.0, 22.0], width, &note.into());
+
+    // What stands at the ends of the lines.
+    let labels: Vec<RichText> = all
+        .iter()
+        .map(|series| {
+            let exponent = ratio(series.law.map(|law| law.exponent), texts);
+            format!("{}  {exponent}", method_name(series.method, texts)).into()
+        })
+        .collect();
+    let widest = labels.iter().map(|label| metrics::width(Role::Note, label)).fold(0.0, f64::max);
+    let unit = texts.get(&format!("lab-unit-{}", of.cost.id()));
+    sheet.text(Role::Scale, [0.0, top + 10.0], Anchor::Start, unit);
+
+    let points = || all.iter().flat_map(|series| series.points.iter().copied());
+    let [x_axis, y_axis] = [0, 1].map(|e| Axis::around(points().map(|p| p[e])));
+    let ticks_wide = y_axis
+        .ticks()
+        .iter()
+        .map(|&tick| metrics::width(Role::Scale, &short(tick, texts).into()))
+        .fold(0.0, f64::max);
+    let [left, right] = [ticks_wide + 10.0, width - widest - 34.0];
+    let [upper, lower] = [top + 28.0, height - 40.0];
+    let place = |p: [f64; 2]| {
+        let [x, y] = [x_axis.share(p[0]), y_axis.share(p[1])];
+        [left + x * (right - left), lower - y * (lower - upper)]
+    };
+
+    for tick in y_axis.ticks() {
+        let y = place([1.0, tick])[1];
+        sheet.line(Role::Scale, [[left, y], [right, y]]);
+        sheet.text(Role::Scale, [left - 6.0, y], Anchor::End, short(tick, texts));
+    }
+    let mut free_from = f64::NEG_INFINITY;
+    for tick in x_axis.ticks() {
+        let x = place([tick, 1.0])[0];
+        sheet.line(Role::Scale, [[x, upper], [x, lower]]);
+        let text = RichText::from(short(tick, texts));
+        let half = 0.5 * metrics::width(Role::Scale, &text);
+        if x - half > free_from {
+            sheet.text(Role::Scale, [x, lower + 12.0], Anchor::Middle, text);
+            free_from = x + half + 6.0;
+        }
+    }
+    let unit = texts.get(&format!("lab-unit-{}", of.size.id()));
+    sheet.text(Role::Scale, [right, lower + 30.0], Anchor::End, unit);
+
+    for series in &all {
+        let role = role_of(series.method.algorithm);
+        let line: Vec<[f64; 2]> = series.points.iter().map(|&p| place(p)).collect();
+        sheet.line(role, line.clone());
+        for at in line {
+            marker(&mut sheet, role, series.method.algorithm, at);
+        }
+    }
+    // Names at the ends, as near to them as there is room.
+    let ends: Vec<f64> =
+        all.iter().map(|s| s.points.last().map_or(lower, |&p| place(p)[1])).collect();
+    let tops = spread(&ends, 14.5, [upper - 8.0, lower + 8.0]);
+    for (((series, label), end), y) in all.iter().zip(labels).zip(ends).zip(tops) {
+        let role = role_of(series.method.algorithm);
+        sheet.push(role, Part::Fine, Form::Polyline(vec![[right + 5.0, end], [right + 20.0, y]]));
+        sheet.text(Role::Note, [right + 26.0, y], Anchor::Start, label);
+    }
+    sheet.figure([width, height])
+}
+
+/// Every algorithm has a look of its own.
+fn role_of(algorithm: Algorithm) -> Role {
+    Role::Series(number_of(algorithm))
+}
+
+fn number_of(algorithm: Algorithm) -> usize {
+    Algorithm::ALL.iter().position(|&one| one == algorithm).unwrap_or(0)
+}
+
+/// A mark of one of three shapes.
+fn marker(sheet: &mut Sheet, role: Role, algorithm: Algorithm, [x, y]: [f64; 2]) {
+    const R: f64 = 3.6;
+    let points = match number_of(algorithm) / Role::N_SERIES_COLOURS {
+        0 => vec![[x - R, y - R], [x + R, y - R], [x + R, y + R], [x - R, y + R]],
+        1 => vec![[x, y - 1.4 * R], [x + 1.4 * R, y], [x, y + 1.4 * R], [x - 1.4 * R, y]],
+        _ => vec![[x, y - 1.3 * R], [x + 1.3 * R, y + R], [x - 1.3 * R, y + R]],
+    };
+    sheet.push(role, Part::Head, Form::Polygon(points));
+}
+
+/// A logarithmic axis.
+struct Axis {
+    from: f64,
+    to: f64,
+}
+
+impl Axis {
+    /// Axis that holds all numbers, which are positive, with some room around them.
+    fn around(numbers: impl Iterator<Item = f64> + Clone) -> Self {
+        let least = numbers.clone().fold(f64::INFINITY, f64::min).ln();
+        let most = numbers.fold(0.0, f64::max).ln();
+        let room = (0.04 * (most - least)).max(0.05);
+        Self { from: least - room, to: most + room }
+    }
+
+    fn share(&self, x: f64) -> f64 {
+        (x.ln() - self.from) / (self.to - self.from)
+    }
+
+    /// Powers of ten with 2 and 5 between them, or only the powers where there are many;
+    /// powers of two where hardly any of these fits.
+    fn ticks(&self) -> Vec<f64> {
+        let inside = |x: &f64| (self.from..=self.to).contains(&x.ln());
+        let powers = || (-9..=15).map(|n| 10f64.powi(n));
+        let few: Vec<f64> = powers().filter(inside).collect();
+        if few.len() > 4 {
+            return few;
+        }
+        let more: Vec<f64> = powers().flat_map(|p| [p, 2.0 * p, 5.0 * p]).filter(inside).collect();
+        if more.len() > 1 {
+            return more;
+        }
+        (-30..=50)
+            .flat_map(|n| [2f64.powi(n), 1.25 * 2f64.powi(n), 1.5 * 2f64.powi(n)])
+            .filter(inside)
+            .collect()
+    }
+}
+
+/// Places for labels that want to be at `wanted`, at least `gap` apart and between two
+/// limits as far as there is room.
+fn spread(wanted: &[f64], gap: f64, [upper, lower]: [f64; 2]) -> Vec<f64> {
+    let mut order: Vec<usize> = (0..wanted.len()).collect();
+    order.sort_by(|&a, &b| wanted[a].total_cmp(&wanted[b]));
+    let mut places = wanted.to_vec();
+    // Downwards each as high as it may be, then up again from the lower limit.
+    let mut least = upper;
+    for &n in &order {
+        places[n] = places[n].max(least);
+        least = places[n] + gap;
+    }
+    let mut most = lower;
+    for &n in order.iter().rev() {
+        places[n] = places[n].min(most);
+        most = places[n] - gap;
+    }
+    places
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn labels_keep_apart_and_within_their_limits() {
+        let places = spread(&[10.0, 12.0, 50.0, 99.0, 98.0], 10.0, [5.0, 100.0]);
+        let mut sorted = places.clone();
+        sorted.sort_by(f64::total_cmp);
+        assert!(sorted.windows(2).all(|pair| pair[1] - pair[0] >= 10.0 - 1e-9), "{places:?}");
+        assert!(sorted[0] >= 5.0 && sorted[4] <= 100.0);
+        assert!(places[0] < places[1] && places[4] < places[3]);
+    }
+
+    #[test]
+    fn axes_have_round_ticks() {
+        let of = |from: f64, to: f64| Axis { from: from.ln(), to: to.ln() }.ticks();
+        assert_eq!(of(0.9, 21.0), [1.0, 2.0, 5.0, 10.0, 20.0]);
+        assert_eq!(of(30.0, 40.0), [32.0, 40.0]);
+        assert_eq!(of(1.0, 1e6).len(), 7);
+    }
+}

@@ -1,0 +1,15 @@
+//! Charts of what was measured, each a pure function from results to a [`Figure`].
+
+mod growth;
+mod names;
+mod processor;
+mod published;
+mod scenes;
+
+#[cfg(doc)]
+use crate::Figure;
+pub use growth::{Growth, growth_chart};
+pub use names::{method_name, scene_name};
+pub use processor::processor_chart;
+pub use published::{published_chart, verdict};
+pub use scenes::scenes_chart;

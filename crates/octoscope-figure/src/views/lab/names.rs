@@ -1,0 +1,59 @@
+//! Names and numbers in charts.
+
+use octoscope_core::explain::approx;
+use octoscope_core::measure::Quantity;
+use octoscope_core::text::Texts;
+use octoscope_core::traverse::Method;
+
+/// Short name of an algorithm, with its variants.
+pub fn method_name(method: Method, texts: &Texts) -> String {
+    let name = texts.get(&format!("lab-name-{}", method.algorithm.id()));
+    let id = method.to_string();
+    id.split_once('@').map_or(name.clone(), |(_, variants)| format!("{name} @{variants}"))
+}
+
+/// Name of a scene, as the window has it; its identifier where there is none.
+pub fn scene_name(scene: &str, texts: &Texts) -> String {
+    let key = format!("scene-{scene}");
+    if texts.has(&key) { texts.get(&key) } else { scene.to_owned() }
+}
+
+/// A number in the unit in which a quantity is shown: times a ray in microseconds.
+pub(super) fn in_unit(quantity: Quantity, x: f64) -> f64 {
+    match quantity {
+        Quantity::Time => x / 1000.0,
+        Quantity::TimePerLeaf
+        | Quantity::Steps
+        | Quantity::NodeTouches
+        | Quantity::Comparisons
+        | Quantity::Lines
+        | Quantity::CacheMisses
+        | Quantity::BranchMisses
+        | Quantity::Cells
+        | Quantity::TreeLeaves
+        | Quantity::RayLeaves => x,
+    }
+}
+
+/// A number with three digits or so, and a decimal sign as the language has it.
+pub(super) fn short(x: f64, texts: &Texts) -> String {
+    let digits = match x.abs() {
+        0.0..10.0 => 2,
+        10.0..100.0 => 1,
+        _ => 0,
+    };
+    let rounded = if x.is_finite() { format!("{x:.digits$}").parse().unwrap_or(x) } else { x };
+    in_language(approx(rounded), texts)
+}
+
+/// A ratio with two digits behind the sign.
+pub(super) fn ratio(x: Option<f64>, texts: &Texts) -> String {
+    x.map_or_else(|| "–".to_owned(), |x| in_language(format!("{x:.2}"), texts))
+}
+
+fn in_language(number: String, texts: &Texts) -> String {
+    match texts.language() {
+        octoscope_core::text::Language::English => number,
+        octoscope_core::text::Language::German => number.replace('.', ","),
+    }
+}

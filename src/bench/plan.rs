@@ -1,0 +1,55 @@
+//! What is measured.
+
+use octoscope_core::measure::SCENES;
+use octoscope_core::traverse::{Algorithm, Method};
+use std::ops::RangeInclusive;
+
+/// The most levels below the root: deeper trees of these scenes have too many nodes.
+pub const MOST_DEPTH: u8 = 12;
+/// The most rays.
+pub const MOST_RAYS: usize = 1_000_000;
+/// The most repetitions.
+pub const MOST_REPEATS: usize = 1000;
+
+/// What is measured.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Plan {
+    /// Names of built-in scenes.
+    pub scenes: Vec<&'static str>,
+    /// Levels below the root.
+    pub depths: RangeInclusive<u8>,
+    /// The algorithms.
+    pub methods: Vec<Method>,
+    /// Number of rays.
+    pub n_rays: usize,
+    /// Seed of the rays.
+    pub seed: u64,
+    /// How often each algorithm runs through all rays.
+    pub n_repeats: usize,
+}
+
+impl Default for Plan {
+    fn default() -> Self {
+        Self {
+            scenes: SCENES.to_vec(),
+            depths: 5..=8,
+            methods: Self::all_but_the_oracle(),
+            n_rays: 1000,
+            seed: 0x5EED,
+            n_repeats: 5,
+        }
+    }
+}
+
+impl Plan {
+    /// All algorithms whose time does not grow with the tree beside the ray.
+    pub fn all_but_the_oracle() -> Vec<Method> {
+        let others = Algorithm::ALL.into_iter().filter(|&one| one != Algorithm::Exhaustive);
+        others.map(Method::from).collect()
+    }
+
+    /// Number of scenes and depths.
+    pub fn n_sites(&self) -> usize {
+        self.scenes.len() * self.depths.clone().count()
+    }
+}

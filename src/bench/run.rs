@@ -1,0 +1,201 @@
+//! A plan → what it costs.
+
+use super::Plan;
+use anyhow::{Context, anyhow};
+use octoscope_core::geometry::Ray;
+use octoscope_core::measure::{Results, Row, Site, Tally, count, disagreement, rays_from_outside};
+use octoscope_core::progress::{Cancelled, Progress};
+use octoscope_core::query::Query;
+use octoscope_core::scenario::{AnyScenario, BUILT_IN, Scenario, built_in};
+use octoscope_core::traverse::{Algorithm, Method};
+use octoscope_core::tree::{Merge, Recipe, Tree, build};
+use std::hint::black_box;
+use std::time::{Duration, Instant};
+
+/// Rays between two looks whether the work is still wanted.
+const RAYS_AT_ONCE: usize = 128;
+
+/// Measures everything that is planned; what was measured before it is cancelled is
+/// kept, scene by scene and depth by depth.
+///
+/// # Errors
+/// Says which tree cannot be built.
+pub fn run(plan: &Plan, progress: &Progress) -> anyhow::Result<Results> {
+    let mut results = Results { seed: plan.seed, sites: Vec::new() };
+    // Building and linking a tree, and measuring.
+    let n_stages = 2 * plan.n_sites() as u64;
+    for &scene in &plan.scenes {
+        for depth in plan.depths.clone() {
+            let stages = [2 * results.sites.len() as u64, n_stages];
+            match site(plan, scene, depth, stages, progress) {
+                Ok(site) => results.sites.push(site),
+                Err(error) if error.root_cause().is::<Cancelled>() => return Ok(results),
+                // Cancelled while the tree was built.
+                Err(_) if progress.advance(0).is_err() => return Ok(results),
+                Err(error) => return Err(error),
+            }
+        }
+    }
+    Ok(results)
+}
+
+fn site(
+    plan: &Plan,
+    scene: &str,
+    depth: u8,
+    stages: [u64; 2],
+    progress: &Progress,
+) -> anyhow::Result<Site> {
+    let scenario = built_in(scene).ok_or_else(|| {
+        let known = BUILT_IN.map(|scene| scene.id).join(", ");
+        anyhow!("there is no built-in scene ‘{scene}’; there are {known}")
+    })?;
+    let site = match scenario {
+        AnyScenario::Quadtree(scenario) => site_in(plan, &scenario, depth, stages, progress),
+        AnyScenario::Octree(scenario) => site_in(plan, &scenario, depth, stages, progress),
+    };
+    let site = site.with_context(|| format!("{scene} at depth {depth}"))?;
+    Ok(Site { scene: scene.to_owned(), depth, ..site })
+}
+
+fn site_in<const D: usize>(
+    plan: &Plan,
+    scenario: &Scenario<D>,
+    depth: u8,
+    [stage, n_stages]: [u64; 2],
+    progress: &Progress,
+) -> anyhow::Result<Site> {
+    progress.enter_stage(stage, n_stages);
+    // Every occupied cell is a leaf of its own: where spheres are so small that each
+    // cell has a part of one, the tree would be a single full leaf.
+    let recipe = Recipe { depth, merge: Merge::Kept, ..scenario.recipe };
+    let domain = scenario.domain.cut(depth)?;
+    let tree = build(&scenario.source.content()?, domain, &recipe, progress)?;
+    if plan.methods.iter().any(|method| method.algorithm == Algorithm::SametNet) {
+        // Made once for all rays: its time is not that of a ray.
+        tree.link(progress)?;
+    }
+    let rays = rays_from_outside(tree.domain(), plan.seed, plan.n_rays);
+
+    progress.enter_stage(stage + 1, n_stages);
+    progress.start((plan.methods.len() * rays.len() * (plan.n_repeats + 1)) as u64);
+    let query = |method| Query::default().along_the_ray_by(method);
+    let mut rows = Vec::new();
+    for &method in &plan.methods {
+        let counted = count(&tree, &rays, &query(method), progress)?;
+        rows.push(Row { method, times: Vec::new(), counted });
+    }
+    // Round after round all take their turn, so that all meet the same weather.
+    for _ in 0..plan.n_repeats {
+        for row in &mut rows {
+            let time = pass(&tree, &rays, &query(row.method), progress)?;
+            row.times.push(time.as_nanos() as f64 / rays.len().max(1) as f64);
+        }
+    }
+    rows.iter_mut().for_each(|row| row.times.sort_by(f64::total_cmp));
+    let disagreement = first_disagreement(&tree, &rays, &rows);
+    let (n_leaves, n_rays) = (tree.n_leaves(), rays.len());
+    Ok(Site { n_leaves, n_rays, rows, disagreement, ..Site::default() })
+}
+
+/// Where an algorithm finds other leaves than the first: looked for where the checksums
+/// differ.
+fn first_disagreement<const D: usize>(
+    tree: &Tree<D>,
+    rays: &[Ray<D>],
+    rows: &[Row],
+) -> Option<octoscope_core::measure::Disagreement> {
+    let (first, others) = rows.split_first()?;
+    let reference: Method = first.method;
+    let differing = others.iter().filter(|row| row.counted.checksum != first.counted.checksum);
+    differing.map(|row| disagreement(tree, rays, reference, row.method)).find_map(|found| found)
+}
+
+/// Time of a query on all rays.
+fn pass<const D: usize>(
+    tree: &Tree<D>,
+    rays: &[Ray<D>],
+    query: &Query<D>,
+    progress: &Progress,
+) -> Result<Duration, Cancelled> {
+    let mut time = Duration::ZERO;
+    for some in rays.chunks(RAYS_AT_ONCE) {
+        let mut tally = Tally::default();
+        let start = Instant::now();
+        for ray in some {
+            black_box(query.run(tree, ray, &mut tally));
+        }
+        black_box(tally);
+        time += start.elapsed();
+        progress.advance(some.len() as u64)?;
+    }
+    Ok(time)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use octoscope_core::measure::Quantity;
+
+    fn small() -> Plan {
+        Plan {
+            scenes: vec!["spheres-512", "quadtree-82"],
+            depths: 3..=4,
+            n_rays: 40,
+            n_repeats: 3,
+            ..Plan::default()
+        }
+    }
+
+    #[test]
+    fn everything_planned_is_measured_and_all_find_the_same() {
+        let progress = Progress::default();
+        let results = run(&small(), &progress).unwrap();
+        let sites: Vec<_> = results.sites.iter().map(|s| (s.scene.as_str(), s.depth)).collect();
+        let expected =
+            [("spheres-512", 3), ("spheres-512", 4), ("quadtree-82", 3), ("quadtree-82", 4)];
+        assert_eq!(sites, expected);
+        for site in &results.sites {
+            assert_eq!((site.rows.len(), site.n_rays), (14, 40));
+            assert_eq!(site.disagreement, None);
+            for row in &site.rows {
+                assert_eq!(row.times.len(), 3);
+                assert!(row.times.is_sorted() && Quantity::Time.of(site, row) > 0.0);
+                assert_eq!(row.counted.checksum, site.rows[0].counted.checksum);
+            }
+        }
+        assert_eq!(progress.fraction(), Some(1.0));
+    }
+
+    #[test]
+    fn what_does_not_depend_on_the_machine_is_the_same_again() {
+        let [first, second] = [(), ()].map(|()| run(&small(), &Progress::default()).unwrap());
+        for (a, b) in first.sites.iter().zip(&second.sites) {
+            assert!(a.rows.iter().zip(&b.rows).all(|(a, b)| a.counted == b.counted));
+        }
+    }
+
+    #[test]
+    fn a_misprint_is_told_with_its_ray() {
+        let methods = ["parametric", "parametric-table@B-2"].map(|text| text.parse().unwrap());
+        let plan =
+            Plan { scenes: vec!["figure-7"], depths: 1..=1, methods: methods.to_vec(), ..small() };
+        let results = run(&plan, &Progress::default()).unwrap();
+        let disagreement = results.sites[0].disagreement.unwrap();
+        assert_eq!([disagreement.reference, disagreement.method], methods);
+    }
+
+    #[test]
+    fn what_is_cancelled_keeps_what_was_measured() {
+        let progress = Progress::default();
+        progress.cancel();
+        assert_eq!(run(&small(), &progress).unwrap().sites, []);
+    }
+
+    #[test]
+    fn a_tree_that_cannot_be_built_is_named() {
+        let plan = Plan { scenes: vec!["rings"], depths: 21..=21, ..small() };
+        let error = format!("{:#}", run(&plan, &Progress::default()).unwrap_err());
+        assert!(error.starts_with("rings at depth 21: "), "{error}");
+    }
+}

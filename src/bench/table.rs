@@ -1,0 +1,279 @@
+//! Results as text.
+
+use octoscope_core::measure::{
+    PowerLaw, Published, Quantity, Results, Row, Site, Verdict, growth, judged,
+};
+use octoscope_core::trace::Counter;
+use octoscope_core::traverse::Method;
+use std::fmt::Write;
+
+/// A column of a table: its head, and the entry of a row.
+type Column = (&'static str, fn(&Site, &Row) -> String);
+
+/// What depends on the machine.
+const TIMES: [Column; 6] = [
+    ("algorithm", |_, row| row.method.to_string()),
+    ("us/ray", |_, row| decimals(row.median() / 1000.0, 3)),
+    ("+-%", |_, row| decimals(100.0 * row.spread(), 1)),
+    ("ns/leaf", |site, row| decimals(Quantity::TimePerLeaf.of(site, row), 1)),
+    ("rays/s", |_, row| decimals(1e9 / row.median(), 0)),
+    ("of-best", |site, row| {
+        decimals(row.median() / site.least(Quantity::Time).unwrap_or(f64::NAN), 2)
+    }),
+];
+
+/// What does not; means of a ray, but for the stack.
+const COUNTS: [Column; 15] = [
+    ("algorithm", |_, row| row.method.to_string()),
+    ("nodes", |site, row| counted(site, row, Counter::NodeTouches)),
+    ("entry", |site, row| counted(site, row, Counter::EntryComparisons)),
+    ("exit", |site, row| counted(site, row, Counter::ExitComparisons)),
+    ("range", |site, row| counted(site, row, Counter::RangeComparisons)),
+    ("codes", |site, row| counted(site, row, Counter::CodeComparisons)),
+    ("sort", |site, row| counted(site, row, Counter::SortComparisons)),
+    ("divisions", |site, row| counted(site, row, Counter::Divisions)),
+    ("locations", |site, row| counted(site, row, Counter::PointLocations)),
+    ("up", |site, row| counted(site, row, Counter::Ascends)),
+    ("down", |site, row| counted(site, row, Counter::Descends)),
+    ("stack", |_, row| row.counted.counters.get(Counter::StackDepth).to_string()),
+    ("lines", |site, row| decimals(Quantity::Lines.of(site, row), 1)),
+    ("uncached", |site, row| decimals(Quantity::CacheMisses.of(site, row), 1)),
+    ("misguessed", |site, row| decimals(Quantity::BranchMisses.of(site, row), 1)),
+];
+
+/// The site, before the columns above.
+const PLACE: [Column; 6] = [
+    ("scene", |site, _| site.scene.clone()),
+    ("depth", |site, _| site.depth.to_string()),
+    ("tree-leaves", |site, _| site.n_leaves.to_string()),
+    ("rays", |site, _| site.n_rays.to_string()),
+    ("leaves/ray", |site, row| decimals(Quantity::RayLeaves.of(site, row), 2)),
+    ("checksum", |_, row| format!("{:016x}", row.counted.checksum)),
+];
+
+fn counted(site: &Site, row: &Row, counter: Counter) -> String {
+    decimals(row.counted.counters.get(counter) as f64 / site.n_rays.max(1) as f64, 1)
+}
+
+/// A number, or `-` if there is none.
+fn decimals(x: f64, digits: usize) -> String {
+    if x.is_finite() { format!("{x:.digits$}") } else { "-".to_owned() }
+}
+
+/// All columns, the site first, the algorithm once.
+fn columns() -> Vec<Column> {
+    PLACE.into_iter().chain(TIMES).chain(COUNTS.into_iter().skip(1)).collect()
+}
+
+/// All rows as CSV with a head.
+pub fn csv(results: &Results) -> String {
+    let line = |cells: Vec<String>| cells.iter().map(|cell| quoted(cell)).collect::<Vec<_>>();
+    let mut csv = String::new();
+    for cells in all_rows(results) {
+        csv.push_str(&line(cells).join(","));
+        csv.push('\n');
+    }
+    csv
+}
+
+/// All rows as a table in Markdown.
+pub fn markdown(results: &Results) -> String {
+    let mut table = String::new();
+    for (n, cells) in all_rows(results).into_iter().enumerate() {
+        let n_cells = cells.len();
+        table.push_str(&format!("| {} |\n", cells.join(" | ")));
+        if n == 0 {
+            table.push_str(&format!("|{}\n", "---|".repeat(n_cells)));
+        }
+    }
+    table
+}
+
+fn all_rows(results: &Results) -> Vec<Vec<String>> {
+    let columns = columns();
+    let head = columns.iter().map(|(head, _)| (*head).to_owned()).collect();
+    let sites = results.sites.iter();
+    let rows = sites.flat_map(|site| {
+        site.rows.iter().map(|row| columns.iter().map(|(_, of)| of(site, row)).collect())
+    });
+    std::iter::once(head).chain(rows).collect::<Vec<_>>()
+}
+
+/// A field with a comma, as in the names of variants, stands in quotes.
+fn quoted(cell: &str) -> String {
+    if cell.contains(',') { format!("\"{cell}\"") } else { cell.to_owned() }
+}
+
+/// Two tables for every scene and depth, for people.
+pub fn text(results: &Results) -> String {
+    let mut text = String::new();
+    for site in &results.sites {
+        let Some(first) = site.rows.first() else { continue };
+        text.push_str(&format!(
+            "{}, depth {}: {} leaves; {} rays with {} leaves each, checksum {:016x}\n\n",
+            site.scene,
+            site.depth,
+            site.n_leaves,
+            site.n_rays,
+            decimals(Quantity::RayLeaves.of(site, first), 2),
+            first.counted.checksum,
+        ));
+        for table in tables(site) {
+            text.push_str(&table);
+            text.push('\n');
+        }
+    }
+    text
+}
+
+/// What depends on the machine, and what does not.
+pub fn tables(site: &Site) -> [String; 2] {
+    [&TIMES[..], &COUNTS[..]].map(|columns| {
+        let head = columns.iter().map(|(head, _)| (*head).to_owned()).collect();
+        let rows = site.rows.iter();
+        let rows = rows.map(|row| columns.iter().map(|(_, of)| of(site, row)).collect());
+        aligned(&std::iter::once(head).chain(rows).collect::<Vec<_>>())
+    })
+}
+
+/// How the time grows with the leaves of the tree, and what of the published comparison
+/// holds; nothing of what was not measured.
+pub fn summary(results: &Results) -> String {
+    let mut text = String::new();
+    if results.depths().len() > 1 {
+        let scenes = results.scenes();
+        let exponent = |scene: &str, method: Method, size: Quantity| {
+            let (_, law) = growth(results, scene, method, [size, Quantity::Time]);
+            law.map_or_else(|| "-".to_owned(), |PowerLaw { exponent, .. }| decimals(exponent, 2))
+        };
+        for (size, title) in [
+            (Quantity::TreeLeaves, "leaves of the tree"),
+            (Quantity::RayLeaves, "leaves on the ray"),
+        ] {
+            let _ = write!(text, "exponent e of the time a ray ~ ({title})^e over the depths\n\n");
+            let mut head = vec!["algorithm".to_owned()];
+            head.extend(scenes.iter().map(|scene| (*scene).to_owned()));
+            let rows = results.methods().into_iter().map(|method| {
+                let mut row = vec![method.to_string()];
+                row.extend(scenes.iter().map(|scene| exponent(scene, method, size)));
+                row
+            });
+            text.push_str(&aligned(&std::iter::once(head).chain(rows).collect::<Vec<_>>()));
+            text.push('\n');
+        }
+    }
+    let measured: Vec<_> =
+        judged(results).into_iter().filter(|one| one.verdict != Verdict::NotMeasured).collect();
+    if !measured.is_empty() {
+        text.push_str("time of one algorithm in units of that of another, published and here\n\n");
+        let head = ["statement", "published", "here", "nodes", "comparisons", "holds"];
+        let mut lines = vec![head.map(str::to_owned).to_vec()];
+        for one in measured {
+            let number = |x: Option<f64>| x.map_or_else(|| "-".to_owned(), |x| decimals(x, 3));
+            let depth = one.claim.depth.map(|depth| format!(" (depth {depth})"));
+            lines.push(vec![
+                format!(
+                    "{} / {}, {}{}",
+                    one.claim.of.id(),
+                    one.claim.against.id(),
+                    match one.claim.scenes {
+                        [scene] => scene,
+                        _ => "all",
+                    },
+                    depth.unwrap_or_default()
+                ),
+                match one.claim.published {
+                    Published::Equal => "about 1".to_owned(),
+                    Published::Share(share) => decimals(share, 3),
+                },
+                number(one.time),
+                number(one.node_touches),
+                number(one.comparisons),
+                match one.verdict {
+                    Verdict::Agrees => "yes",
+                    Verdict::SameSide => "in sign",
+                    Verdict::Differs => "no",
+                    Verdict::NotMeasured => "-",
+                }
+                .to_owned(),
+            ]);
+        }
+        text.push_str(&aligned(&lines));
+    }
+    text
+}
+
+/// Lines in columns, names at the left, numbers at the right.
+fn aligned(lines: &[Vec<String>]) -> String {
+    let mut text = String::new();
+    for line in lines {
+        let padded = line.iter().enumerate().map(|(column, cell)| {
+            let cells = lines.iter().filter_map(|line| line.get(column));
+            let width = cells.map(|cell| cell.chars().count()).max().unwrap_or(0);
+            if column == 0 { format!("{cell:<width$}") } else { format!("{cell:>width$}") }
+        });
+        text.push_str(padded.collect::<Vec<_>>().join("  ").trim_end());
+        text.push('\n');
+    }
+    text
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn results() -> Results {
+        let row = |text: &str, time: f64| Row {
+            method: text.parse().unwrap(),
+            times: vec![time],
+            ..Row::default()
+        };
+        let site = |depth, n_leaves, rows| Site {
+            scene: "spheres-512".to_owned(),
+            depth,
+            n_leaves,
+            n_rays: 10,
+            rows,
+            ..Site::default()
+        };
+        let rows =
+            |factor: f64| vec![row("parametric", 900.0 * factor), row("bsp", 1000.0 * factor)];
+        Results { seed: 1, sites: vec![site(5, 100, rows(1.0)), site(6, 400, rows(2.0))] }
+    }
+
+    #[test]
+    fn csv_has_a_field_for_every_head_in_every_line() {
+        let mut results = results();
+        results.sites[0].rows[0].method = "parametric@one-by-one,averaged".parse().unwrap();
+        let csv = csv(&results);
+        let lines: Vec<&str> = csv.lines().collect();
+        assert_eq!(lines.len(), 5);
+        assert!(
+            lines[0].starts_with("scene,depth,tree-leaves,rays,leaves/ray,checksum,algorithm,")
+        );
+        let n_fields = lines[0].split(',').count();
+        assert!(lines[2..].iter().all(|line| line.split(',').count() == n_fields), "{csv}");
+        assert!(lines[1].contains(",\"parametric@one-by-one,averaged\",0.900,"), "{csv}");
+        assert!(markdown(&results).lines().all(|line| line.starts_with('|')));
+    }
+
+    #[test]
+    fn times_are_told_with_their_share_of_the_best() {
+        let text = text(&results());
+        let bsp = text.lines().find(|line| line.starts_with("bsp")).unwrap();
+        let cells: Vec<&str> = bsp.split_whitespace().collect();
+        assert_eq!(cells, ["bsp", "1.000", "0.0", "-", "1000000", "1.11"]);
+    }
+
+    #[test]
+    fn the_summary_tells_exponents_and_what_holds() {
+        let summary = summary(&results());
+        // Four times the leaves, twice the time.
+        let line = |start: &str| summary.lines().find(|line| line.starts_with(start)).unwrap();
+        assert!(line("bsp ").ends_with("0.50"), "{summary}");
+        let claim: Vec<&str> = line("parametric / bsp").split_whitespace().collect();
+        assert!(claim.ends_with(&["0.896", "0.900", "-", "-", "yes"]), "{claim:?}");
+        assert!(!summary.contains("samet /"), "it was not measured");
+        assert_eq!(super::summary(&Results::default()), "");
+    }
+}

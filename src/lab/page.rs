@@ -1,0 +1,201 @@
+//! The page of the lab, over the window: what to measure at the left, what came of it
+//! at the right.
+
+use super::{Choice, ENDINGS, Ending, Tab, figure, settings};
+use crate::look::Look;
+use crate::widgets::{paint_figure, room, segments};
+use eframe::egui::{
+    Align, ComboBox, Context, Frame, Id, Label, Layout, Modal, RichText, ScrollArea, Sense,
+    TextWrapMode, Ui, WidgetInfo, accesskit::Role,
+};
+use octoscope_core::measure::{Quantity, Results, Watched};
+use octoscope_figure::views::lab::scene_name;
+use octoscope_figure::{Figure, Form};
+
+/// What the page shows.
+pub struct Shown<'a> {
+    /// What is chosen.
+    pub choice: &'a mut Choice,
+    /// What was measured.
+    pub results: &'a Results,
+    /// All numbers of it, line by line.
+    pub lines: &'a [String],
+    /// What algorithms do on the present ray.
+    pub watched: &'a [Watched],
+    /// Whether something is being measured.
+    pub state: State,
+    /// What is to be known about the results, in words.
+    pub note: Option<&'a str>,
+}
+
+/// Whether something is being measured.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum State {
+    /// Nothing is.
+    Idle,
+    /// So much of it is done, if that is known.
+    Running(Option<f64>),
+}
+
+/// What the user asks for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Answer {
+    /// Measure.
+    Run,
+    /// Stop measuring.
+    Stop,
+    /// Save what is shown to a file with this ending.
+    Save(Ending),
+    /// Close the page.
+    Close,
+}
+
+/// Width of the settings.
+const SETTINGS: f32 = 262.0;
+
+/// Shows the page.
+pub fn ui(context: &Context, look: &Look, mut shown: Shown) -> Option<Answer> {
+    let mut answer = None;
+    let frame = Frame::popup(&context.global_style()).inner_margin(18.0);
+    let size = context.content_rect().size();
+    let [width, height] = [(size.x - 72.0).clamp(300.0, 1500.0), (size.y - 150.0).max(160.0)];
+    let response = Modal::new(Id::unique("lab")).frame(frame).show(context, |ui| {
+        ui.set_width(width);
+        ui.horizontal(|ui| {
+            ui.label(RichText::new(look.text("lab-title")).heading().strong());
+            ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+                if ui.button(look.text("dialog-close")).clicked() {
+                    answer = Some(Answer::Close);
+                }
+            });
+        });
+        ui.separator();
+        ui.horizontal_top(|ui| {
+            let asked = ui.vertical(|ui| {
+                ui.set_width(SETTINGS.min(0.5 * width));
+                ui.set_height(height);
+                settings::ui(ui, look, &mut shown, height)
+            });
+            answer = answer.or(asked.inner);
+            ui.separator();
+            ui.vertical(|ui| {
+                ui.set_width(ui.available_width());
+                tabs(ui, look, shown.choice, shown.results);
+                let below = 40.0;
+                let high = (height - (ui.cursor().top() - ui.min_rect().top()) - below).max(80.0);
+                content(ui, look, &shown, high);
+                ui.add_space(4.0);
+                answer = answer.or(save(ui, look, shown.choice.tab));
+            });
+        });
+    });
+    if response.should_close() { answer.or(Some(Answer::Close)) } else { answer }
+}
+
+/// What is shown, and what of it.
+fn tabs(ui: &mut Ui, look: &Look, choice: &mut Choice, results: &Results) {
+    let tabs = Tab::ALL.map(|tab| (tab, look.text(tab.id())));
+    segments(ui, &mut choice.tab, &tabs);
+    if !matches!(choice.tab, Tab::Scenes | Tab::Growth) {
+        ui.add_space(6.0);
+        return;
+    }
+    ui.horizontal_wrapped(|ui| match choice.tab {
+        Tab::Scenes => {
+            costs(ui, look, choice);
+            let depths: Vec<(u8, String)> =
+                results.depths().into_iter().map(|depth| (depth, depth.to_string())).collect();
+            if depths.len() > 1 {
+                ui.label(look.text("lab-depth"));
+                choice.depth = choice.depth_in(results);
+                segments(ui, &mut choice.depth, &depths);
+            }
+        }
+        Tab::Growth => {
+            costs(ui, look, choice);
+            ui.label(look.text("lab-against"));
+            let sizes =
+                Quantity::SIZES.map(|size| look.text(&format!("lab-quantity-{}", size.id())));
+            list(ui, "lab size", &look.text("lab-against"), &mut choice.size, &sizes);
+            let scenes: Vec<String> =
+                results.scenes().into_iter().map(|scene| scene_name(scene, &look.texts)).collect();
+            if scenes.len() > 1 {
+                list(ui, "lab scene", &look.text("lab-scene"), &mut choice.scene, &scenes);
+            }
+        }
+        Tab::Published | Tab::Table | Tab::Processor => {}
+    });
+    ui.add_space(6.0);
+}
+
+/// Which of the costs.
+fn costs(ui: &mut Ui, look: &Look, choice: &mut Choice) {
+    let costs = Quantity::COSTS.map(|cost| look.text(&format!("lab-quantity-{}", cost.id())));
+    list(ui, "lab cost", &look.text("lab-quantity"), &mut choice.cost, &costs);
+}
+
+/// A list from which one entry is chosen by its number.
+fn list(ui: &mut Ui, id: &str, name: &str, chosen: &mut usize, entries: &[String]) {
+    let shown = entries.get(*chosen).or(entries.first()).cloned().unwrap_or_default();
+    let list = ComboBox::from_id_salt(id).width(170.0).height(360.0).selected_text(&shown);
+    let response = list.show_ui(ui, |ui| {
+        for (number, entry) in entries.iter().enumerate() {
+            ui.selectable_value(chosen, number, entry);
+        }
+    });
+    let spoken = format!("{name}: {shown}");
+    response.response.widget_info(|| WidgetInfo::labeled(Role::ComboBox, true, spoken.as_str()));
+}
+
+fn content(ui: &mut Ui, look: &Look, shown: &Shown, height: f32) {
+    let wide = ui.available_width();
+    if shown.choice.tab == Tab::Table {
+        let scroll = ScrollArea::both().id_salt("lab table").auto_shrink([false, false]);
+        ui.spacing_mut().item_spacing.y = 1.0;
+        scroll.max_height(height).show_rows(ui, 17.0, shown.lines.len(), |ui, rows| {
+            for line in &shown.lines[rows] {
+                let text = RichText::new(line).monospace().size(12.5);
+                ui.add(Label::new(text).wrap_mode(TextWrapMode::Extend));
+            }
+        });
+        return;
+    }
+    let size = [f64::from(wide) - 16.0, f64::from(height) - 8.0];
+    let figure = figure(shown.choice, shown.results, shown.watched, &look.texts, size);
+    let scroll = ScrollArea::both().id_salt("lab chart").auto_shrink([false, false]);
+    scroll.max_height(height).show(ui, |ui| {
+        let (rect, response) = room(ui, figure.page, Sense::hover());
+        paint_figure(ui, look, rect, &figure);
+        let told = told(&figure);
+        response.widget_info(|| WidgetInfo::labeled(Role::Image, true, told.as_str()));
+    });
+}
+
+/// What is written in a figure, for readers that cannot see it.
+fn told(figure: &Figure) -> String {
+    let texts = figure.drawn.iter().filter_map(|drawn| match &drawn.form {
+        Form::Text { text, .. } => Some(text.plain()),
+        Form::Polygon(_) | Form::Polyline(_) | Form::Circle { .. } => None,
+    });
+    texts.collect::<Vec<_>>().join("; ")
+}
+
+/// Files that can be written.
+fn save(ui: &mut Ui, look: &Look, tab: Tab) -> Option<Answer> {
+    let mut answer = None;
+    ui.horizontal_wrapped(|ui| {
+        ui.label(RichText::new(look.text("lab-save")).color(look.palette.quiet));
+        for ending in ENDINGS {
+            let is_table = matches!(ending, "csv" | "md");
+            if tab == Tab::Table && !is_table {
+                continue;
+            }
+            let kind = if is_table { "table" } else { "chart" };
+            let name = look.text(&format!("lab-{kind}-{ending}"));
+            if ui.button(RichText::new(name).size(13.0)).clicked() {
+                answer = Some(Answer::Save(ending));
+            }
+        }
+    });
+    answer
+}

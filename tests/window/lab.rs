@@ -1,0 +1,134 @@
+//! The bench lab, as its users meet it.
+
+use crate::desk::Desk;
+use eframe::egui::{Key, accesskit::Role};
+use egui_kittest::kittest::{NodeT, Queryable};
+use octoscope::lab::{Choice, Tab};
+use octoscope::view::Dialog;
+use octoscope_core::text::Language;
+
+/// The lab, about to measure a little.
+fn lab() -> Desk {
+    let mut desk = Desk::new();
+    desk.press(Key::M);
+    assert_eq!(desk.state().view.dialog, Some(Dialog::Lab));
+    let choice = &mut desk.state_mut().view.lab;
+    (choice.depths, choice.n_rays, choice.n_repeats) = ([3, 4], 20, 2);
+    desk.run();
+    desk
+}
+
+fn measure(desk: &mut Desk) {
+    desk.get_by_role_and_label(Role::Button, "Measure").click();
+    desk.step();
+    desk.state_mut().finish_measuring();
+    desk.run();
+}
+
+/// What a reader that cannot see the chart is told.
+fn told(desk: &Desk) -> String {
+    desk.get_by_role(Role::Image).accesskit_node().label().unwrap_or_default()
+}
+
+#[test]
+fn algorithms_are_measured_and_shown_as_bars_lines_and_numbers() {
+    let mut desk = lab();
+    assert_eq!(told(&desk), "Nothing is measured yet.");
+    measure(&mut desk);
+    let bars = told(&desk);
+    for part in ["Time a ray", "Cloud of 1890 spheres", "512 spheres", "SametNet", "1.00"] {
+        assert!(bars.contains(part), "{part}: {bars}");
+    }
+    desk.click(Role::Button, "Growth");
+    assert!(told(&desk).contains("leaves of the tree"));
+    desk.click(Role::Button, "Published");
+    assert!(told(&desk).contains("published statements were measured"), "{}", told(&desk));
+    desk.click(Role::Button, "Table");
+    assert!(desk.query_all_by_label_contains("divisions").next().is_some());
+    desk.click(Role::Button, "Memory and branches");
+    assert!(told(&desk).contains("guessed wrong"));
+}
+
+#[test]
+fn what_was_measured_stays_when_the_lab_is_closed() {
+    let mut desk = lab();
+    measure(&mut desk);
+    let before = told(&desk);
+    desk.press(Key::Escape);
+    assert_eq!(desk.state().view.dialog, None);
+    desk.press(Key::M);
+    assert_eq!(told(&desk), before);
+    desk.click(Role::Button, "Close");
+    assert_eq!(desk.state().view.dialog, None);
+}
+
+#[test]
+fn measuring_can_be_stopped() {
+    let mut desk = lab();
+    measure(&mut desk);
+    let before = told(&desk);
+    desk.state_mut().view.lab = Choice { n_rays: 100_000, ..Choice::default() };
+    desk.get_by_role_and_label(Role::Button, "Measure").click();
+    desk.step();
+    desk.step();
+    desk.get_by_role_and_label(Role::Button, "Stop").click();
+    desk.step();
+    desk.step();
+    desk.state_mut().finish_measuring();
+    desk.run();
+    assert!(desk.query_by_role_and_label(Role::Button, "Measure").is_some());
+    assert_eq!(told(&desk), before, "nothing came of it, and what was there is kept");
+}
+
+#[test]
+fn without_a_scene_or_an_algorithm_there_is_nothing_to_measure() {
+    let mut desk = lab();
+    desk.click(Role::Button, "none");
+    assert!(desk.query_by_label_contains("Choose a scene").is_some());
+    desk.get_by_role_and_label(Role::Button, "Measure").click();
+    desk.run();
+    assert_eq!(told(&desk), "Nothing is measured yet.");
+    desk.click(Role::Button, "those of the paper");
+    desk.type_into("Rays", "0");
+    desk.type_into("Greatest depth", "99");
+    desk.type_into("Seed", "x");
+    let choice = &desk.state().view.lab;
+    assert_eq!((choice.n_rays, choice.depths, choice.seed), (1, [3, 12], 0x5EED));
+}
+
+#[test]
+fn charts_and_tables_are_saved() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut desk = lab();
+    measure(&mut desk);
+    for (name, ending, start) in [
+        ("Chart as SVG", "svg", "<svg"),
+        ("Chart as TikZ", "tex", "tikzpicture"),
+        ("Table as CSV", "csv", "scene,depth"),
+        ("Table as Markdown", "md", "| cloud | 3 |"),
+    ] {
+        desk.click(Role::Button, name);
+        // Without a file dialog the path is typed.
+        let path = folder.path().join(format!("a.{ending}"));
+        let Some(Dialog::Path(typed)) = &mut desk.state_mut().view.dialog else {
+            panic!("no path is asked for")
+        };
+        typed.path = path.to_string_lossy().into_owned();
+        desk.run_steps(3);
+        desk.get_by_role_and_label(Role::Button, "Export").click();
+        desk.run_steps(3);
+        assert_eq!(desk.state().view.dialog, Some(Dialog::Lab));
+        let text = std::fs::read_to_string(&path).unwrap();
+        assert!(text.contains(start), "{ending}: {text}");
+    }
+}
+
+#[test]
+fn the_lab_speaks_german() {
+    let mut desk = lab();
+    desk.state_mut().view.language = Language::German;
+    desk.state_mut().view.lab.tab = Tab::Processor;
+    desk.run();
+    assert!(desk.query_by_label("Messlabor").is_some());
+    assert!(told(&desk).contains("falsch geraten"));
+}
