@@ -25,7 +25,8 @@ fn main() -> anyhow::Result<()> {
             Layer::boxes(GRID, &shell(4, 3), &[line(rgb(grid))]),
             Layer::marks(path(rgb(edge), rgb(fill.0).gamma_multiply(fill.1))),
         ];
-        let picture = Picture { view: camera(0.6), layers, background: rgb(background) };
+        let picture =
+            Picture { view: camera(0.6), slice: [0.0; 4], layers, background: rgb(background) };
         let image = render_to_image(&mut gpu, &picture, SIZE, 1.0)?;
         std::fs::write(folder.join(format!("{name}.ppm")), ppm(&image))?;
     }
@@ -39,7 +40,12 @@ fn main() -> anyhow::Result<()> {
         let mut times = Vec::new();
         for turn in 0..4u8 {
             let view = camera(0.6 + 0.1 * f32::from(turn));
-            let picture = Picture { view, layers: vec![layer.clone()], background: Color32::WHITE };
+            let picture = Picture {
+                view,
+                slice: [0.0; 4],
+                layers: vec![layer.clone()],
+                background: Color32::WHITE,
+            };
             let start = Instant::now();
             render_to_image(&mut gpu, &picture, SIZE, 1.0)?;
             times.push(start.elapsed().as_millis());

@@ -8,10 +8,11 @@ mod obey;
 mod show;
 
 use crate::command::Command;
-use crate::document::AnyDocument;
+use crate::document::{AnyDocument, Document};
 use crate::files;
 use crate::history::{History, Shared, Weighed};
 use crate::job::Job;
+use crate::kept_show::kept_show;
 use crate::look::Look;
 use crate::map::Maps;
 use crate::notice::Notice;
@@ -19,7 +20,7 @@ use crate::open::open_built_in;
 use crate::space::Layers;
 use crate::view::View;
 use crate::widgets::refused_number;
-use crate::{render, save, theme, with_document};
+use crate::{complaint, render, save, theme, with_document};
 use eframe::egui::{CentralPanel, Context, Frame, Key, Ui, ViewportCommand};
 use exporting::Exporting;
 use jobs::Purpose;
@@ -28,6 +29,7 @@ use octoscope_core::explain::short_title;
 use octoscope_core::gallery::Degenerate;
 use octoscope_core::progress::{Cancelled, Progress};
 use octoscope_core::scenario::{BUILT_IN, StepAt};
+use octoscope_figure::Show;
 use std::path::PathBuf;
 use std::time::Duration;
 
@@ -64,11 +66,13 @@ pub struct App {
     layers: Option<Layers>,
 }
 
-/// What undo brings back: the document, and where the playhead was in it.
+/// What undo brings back: the document, where the playhead was in it, and what the
+/// picture showed.
 #[derive(Clone)]
 struct Shown {
     document: AnyDocument,
     step: usize,
+    show: Show,
 }
 
 impl Weighed for Shown {
@@ -108,8 +112,9 @@ impl App {
 
     fn with_document(document: AnyDocument, view: View, layers: Option<Layers>) -> Self {
         let look_of = (view.language, view.theme);
+        let show = *with_document!(&document, d => shown_in(&view, d));
         let mut app = Self {
-            settled: Shown { document: document.clone(), step: 0 },
+            settled: Shown { document: document.clone(), step: 0, show },
             saved: document.clone(),
             title: String::new(),
             document,
@@ -189,14 +194,41 @@ impl App {
         }
     }
 
+    /// What the picture shows of what is open.
+    fn show_of_document(&self) -> &Show {
+        with_document!(&self.document, d => shown_in(&self.view, d))
+    }
+
+    /// The same, to be changed.
+    fn show_of_document_mut(&mut self) -> &mut Show {
+        match self.document {
+            AnyDocument::Plane(_) => self.view.show_mut::<2>(),
+            AnyDocument::Space(_) => self.view.show_mut::<3>(),
+        }
+    }
+
+    /// Shows what the scenario wants to be shown; without a wish, what was shown before.
+    fn show_as_kept(&mut self) {
+        match with_document!(&self.document, d => kept_show(&d.opened().view)) {
+            Ok(Some(show)) => *self.show_of_document_mut() = show,
+            Ok(None) => {}
+            Err(error) => self.notice.say(complaint::told(&self.look.texts, &error)),
+        }
+    }
+
     /// Moves the playhead to where the scenario wants it.
     fn go_to_start(&mut self) {
+        self.show_as_kept();
         let length = self.document.n_events();
         let step: StepAt = with_document!(&self.document, document => document.opened().step);
         self.view.playback.playing = false;
         self.view.playback.go_to(step.position(length), length);
         self.view.forget_cameras();
     }
+}
+
+fn shown_in<'a, const D: usize>(view: &'a View, _document: &Document<D>) -> &'a Show {
+    view.show::<D>()
 }
 
 /// Layers for the space view, if there is a graphics adapter.
@@ -283,6 +315,6 @@ impl eframe::App for App {
         if let Ok(view) = serde_json::to_string(&self.view) {
             storage.set_string(save::VIEW_KEY, view);
         }
-        save::remember(storage, &self.document, self.scenario_now());
+        save::remember(storage, &self.document, self.scenario_to_keep());
     }
 }

@@ -1,6 +1,7 @@
 //! All commands of the window, with their names, menus and keys: one table,
 //! from which menus, tooltips and shortcuts follow.
 
+use crate::show_change::{ShowChange, ShownPart};
 use crate::space::Standpoint;
 use crate::view::PanelKind;
 use eframe::egui::{Key, KeyboardShortcut, Modifiers};
@@ -59,6 +60,10 @@ pub enum Command {
     Follow,
     /// Perspective, parallel in turn.
     NextLens,
+    /// Change what the picture shows.
+    Show(ShowChange),
+    /// No animations, or animations again.
+    ReducedMotion,
     /// Turn the ray round.
     ReverseRay,
     /// Make the ray degenerate in the nearest way.
@@ -108,6 +113,8 @@ pub enum Menu {
     View,
     /// All panels; inside the menu before it.
     Panels,
+    /// What the picture shows; inside the same menu.
+    Show,
     /// The ray.
     Ray,
     /// Degenerate rays, inside the menu of the ray.
@@ -130,6 +137,7 @@ impl Menu {
             Self::Edit => "menu-edit",
             Self::View => "menu-view",
             Self::Panels => "menu-panels",
+            Self::Show => "menu-show",
             Self::Ray => "menu-ray",
             Self::Gallery => "menu-gallery",
             Self::Step => "menu-step",
@@ -137,14 +145,18 @@ impl Menu {
         }
     }
 
-    /// The menu that opens at the head of this one.
-    pub fn inner(self) -> Option<Self> {
+    /// The menus that open at the head of this one.
+    pub fn inner(self) -> &'static [Self] {
         match self {
-            Self::View => Some(Self::Panels),
-            Self::Ray => Some(Self::Gallery),
-            Self::File | Self::Edit | Self::Panels | Self::Gallery | Self::Step | Self::Help => {
-                None
-            }
+            Self::View => &[Self::Panels, Self::Show],
+            Self::Ray => &[Self::Gallery],
+            Self::File
+            | Self::Edit
+            | Self::Panels
+            | Self::Show
+            | Self::Gallery
+            | Self::Step
+            | Self::Help => &[],
         }
     }
 }
@@ -177,6 +189,18 @@ const fn ctrl_shift(key: Key) -> KeyboardShortcut {
 /// A panel and the key of its title, [`PanelKind::id`].
 const fn panel(kind: PanelKind, id: &'static str) -> Row {
     row(Command::Panel(kind), id, Menu::Panels, &[])
+}
+
+const fn shift(key: Key) -> KeyboardShortcut {
+    KeyboardShortcut::new(Modifiers::SHIFT, key)
+}
+
+const fn show(change: ShowChange, id: &'static str, keys: &'static [KeyboardShortcut]) -> Row {
+    row(Command::Show(change), id, Menu::Show, keys)
+}
+
+const fn part(part: ShownPart, id: &'static str, keys: &'static [KeyboardShortcut]) -> Row {
+    show(ShowChange::Part(part), id, keys)
 }
 
 const fn row(
@@ -230,6 +254,25 @@ pub const COMMANDS: &[Row] = &[
     panel(PanelKind::Compare, "panel-compare"),
     panel(PanelKind::Paper, "panel-paper"),
     panel(PanelKind::Map, "panel-map"),
+    part(ShownPart::OrderNumbers, "command-show-order-numbers", &[]),
+    part(ShownPart::Content, "command-show-content", &[]),
+    part(ShownPart::EmptyLeaves, "command-show-empty-leaves", &[key(Key::E)]),
+    part(ShownPart::InnerNodes, "command-show-inner-nodes", &[key(Key::I)]),
+    part(ShownPart::Ancestors, "command-show-ancestors", &[]),
+    part(ShownPart::Children, "command-show-children", &[]),
+    part(ShownPart::MirroredRay, "command-show-mirrored-ray", &[key(Key::J)]),
+    part(ShownPart::HalfOpenSides, "command-show-half-open-sides", &[key(Key::U)]),
+    part(ShownPart::Codes, "command-show-codes", &[key(Key::D)]),
+    show(ShowChange::Apart, "command-show-apart", &[key(Key::A)]),
+    show(ShowChange::NextRest, "command-next-rest", &[key(Key::H)]),
+    show(ShowChange::FewerSmall, "command-fewer-small", &[shift(Key::ArrowUp)]),
+    show(ShowChange::MoreSmall, "command-more-small", &[shift(Key::ArrowDown)]),
+    show(ShowChange::FewerLarge, "command-fewer-large", &[ctrl_shift(Key::ArrowDown)]),
+    show(ShowChange::MoreLarge, "command-more-large", &[ctrl_shift(Key::ArrowUp)]),
+    show(ShowChange::AllLevels, "command-all-levels", &[]),
+    show(ShowChange::NextSlice, "command-next-slice", &[key(Key::K)]),
+    show(ShowChange::SliceDown, "command-slice-down", &[shift(Key::ArrowLeft)]),
+    show(ShowChange::SliceUp, "command-slice-up", &[shift(Key::ArrowRight)]),
     row(Command::Question, "command-question", Menu::View, &[key(Key::Q)]),
     row(Command::RestorePanels, "command-restore-panels", Menu::View, &[ctrl(Key::R)]),
     row(Command::FrameAll, "command-frame-all", Menu::View, &[key(Key::F)]),
@@ -239,6 +282,7 @@ pub const COMMANDS: &[Row] = &[
     row(Command::Stand(Standpoint::Above), "command-stand-above", Menu::View, &[key(Key::Z)]),
     row(Command::NextLens, "command-next-lens", Menu::View, &[key(Key::O)]),
     row(Command::Follow, "command-follow", Menu::View, &[key(Key::V)]),
+    row(Command::ReducedMotion, "command-reduced-motion", Menu::View, &[key(Key::M)]),
     row(Command::NextTheme, "command-next-theme", Menu::View, &[key(Key::T)]),
     row(Command::NextLanguage, "command-next-language", Menu::View, &[key(Key::L)]),
     row(Command::ScaleUp, "command-scale-up", Menu::View, &[key(Key::Plus), key(Key::Equals)]),
@@ -337,7 +381,7 @@ mod tests {
         for ray in Degenerate::ALL {
             let row = Command::Degenerate(ray).row();
             assert_eq!(row.id, format!("gallery-{}", ray.id()));
-            assert_eq!(Some(row.menu), Menu::Ray.inner());
+            assert_eq!([row.menu], Menu::Ray.inner());
         }
     }
 
@@ -345,6 +389,15 @@ mod tests {
     fn every_preset_has_a_command() {
         for index in 0..crate::view::Preset::ALL.len() {
             assert_eq!(Command::Preset(index as u8).row().menu, Menu::View);
+        }
+    }
+
+    #[test]
+    fn everything_that_can_be_shown_has_a_command_of_its_name() {
+        for part in ShownPart::ALL {
+            let row = Command::Show(ShowChange::Part(part)).row();
+            assert_eq!(row.id, format!("command-{}", part.id()));
+            assert_eq!(row.menu, Menu::Show);
         }
     }
 

@@ -27,8 +27,8 @@ use crate::document::Document;
 use crate::space::interesting;
 use octoscope_core::scene::Content;
 use octoscope_figure::{
-    Camera, Diagram, DiagramLens, DiagramOf, Figure, Mark, Page, Role, Shape, Show, axes, content,
-    leaves, marks, space_figure, tree_diagram,
+    Camera, Diagram, DiagramLens, DiagramOf, Figure, Mark, Page, Rest, Role, Shape, Show, axes,
+    cells, content, marks, space_figure, tree_diagram,
 };
 
 /// Page of figures of which no size is asked for.
@@ -48,12 +48,13 @@ pub fn space<const D: usize>(
     let moment = document.moment(step);
     let event = step.checked_sub(1).and_then(|index| document.trace.events.get(index));
     let mut all = Vec::new();
+    let cut = show.slice.and_then(|slice| slice.cut(document.tree.domain(), &camera));
     if n_leaves_shown(document, show) <= MOST_LEAVES {
-        all.extend(leaves(&document.tree, show));
+        all.extend(cells(&document.tree, show, cut.as_ref()));
         all.extend(pixels(document, show));
     }
-    if n_primitives_shown(document, show) <= MOST_PRIMITIVES {
-        all.extend(content(&document.content));
+    if show.content && n_primitives_shown(document, show) <= MOST_PRIMITIVES {
+        all.extend(content(&document.content, cut.as_ref()));
     }
     all.extend(axes(document.tree.domain(), show));
     all.extend(marks(&document.tree, &scenario.ray, &scenario.query, &moment, event, show));
@@ -79,9 +80,10 @@ pub fn whole_tree<const D: usize>(document: &Document<D>, step: usize) -> Figure
 
 /// Leaves of a picture in their mean colours.
 fn pixels<const D: usize>(document: &Document<D>, show: &Show) -> Vec<Mark<D>> {
-    let colours = document.leaf_colours().filter(|_| show.content).unwrap_or_default();
+    let is_shown = show.content && show.rest == Rest::Plain;
+    let colours = document.leaf_colours().filter(|_| is_shown).unwrap_or_default();
     let tree = &document.tree;
-    let coloured = tree.leaves().filter_map(|leaf| {
+    let coloured = tree.leaves().filter(|&leaf| show.shows(tree, leaf)).filter_map(|leaf| {
         let colour = *colours.get(leaf.id.index())?;
         Some(Mark::new(Shape::Box(tree.node_box(leaf.id)), Role::Pixel(colour?)))
     });
@@ -94,7 +96,7 @@ const MOST_PRIMITIVES: usize = 200_000;
 const MOST_LEAVES: usize = 200_000;
 
 fn n_leaves_shown<const D: usize>(document: &Document<D>, show: &Show) -> usize {
-    document.tree.leaves().filter(|leaf| leaf.is_full() || show.empty_leaves).count()
+    show.nodes(&document.tree).count()
 }
 
 fn n_primitives_shown<const D: usize>(document: &Document<D>, show: &Show) -> usize {

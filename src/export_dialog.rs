@@ -4,7 +4,7 @@
 use crate::export::{Choice, Extent, Format, Origin, Request, StepChoice, shell_line};
 use crate::files;
 use crate::look::Look;
-use crate::panels::show;
+use crate::panels::show::{self, Of};
 use crate::widgets::segments;
 use eframe::egui::{
     Align, CollapsingHeader, ComboBox, Context, DragValue, Frame, Grid, Id, Image, Label, Layout,
@@ -26,7 +26,7 @@ pub struct Shown<'a> {
     /// Language of the figure's title, and of the window.
     pub language: &'a mut Language,
     /// Dimension of the tree.
-    pub dimension: usize,
+    pub of: Of,
     /// Number of the last step.
     pub last_step: usize,
     /// What all that comes to.
@@ -93,7 +93,7 @@ pub fn ui(context: &Context, look: &Look, mut shown: Shown) -> Option<Answer> {
 }
 
 fn settings(ui: &mut Ui, look: &Look, shown: &mut Shown) {
-    let Shown { choice, views, show: what, dimension, last_step, language, .. } = shown;
+    let Shown { choice, views, show: what, of, last_step, language, .. } = shown;
     let name = |key: &str| look.text(key);
     Grid::new("export").num_columns(2).spacing([12.0, 8.0]).show(ui, |ui| {
         let label = ui.label(name("dialog-export-view")).id;
@@ -185,8 +185,7 @@ fn settings(ui: &mut Ui, look: &Look, shown: &mut Shown) {
         ui.end_row();
     });
     if choice.view.shows_space() {
-        CollapsingHeader::new(name("export-show"))
-            .show(ui, |ui| show::ui(ui, look, what, *dimension));
+        CollapsingHeader::new(name("export-show")).show(ui, |ui| show::ui(ui, look, what, *of));
     }
 }
 

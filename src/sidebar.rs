@@ -149,6 +149,7 @@ fn question<const D: usize>(
     }
     query::ui(ui, look, document);
     ui.add_space(GAP);
-    show::ui(ui, look, view.show_mut::<D>(), D);
+    let of = show::Of::tree(&document.tree);
+    show::ui(ui, look, view.show_mut::<D>(), of);
     chosen
 }

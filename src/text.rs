@@ -68,7 +68,7 @@ mod tests {
         for language in Language::ALL {
             let texts = texts(language);
             let commands = COMMANDS.iter().map(|row| row.id.to_owned());
-            let inner = Menu::ALL.into_iter().filter_map(Menu::inner);
+            let inner = Menu::ALL.into_iter().flat_map(Menu::inner).copied();
             let menus = Menu::ALL.into_iter().chain(inner).map(|menu| menu.id().to_owned());
             let scenes = BUILT_IN.iter().map(|scene| format!("scene-{}", scene.id));
             let choices = Variant::ALL.into_iter().filter(|&variant| erratum_of(variant).is_none());

@@ -63,12 +63,19 @@ pub fn install_fonts(context: &Context) {
     context.set_fonts(fonts);
 }
 
+/// How long controls take to open, or to light up.
+const ANIMATION_SECS: f32 = 0.08;
+
 /// Sets colours, type and size for the frame that begins.
 pub fn apply(context: &Context, view: &View) {
     let room = context.content_rect().size() * context.zoom_factor();
     let zoom = view.zoom(room);
     if (context.zoom_factor() - zoom).abs() > f32::EPSILON {
         context.set_zoom_factor(zoom);
+    }
+    let animation_time = if view.reduced_motion { 0.0 } else { ANIMATION_SECS };
+    if context.global_style().animation_time != animation_time {
+        context.all_styles_mut(|style| style.animation_time = animation_time);
     }
     let wanted = visuals(view.theme);
     if context.global_style().visuals != wanted {
@@ -81,7 +88,6 @@ pub fn apply(context: &Context, view: &View) {
             style.spacing.slider_width = 92.0;
             style.spacing.scroll = scroll_bars();
             style.interaction.resize_grab_radius_side = 6.0;
-            style.animation_time = 0.08;
         });
     }
 }

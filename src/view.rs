@@ -8,7 +8,7 @@ use crate::arrangement::Arrangement;
 use crate::export::Choice;
 use crate::lab;
 use crate::playback::Playback;
-use crate::space::Standpoint;
+use crate::space::{Flight, Standpoint};
 use crate::tree_view::TreeView;
 use eframe::egui::{Rect, Vec2};
 use octoscope_core::locate::NeighbourMethod;
@@ -76,6 +76,11 @@ pub struct View {
     /// Where the space view was in the last frame.
     #[serde(skip)]
     pub space: Option<Rect>,
+    /// How the camera gets to where it is to be.
+    #[serde(skip)]
+    pub flight: Option<Flight>,
+    /// Whether nothing is animated.
+    pub reduced_motion: bool,
     /// How depth looks in octrees.
     pub lens: Lens,
     /// Whether the camera goes with the current node.
@@ -424,13 +429,13 @@ impl View {
     /// Forgets where the camera is: everything is seen from the usual side.
     pub fn forget_cameras(&mut self) {
         (self.plane_camera, self.orbit_camera) = (None, None);
-        self.standpoint = None;
+        (self.standpoint, self.flight) = (None, None);
     }
 
     /// Shows everything, octrees from the side from which they are seen now.
     pub fn show_everything(&mut self) {
-        self.plane_camera = None;
-        self.standpoint = self.orbit_camera.is_some().then_some(Standpoint::Everything);
+        let is_kept = self.plane_camera.is_some() || self.orbit_camera.is_some();
+        self.standpoint = is_kept.then_some(Standpoint::Everything);
     }
 
     /// Factor of type and lines, the preset's included, in a window that would
@@ -462,6 +467,8 @@ impl Default for View {
             fitted: false,
             pointed: None,
             space: None,
+            flight: None,
+            reduced_motion: false,
             lens: Lens::default(),
             follow: false,
             followed: None,

@@ -7,6 +7,7 @@ use crate::export::{Format, Origin, Request};
 use crate::export_dialog::{self, Answer, PREVIEW, Shown};
 use crate::figures::views_of;
 use crate::job::{Job, Poll};
+use crate::panels::show::Of;
 use crate::view::Dialog;
 use crate::{complaint, with_document};
 use anyhow::anyhow;
@@ -14,7 +15,7 @@ use eframe::egui::{ColorImage, Context, TextureHandle, TextureOptions};
 use octoscope_core::progress::{Cancelled, Progress};
 use octoscope_core::scenario::AnyScenario;
 use octoscope_core::text::Texts;
-use octoscope_figure::{Pixels, Show};
+use octoscope_figure::Pixels;
 use std::path::{Path, PathBuf};
 
 /// State of the exports of a window.
@@ -52,13 +53,14 @@ impl App {
         let last_step = self.document.n_events();
         let views = with_document!(&self.document, d => views_of(&d.scenario.query));
         choice.view = request.view;
-        let (mut show, dimension) = self.shown_of_document();
+        let mut show = *self.show_of_document();
+        let of = with_document!(&self.document, d => Of::tree(&d.tree));
         let shown = Shown {
             choice: &mut choice,
             views: &views,
             show: &mut show,
             language: &mut language,
-            dimension,
+            of,
             last_step,
             request: &request,
             origin: &origin,
@@ -67,7 +69,7 @@ impl App {
         };
         let answer = export_dialog::ui(context, &self.look, shown);
         (self.view.export, self.view.language) = (choice, language);
-        *self.show_of_document() = show;
+        *self.show_of_document_mut() = show;
         match answer {
             None => {}
             Some(Answer::Export) => {
@@ -212,21 +214,6 @@ impl App {
     pub fn finish_preview(&mut self, context: &Context) {
         if let Some(job) = self.exporting.preview.making.take() {
             self.exporting.preview.take(context, &self.look.texts, job.wait());
-        }
-    }
-
-    fn shown_of_document(&mut self) -> (Show, usize) {
-        let dimension = match self.document {
-            AnyDocument::Plane(_) => 2,
-            AnyDocument::Space(_) => 3,
-        };
-        (*self.show_of_document(), dimension)
-    }
-
-    fn show_of_document(&mut self) -> &mut Show {
-        match self.document {
-            AnyDocument::Plane(_) => self.view.show_mut::<2>(),
-            AnyDocument::Space(_) => self.view.show_mut::<3>(),
         }
     }
 }

@@ -8,8 +8,9 @@ use crate::document::AnyDocument;
 use crate::files::{self, Chosen, Purpose};
 use crate::finder::Target;
 use crate::history::History;
+use crate::kept_show::keep_show;
 use crate::space::Standpoint;
-use crate::view::{Dialog, PanelKind, Preset, Search, Typed};
+use crate::view::{Dialog, PanelKind, Preset, Search, Typed, View};
 use crate::{complaint, save, with_document};
 use eframe::egui::{Context, Key, Popup, ViewportCommand};
 use octoscope_core::gallery::{Degenerate, snap};
@@ -18,7 +19,8 @@ use octoscope_core::query::Query;
 use octoscope_core::scenario::AnyScenario;
 use octoscope_core::text::Language;
 use octoscope_core::traverse::Algorithm;
-use octoscope_figure::{Lens, Theme};
+use octoscope_core::tree::Tree;
+use octoscope_figure::{Lens, Show, Theme};
 use std::path::{Path, PathBuf};
 
 impl App {
@@ -31,7 +33,9 @@ impl App {
     }
 
     pub(super) fn settle_now(&mut self) {
-        if self.document.is_same_state(&self.settled.document) {
+        let is_same = self.document.is_same_state(&self.settled.document)
+            && self.settled.show == *self.show_of_document();
+        if is_same {
             // Stepping is not undone, but where it led to is part of the state.
             self.settled.step = self.view.playback.step;
         } else {
@@ -41,7 +45,11 @@ impl App {
     }
 
     pub(super) fn shown(&self) -> Shown {
-        Shown { document: self.document.clone(), step: self.view.playback.step }
+        Shown {
+            document: self.document.clone(),
+            step: self.view.playback.step,
+            show: *self.show_of_document(),
+        }
     }
 
     /// Commands whose keys were pressed.
@@ -90,6 +98,7 @@ impl App {
             Command::Degenerate(ray) => self.is_about_a_ray() && ray.exists_in(self.dimension()),
             Command::Stand(Standpoint::Right | Standpoint::Front | Standpoint::Above)
             | Command::NextLens => self.dimension() == 3,
+            Command::Show(change) => change.is_possible(self.show_of_document(), self.dimension()),
             Command::Open
             | Command::Stand(Standpoint::Node | Standpoint::Everything)
             | Command::Follow
@@ -105,6 +114,7 @@ impl App {
             | Command::Question
             | Command::RestorePanels
             | Command::FrameAll
+            | Command::ReducedMotion
             | Command::NextTheme
             | Command::NextLanguage
             | Command::ScaleUp
@@ -157,7 +167,13 @@ impl App {
             Command::NextLens if self.is_enabled(command) => {
                 self.view.lens = following(&Lens::ALL, self.view.lens);
             }
-            Command::Stand(_) | Command::NextLens => {}
+            Command::Show(change) if self.is_enabled(command) => {
+                with_document!(&self.document, d => {
+                    change.make(show_of(&mut self.view, &d.tree), d.tree.domain());
+                });
+            }
+            Command::Stand(_) | Command::NextLens | Command::Show(_) => {}
+            Command::ReducedMotion => self.view.reduced_motion = !self.view.reduced_motion,
             Command::Follow => self.view.follow = !self.view.follow,
             Command::ReverseRay => with_document!(&mut self.document, d => d.reverse_ray()),
             Command::BackToRay => {
@@ -316,6 +332,7 @@ impl App {
                 self.view.forget_cameras();
             }
             self.document = shown.document;
+            *self.show_of_document_mut() = shown.show;
             self.tracing = None;
             self.go_to(shown.step);
             self.settled = self.shown();
@@ -323,8 +340,15 @@ impl App {
     }
 
     /// The scenario with the playhead where it is.
-    pub(super) fn scenario_now(&self) -> AnyScenario {
+    fn scenario_now(&self) -> AnyScenario {
         self.document.scenario_at(self.view.playback.step)
+    }
+
+    /// The same with what the picture shows.
+    pub(super) fn scenario_to_keep(&self) -> AnyScenario {
+        let mut scenario = self.scenario_now();
+        keep_show(&mut scenario, self.show_of_document());
+        scenario
     }
 
     fn save(&mut self, context: &Context, ask: bool) {
@@ -336,7 +360,7 @@ impl App {
     }
 
     fn save_to(&mut self, path: &Path) {
-        match save::scenario(&self.document, self.scenario_now(), path) {
+        match save::scenario(&self.document, self.scenario_to_keep(), path) {
             Ok(()) => {
                 with_document!(&mut self.document, d => d.path = Some(path.to_owned()));
                 self.saved = self.document.clone();
@@ -411,6 +435,11 @@ impl App {
             Purpose::Lab(_) => self.save_lab(&path),
         }
     }
+}
+
+/// What the picture shows of trees of the dimension of `tree`.
+fn show_of<'a, const D: usize>(view: &'a mut View, _tree: &Tree<D>) -> &'a mut Show {
+    view.show_mut::<D>()
 }
 
 /// The element after `present`, round and round.

@@ -65,6 +65,14 @@ impl App {
         if command == Command::Follow {
             return if self.view.follow { Entry::On } else { Entry::Off };
         }
+        if command == Command::ReducedMotion {
+            return if self.view.reduced_motion { Entry::On } else { Entry::Off };
+        }
+        if let Command::Show(change) = command
+            && let Some(is_on) = change.is_on(self.show_of_document())
+        {
+            return if is_on { Entry::On } else { Entry::Off };
+        }
         if command == Command::Question {
             return if self.view.question_shown { Entry::On } else { Entry::Off };
         }

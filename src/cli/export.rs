@@ -7,6 +7,7 @@ use super::{Answer, tell};
 use crate::document::Document;
 use crate::export::{Eye, Format, Order, Request, Size, Steps, parse_shown};
 use crate::figures::{Moments, take_exercise};
+use crate::kept_show::kept_show;
 use crate::open::open;
 use crate::with_document;
 use anyhow::{anyhow, bail};
@@ -113,7 +114,12 @@ pub struct Export {
     camera: Option<Eye>,
     /// What is shown beside the state of the algorithm, by names between commas:
     /// order-numbers, half-open-sides, codes, mirrored-ray, content,
-    /// empty-leaves, ancestors, children, or none.
+    /// empty-leaves, inner-nodes, ancestors, children, or none. Then, if you like:
+    /// levels=2-5, the levels of the cells off the path; rest=faint or rest=hidden,
+    /// how these cells are drawn; slice=x:0.5, a plane across an axis, at a share of
+    /// the side, that cuts an octree open; apart=0.7, how far the children of the
+    /// current node are moved apart, in their sides. Without --show, what the
+    /// scenario says.
     #[arg(long, value_name = "NAMES", value_parser = parse_shown)]
     show: Option<Show>,
     /// Language of all words, and of the title inside a file: en or de.
@@ -164,10 +170,14 @@ pub fn export(arguments: &Export) -> anyhow::Result<Answer> {
         None if request.order.format.moves() => Steps::All,
         None => Steps::One(StepAt::At(saved.position(document.n_events()))),
     };
+    let show = match request.show {
+        Some(show) => Some(show),
+        None => with_document!(&document, d => kept_show(&d.opened().view))?,
+    };
+    let request = Request { steps, show, ..request };
     if let Some(note) = with_document!(&document, d => request.left_out(d)) {
         tell(&note);
     }
-    let request = Request { steps, ..request };
     run_with_progress(|progress| request.run(&document, arguments.output.as_deref(), progress))?;
     Ok(Answer::Done)
 }

@@ -1,9 +1,10 @@
 //! What a figure shows beside the algorithm's state, by name.
 
-use octoscope_figure::Show;
+use octoscope_core::geometry::AXIS_NAMES;
+use octoscope_figure::{Levels, Rest, Show, Slice};
 
 /// Names of all that can be shown, and where it is kept.
-fn parts(show: &mut Show) -> [(&'static str, &mut bool); 8] {
+fn parts(show: &mut Show) -> [(&'static str, &mut bool); 9] {
     [
         ("order-numbers", &mut show.order_numbers),
         ("half-open-sides", &mut show.half_open_sides),
@@ -11,6 +12,7 @@ fn parts(show: &mut Show) -> [(&'static str, &mut bool); 8] {
         ("mirrored-ray", &mut show.mirrored_ray),
         ("content", &mut show.content),
         ("empty-leaves", &mut show.empty_leaves),
+        ("inner-nodes", &mut show.inner_nodes),
         ("ancestors", &mut show.ancestors),
         ("children", &mut show.children),
     ]
@@ -25,15 +27,25 @@ const NOTHING: Show = Show {
     empty_leaves: false,
     ancestors: false,
     children: false,
+    inner_nodes: false,
+    levels: Levels::ALL,
+    rest: Rest::Plain,
+    slice: None,
+    explosion: 0.0,
 };
 
-/// What these names between commas stand for; `none` for nothing.
+/// What these names between commas stand for; `none` for nothing. Beside the names:
+/// `levels=2-5`, `rest=faint`, `slice=x:0.5`, `apart=0.7`.
 ///
 /// # Errors
 /// Lists the names there are.
 pub fn parse_shown(text: &str) -> Result<Show, String> {
     let mut show = NOTHING;
-    for name in text.split(',').map(str::trim).filter(|_| text != "none") {
+    for name in text.split(',').map(str::trim).filter(|name| *name != "none") {
+        if let Some((name, value)) = name.split_once('=') {
+            set(&mut show, name, value)?;
+            continue;
+        }
         let mut parts = parts(&mut show);
         match parts.iter_mut().find(|(known, _)| *known == name) {
             Some((_, part)) => **part = true,
@@ -46,12 +58,73 @@ pub fn parse_shown(text: &str) -> Result<Show, String> {
     Ok(show)
 }
 
+/// Sets what has a value.
+fn set(show: &mut Show, name: &str, value: &str) -> Result<(), String> {
+    let within = |x: &f64, most: f64| (0.0..=most).contains(x);
+    match name {
+        "levels" => {
+            let (least, most) = value.split_once('-').unwrap_or((value, value));
+            let levels = least.parse().ok().zip(most.parse().ok());
+            let levels = levels.filter(|(least, most)| least <= most);
+            let (least, most) = levels.ok_or_else(|| {
+                format!("there are no levels ‘{value}’; give two as in levels=2-5")
+            })?;
+            show.levels = Levels { least, most };
+        }
+        "rest" => {
+            show.rest = Rest::ALL.into_iter().find(|rest| rest.id() == value).ok_or_else(|| {
+                let known = Rest::ALL.map(Rest::id).join(", ");
+                format!("the rest cannot be ‘{value}’; it can be {known}")
+            })?;
+        }
+        "slice" => {
+            let parsed = value.split_once(':').and_then(|(axis, at)| {
+                let axis = AXIS_NAMES.iter().position(|name| *name == axis)?;
+                let at = at.parse().ok().filter(|at| within(at, 1.0))?;
+                Some(Slice { axis: axis as u8, at })
+            });
+            show.slice = Some(parsed.ok_or_else(|| {
+                format!("there is no slice at ‘{value}’; give axis and share, as in slice=x:0.5")
+            })?);
+        }
+        "apart" => {
+            let share = value.parse().ok().filter(|share| within(share, Show::MOST_APART));
+            show.explosion = share.ok_or_else(|| {
+                let most = Show::MOST_APART;
+                format!("children cannot be apart by ‘{value}’; give sides from 0 to {most}")
+            })?;
+        }
+        _ => {
+            return Err(format!(
+                "there is no ‘{name}’ to set; there are levels, rest, slice and apart"
+            ));
+        }
+    }
+    Ok(())
+}
+
 /// The names, as [`parse_shown`] reads them.
 pub fn print_shown(show: &Show) -> String {
     let mut show = *show;
-    let names: Vec<_> =
-        parts(&mut show).into_iter().filter(|(_, is_on)| **is_on).map(|(name, _)| name).collect();
-    if names.is_empty() { "none".to_owned() } else { names.join(",") }
+    let names = parts(&mut show).into_iter().filter(|(_, is_on)| **is_on);
+    let mut names: Vec<String> = names.map(|(name, _)| name.to_owned()).collect();
+    if names.is_empty() {
+        names.push("none".to_owned());
+    }
+    let Levels { least, most } = show.levels;
+    if show.levels != Levels::ALL {
+        names.push(format!("levels={least}-{most}"));
+    }
+    if show.rest != Rest::Plain {
+        names.push(format!("rest={}", show.rest.id()));
+    }
+    if let Some(Slice { axis, at }) = show.slice {
+        names.push(format!("slice={}:{at}", AXIS_NAMES[usize::from(axis)]));
+    }
+    if show.explosion != 0.0 {
+        names.push(format!("apart={}", show.explosion));
+    }
+    names.join(",")
 }
 
 #[cfg(test)]
@@ -64,6 +137,20 @@ mod tests {
             assert_eq!(parse_shown(&print_shown(&show)), Ok(show));
         }
         assert_eq!(parse_shown("codes"), Ok(Show { codes: true, ..NOTHING }));
+        let set = Show {
+            levels: Levels { least: 2, most: 5 },
+            rest: Rest::Faint,
+            slice: Some(Slice { axis: 2, at: 0.375 }),
+            explosion: 0.7,
+            ..NOTHING
+        };
+        assert_eq!(print_shown(&set), "none,levels=2-5,rest=faint,slice=z:0.375,apart=0.7");
+        assert_eq!(parse_shown(&print_shown(&set)), Ok(set));
+        for bad in
+            ["levels=5-2", "levels=x", "rest=no", "slice=w:0", "slice=x:2", "apart=-1", "a=b"]
+        {
+            assert!(parse_shown(bad).is_err(), "{bad}");
+        }
         assert!(parse_shown("codes,all").unwrap_err().contains("‘all’"));
     }
 }

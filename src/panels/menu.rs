@@ -41,7 +41,7 @@ pub fn ui(
                 ui.spacing_mut().scroll.floating_allocated_width = 8.0;
                 let scroll = ScrollArea::vertical().max_height(height).min_scrolled_height(height);
                 scroll.show(ui, |ui| {
-                    if let Some(inner) = menu.inner() {
+                    for &inner in menu.inner() {
                         ui.menu_button(look.text(inner.id()), |ui| {
                             // In a low window, or in large type, a long menu is scrolled.
                             let scroll = ScrollArea::vertical().max_height(height);
@@ -49,6 +49,8 @@ pub fn ui(
                                 rows(ui, look, inner, &entry, commands);
                             });
                         });
+                    }
+                    if !menu.inner().is_empty() {
                         ui.separator();
                     }
                     rows(ui, look, menu, &entry, commands);
@@ -98,7 +100,13 @@ fn rows(
                 }
                 ui.add_enabled(entry == Entry::Enabled, button)
             }
-            Entry::On | Entry::Off => tick(ui, look, &mut (entry == Entry::On), name),
+            Entry::On | Entry::Off => {
+                let response = tick(ui, look, &mut (entry == Entry::On), name);
+                match row.keys.first() {
+                    Some(key) => response.on_hover_text(shortcut::shown(look, key)),
+                    None => response,
+                }
+            }
         };
         if response.clicked() {
             commands.push(row.command);

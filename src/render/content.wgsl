@@ -9,6 +9,9 @@ struct Sprite {
 @vertex
 fn point_vertex(@builtin(vertex_index) index: u32, @location(0) world: vec3<f32>) -> Sprite {
     let offset = square_corner(index) * 2.0 - 1.0;
+    if before_slice(world) > 0.0 {
+        return Sprite(vec4<f32>(2.0, 2.0, 2.0, 1.0), vec2<f32>(0.0), 0.0);
+    }
     var clip = draw.clip_from_world * vec4<f32>(world, 1.0);
     let reach = (draw.shape.y + 0.5) * offset;
     clip = vec4<f32>(clip.xy + reach / (0.5 * draw.viewport.xy) * clip.w, clip.zw);
@@ -44,6 +47,9 @@ fn sphere_vertex(@location(0) normal: vec3<f32>, @location(1) sphere: vec4<f32>)
 
 @fragment
 fn surface_fragment(in: Surface) -> @location(0) vec4<f32> {
+    if before_slice(in.world) > 0.0 {
+        discard;
+    }
     let brightness = lit(normalize(in.normal), in.world);
     return vec4<f32>(draw.fill.rgb * brightness, draw.fill.a);
 }

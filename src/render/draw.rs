@@ -27,6 +27,7 @@ pub(super) struct Uniform {
     pub edge: [f32; 4],
     pub shape: [f32; 4],
     pub reference: [i32; 4],
+    pub slice: [f32; 4],
 }
 
 /// Which pipeline draws a call.
@@ -54,9 +55,11 @@ pub(super) struct Call {
 }
 
 /// The draw calls of a picture: what hides first, then what shines through,
-/// marks last. Layers for the other kind of view are left out.
+/// marks last. Layers for the other kind of view are left out. Of all but the
+/// marks, what lies before the `slice` is left out.
 pub(super) fn calls(
     view: &View,
+    slice: [f32; 4],
     layers: &[Layer],
     size: [u32; 2],
     pixels_per_point: f32,
@@ -130,6 +133,9 @@ pub(super) fn calls(
         }
     }
     calls.sort_by_key(|call| order(call.kind));
+    for call in calls.iter_mut().filter(|call| call.kind != Kind::Marks) {
+        call.uniform.slice = slice;
+    }
     calls
 }
 
@@ -155,6 +161,7 @@ fn blank(clip_from_world: Mat4, size: [u32; 2], pixels_per_point: f32) -> Unifor
         edge: [0.0; 4],
         shape: [0.0; 4],
         reference: [0; 4],
+        slice: [0.0; 4],
     }
 }
 

@@ -19,6 +19,8 @@ struct Draw {
     shape: vec4<f32>,
     /// Reference code of the plane.
     reference: vec4<i32>,
+    /// What is sliced off is where dot(slice, (x, y, z, 1)) is above 0; all 0: nothing.
+    slice: vec4<f32>,
 }
 
 @group(0) @binding(0) var<uniform> draw: Draw;
@@ -30,6 +32,11 @@ fn decode(packed: vec2<u32>) -> vec3<u32> {
         (packed.x >> 21u) | ((packed.y & 0x3ffu) << 11u),
         (packed.y >> 10u) & 0x1fffffu,
     );
+}
+
+/// How far a point lies before the plane of the slice; above 0 it is sliced off.
+fn before_slice(point: vec3<f32>) -> f32 {
+    return dot(draw.slice, vec4<f32>(point, 1.0));
 }
 
 fn world_from_code(code: vec3<u32>) -> vec3<f32> {

@@ -3,6 +3,7 @@
 struct Face {
     @builtin(position) position: vec4<f32>,
     @location(0) brightness: f32,
+    @location(1) before_slice: f32,
 }
 
 @vertex
@@ -25,10 +26,13 @@ fn face_vertex(@builtin(vertex_index) index: u32, @location(0) packed: vec2<u32>
     let world = low + side * mix(vec3<f32>(inset), vec3<f32>(1.0 - inset), point);
     let shades = vec3<f32>(0.86, 0.93, 1.0);
     let brightness = select(shades[axis], 1.0, draw.fill.a < 0.999);
-    return Face(draw.clip_from_world * vec4<f32>(world, 1.0), brightness);
+    return Face(draw.clip_from_world * vec4<f32>(world, 1.0), brightness, before_slice(world));
 }
 
 @fragment
 fn face_fragment(in: Face) -> @location(0) vec4<f32> {
+    if in.before_slice > 0.0 {
+        discard;
+    }
     return vec4<f32>(draw.fill.rgb * in.brightness, draw.fill.a);
 }

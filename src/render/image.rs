@@ -71,6 +71,7 @@ pub fn render_to_image(
     let id = Id::unique("image");
     let frame = Frame {
         view: picture.view,
+        slice: picture.slice,
         layers: picture.layers.clone(),
         background: picture.background,
         size,

@@ -79,6 +79,22 @@ pub(super) fn edges(cells: &[Cell]) -> (Vec<Packed>, Vec<Group>) {
     grouped(edges)
 }
 
+/// Instances of the edges of the faces at the lower ends of the cells on `across`,
+/// those in common once. O(n log n).
+pub(super) fn face_edges(cells: &[Cell], across: usize) -> (Vec<Packed>, Vec<Group>) {
+    let mut edges = Vec::with_capacity(cells.len() * 4);
+    for cell in cells {
+        for axis in (0..3).filter(|axis| *axis != across) {
+            for beside in [0, 1 << cell.level] {
+                let mut code = cell.code;
+                code[3 - axis - across] += beside;
+                edges.push((key(cell.level, cell.style, axis as u8), code));
+            }
+        }
+    }
+    grouped(edges)
+}
+
 /// Sorts coarse levels first.
 fn key(level: u8, style: u8, axis: u8) -> u32 {
     u32::from(u8::MAX - level) << 16 | u32::from(style) << 8 | u32::from(axis)
@@ -128,5 +144,7 @@ mod tests {
         assert_eq!(edges(&[cell(0)]).0.len(), 12);
         assert_eq!(edges(&[cell(0), cell(2)]).0.len(), 20);
         assert_eq!(edges(&[cell(0), cell(2)]).1.len(), 3);
+        // The face across y of two cells side by side on x.
+        assert_eq!(face_edges(&[cell(0), cell(2)], 1).0.len(), 7);
     }
 }

@@ -75,6 +75,16 @@ impl Layer {
         })
     }
 
+    /// The outlines of the faces of cells at their lower ends on an axis.
+    pub fn faces_across(grid: Grid, axis: usize, cells: &[Cell], styles: &[BoxStyle]) -> Self {
+        Self::new(Data::Boxes {
+            grid,
+            styles: styles.to_vec(),
+            edges: instance::face_edges(cells, axis).into(),
+            faces: Instances::default(),
+        })
+    }
+
     /// Cells of a quadtree, each with the colour of its area; `width` in points
     /// and `edge` are the lines between them, none if the width is 0. The style
     /// of a cell is not asked for.

@@ -12,6 +12,9 @@ use eframe::wgpu;
 pub struct Picture {
     /// From where the layers are seen.
     pub view: View,
+    /// Nothing but marks is drawn where the dot product of this with (x, y, z, 1) is
+    /// above 0; all 0 for everything. In space only.
+    pub slice: [f32; 4],
     /// The layers; those for the other kind of view are left out.
     pub layers: Vec<Layer>,
     /// Colour behind everything; may be transparent.
@@ -42,6 +45,7 @@ pub fn paint(ui: &Ui, rect: Rect, id: Id, picture: &Picture) {
     }
     let frame = Frame {
         view: picture.view,
+        slice: picture.slice,
         layers: picture.layers.clone(),
         background: picture.background,
         size: size.map(|side| side as u32),

@@ -29,6 +29,7 @@ pub struct Stats {
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Frame {
     pub view: View,
+    pub slice: [f32; 4],
     pub layers: Vec<Layer>,
     pub background: Color32,
     pub size: [u32; 2],
@@ -190,7 +191,13 @@ impl Renderer {
         id: Id,
         frame: &Frame,
     ) {
-        let calls = draw::calls(&frame.view, &frame.layers, frame.size, frame.pixels_per_point);
+        let calls = draw::calls(
+            &frame.view,
+            frame.slice,
+            &frame.layers,
+            frame.size,
+            frame.pixels_per_point,
+        );
         let uniforms = self.uniforms(device, &calls);
         let marks: Vec<_> = calls.iter().map(|call| self.marks(device, frame, call)).collect();
 

@@ -40,7 +40,7 @@ fn front() -> View {
 }
 
 fn picture(view: View, layers: Vec<Layer>) -> Picture {
-    Picture { view, layers, background: Color32::WHITE }
+    Picture { view, slice: [0.0; 4], layers, background: Color32::WHITE }
 }
 
 fn drawn(gpu: &mut Gpu, picture: &Picture) -> ColorImage {
@@ -172,4 +172,22 @@ fn without_a_driver_painting_does_nothing() {
         paint(ui, ui.max_rect(), Id::unique("space"), &picture);
     });
     harness.run();
+}
+
+#[test]
+fn a_slice_leaves_only_what_is_behind_it_and_the_marks() {
+    with_gpu(|gpu| {
+        let triangle = [[0.0, 0.0, 2.0], [4.0, 0.0, 2.0], [0.0, 4.0, 2.0]];
+        let content = Layer::triangles(&[triangle], ORANGE);
+        let whole = picture(front(), vec![content.clone()]);
+        let is_background = |image: &ColorImage, x| image[(x, 40)] == Color32::WHITE;
+        let image = drawn(gpu, &whole);
+        assert!(!is_background(&image, 20) && !is_background(&image, 28));
+        // What lies above x = 1 is before the slice.
+        let slice = [1.0, 0.0, 0.0, -1.0];
+        let image = drawn(gpu, &Picture { slice, ..whole.clone() });
+        assert!(!is_background(&image, 20) && is_background(&image, 28));
+        let marked = Picture { slice, ..picture(front(), vec![Layer::marks(vec![mark(ORANGE)])]) };
+        assert_eq!(drawn(gpu, &marked)[(32, 32)], ORANGE);
+    });
 }

@@ -2,10 +2,12 @@
 
 mod ask;
 mod base;
+mod flight;
 mod gesture;
 mod hover;
 pub(crate) mod paint;
 mod pick;
+mod section;
 mod standpoint;
 mod why;
 
@@ -14,12 +16,13 @@ use crate::look::Look;
 use crate::view::View;
 pub use base::Layers;
 use eframe::egui::{Event, Pos2, Rect, Sense, Ui, WidgetInfo, accesskit::Role};
+pub use flight::Flight;
 use octoscope_core::geometry::Aabb;
 use octoscope_core::paper::erratum_of;
 use octoscope_core::trace::Moment;
 use octoscope_core::tree::NodeId;
 use octoscope_figure::{
-    Camera, DiagramOf, Mark, Page, Role as MarkRole, Shape, axes, content, leaves, marks,
+    Camera, DiagramOf, Mark, Page, Role as MarkRole, Shape, Show, axes, cells, content, marks,
     space_figure,
 };
 pub use paint::figure as paint_figure;
@@ -59,6 +62,12 @@ pub fn ui<const D: usize>(ui: &mut Ui, look: &Look, space: Space<'_, D>) {
         camera.frame(&interesting(document), frame.page);
     }
     standpoint::stand(view, &mut camera, frame.page, document, moment);
+    if camera != before && room.map(|room| room.size()) == Some(rect.size()) {
+        let seen = flight::on_the_way(ui, view, before);
+        view.flight = Some(Flight::from(seen, ui.input(|input| input.time)));
+    }
+    let goal = camera;
+    camera = flight::on_the_way(ui, view, goal);
     let stood = camera;
     let under = gesture::handle(ui, &response, frame, &mut camera, document);
     view.fitted &= (camera.target, camera.height) == (stood.target, stood.height);
@@ -68,29 +77,35 @@ pub fn ui<const D: usize>(ui: &mut Ui, look: &Look, space: Space<'_, D>) {
     let tree = std::sync::Arc::clone(&document.tree);
     // What is pointed at here is lit at once, what is elsewhere a frame later.
     let hovered = under.as_ref().map(|under| under.leaf).or_else(|| view.hover.lit(&tree));
+    // Who takes hold of the picture stops it where it is.
+    let held = camera != stood || document.scenario.ray != ray;
+    view.flight = view.flight.filter(|_| !held);
+    let kept = if view.flight.is_some() { goal } else { camera };
     // While the ray is dragged, the picture stays where it is, and afterwards.
-    if camera != before || document.scenario.ray != ray {
-        view.set_camera(camera);
+    if kept != before || document.scenario.ray != ray {
+        view.set_camera(kept);
     }
+    let show = shown_now(ui, view, *view.show::<D>());
+    let show = &show;
 
     let event = moment.step.checked_sub(1).and_then(|index| document.trace.events.get(index));
     let scenario = &document.scenario;
-    let marks =
-        marks(&document.tree, &scenario.ray, &scenario.query, moment, event, view.show::<D>());
+    let marks = marks(&document.tree, &scenario.ray, &scenario.query, moment, event, show);
     let painter = ui.painter_at(rect);
     painter.rect_filled(rect, 0.0, look.palette.background);
-    let mut painted = axes(document.tree.domain(), view.show::<D>());
-    if D == 2 && view.show::<D>().content && document.content.len() <= MOST_PAINTED {
-        painted.extend(content(&document.content));
+    let mut painted = axes(document.tree.domain(), show);
+    if D == 2 && show.content && document.content.len() <= MOST_PAINTED {
+        painted.extend(content(&document.content, None));
     }
     painted.extend(marks);
     painted.extend(expected(document));
     painted.extend(hover::marks(&tree, hovered, under.as_ref()));
     if let Some(layers) = layers {
-        layers.paint(ui, rect, &camera, document, (view.show::<D>(), view.theme), &painted);
+        layers.paint(ui, rect, &camera, document, (show, view.theme), &painted);
         painted.retain(|mark| !base::draws(mark));
     } else if document.tree.n_leaves() <= MOST_PAINTED {
-        painted.extend(leaves(&document.tree, view.show::<D>()));
+        let cut = show.slice.and_then(|slice| slice.cut(document.tree.domain(), &camera));
+        painted.extend(cells(&document.tree, show, cut.as_ref()));
     }
     painted.sort_by_key(|mark| mark.role.layer());
     let figure = space_figure(&painted, &camera, frame.page);
@@ -108,6 +123,16 @@ pub fn ui<const D: usize>(ui: &mut Ui, look: &Look, space: Space<'_, D>) {
         why::label(ui, look, (rect, frame), &why, hint.as_ref());
     }
     hover::labels(ui, look, (rect, frame), &tree, hovered, hint.as_ref());
+}
+
+/// What is shown in this frame: children move apart, and back together, in a short time.
+fn shown_now(ui: &Ui, view: &View, show: Show) -> Show {
+    const SECS: f32 = 0.25;
+    let secs = if view.reduced_motion { 0.0 } else { SECS };
+    let goal = show.explosion as f32;
+    let now = ui.ctx().animate_value_with_time(ui.scope_id().with("apart"), goal, secs);
+    // At rest exactly what is asked for.
+    if now == goal { show } else { Show { explosion: f64::from(now), ..show } }
 }
 
 /// What would be right, where a misprint is followed and the panel about it has

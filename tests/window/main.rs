@@ -23,5 +23,6 @@ mod paper;
 mod pictures;
 mod queries;
 mod ray;
+mod show;
 mod steps;
 mod tree;

@@ -7,8 +7,8 @@ use octoscope_core::geometry::Aabb;
 use octoscope_core::progress::Progress;
 use octoscope_core::tree::{Cell, Domain, Split, Tree, grow};
 use octoscope_figure::{
-    Apng, Camera, Figure, FileOptions, Gif, Mark, Page, Pixels, Role, Shape, Show, TikzForm,
-    leaves, pdf, png, space_figure, svg, tikz,
+    Apng, Camera, Figure, FileOptions, Gif, Mark, Page, Pixels, Role, Shape, Show, TikzForm, cells,
+    pdf, png, space_figure, svg, tikz,
 };
 use std::error::Error;
 use std::time::Instant;
@@ -63,7 +63,7 @@ fn many_marks(n: usize) -> Result<Figure, Box<dyn Error>> {
     let tree: Tree<2> = grow(Domain::unit(5), (), &Progress::default(), |cell: Cell<2>, ()| {
         if cell.level == 0 { Split::Empty } else { Split::Inner(vec![(); 4]) }
     })?;
-    let mut all = leaves(&tree, &Show::default());
+    let mut all = cells(&tree, &Show::default(), None);
     let side = (n as f64).sqrt().ceil();
     for index in 0..n {
         let min = [index as f64 % side / side, (index as f64 / side).floor() / side];

@@ -1,14 +1,23 @@
 //! Marks of what is in the tree, and of its axes.
 
-use crate::{Mark, Role, Shape, Show};
+use crate::{Cut, Mark, Role, Shape, Show};
 use octoscope_core::explain::distinct;
 use octoscope_core::geometry::AXIS_NAMES;
 use octoscope_core::scene::Content;
 use octoscope_core::tree::Domain;
 
 /// Marks of points and primitives. O(contents), and the same as long as these
-/// are; none of cells and pictures, which are seen in their leaves.
-pub fn content<const D: usize>(content: &Content<D>) -> Vec<Mark<D>> {
+/// are; none of cells and pictures, which are seen in their leaves. Behind a cut, what
+/// is left of them.
+pub fn content<const D: usize>(content: &Content<D>, cut: Option<&Cut>) -> Vec<Mark<D>> {
+    let marks = whole(content);
+    match cut {
+        Some(cut) => marks.into_iter().flat_map(|mark| cut.parts(mark)).collect(),
+        None => marks,
+    }
+}
+
+fn whole<const D: usize>(content: &Content<D>) -> Vec<Mark<D>> {
     let solid = |shape| Mark::new(shape, Role::Solid);
     match content {
         Content::Points(points) => {

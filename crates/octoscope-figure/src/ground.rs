@@ -12,13 +12,17 @@ use std::collections::{BTreeMap, HashSet};
 
 /// Whether a mark of an octree belongs to the ground.
 pub(crate) fn is_ground<const D: usize>(mark: &Mark<D>) -> bool {
-    let is_leaf = matches!(mark.role, Role::EmptyLeaf | Role::FullLeaf | Role::Pixel(_));
-    D == 3 && (is_leaf && matches!(mark.shape, Shape::Box(_)) || mark.role == Role::Solid)
+    let is_cell = matches!(
+        mark.role,
+        Role::EmptyLeaf | Role::FullLeaf | Role::Pixel(_) | Role::InnerNode | Role::FaintNode
+    );
+    let is_in_it = matches!(mark.role, Role::Solid | Role::EmptySection | Role::FullSection);
+    D == 3 && (is_cell && matches!(mark.shape, Shape::Box(_)) || is_in_it)
 }
 
 /// Draws the marks of the ground in a tree over `root`, the lowest first:
-/// lines, leaves, solids. Full leaves and solids are opaque; solids are drawn
-/// over the leaves that hold them.
+/// lines, leaves, solids, sections. Full leaves and solids are opaque; solids are
+/// drawn over the leaves that hold them, and sections over all that is behind them.
 pub(crate) fn ground<const D: usize>(
     marks: &[&Mark<D>],
     root: &Aabb<D>,
@@ -33,7 +37,10 @@ pub(crate) fn ground<const D: usize>(
             _ => None,
         })
     };
-    let mut drawn = view.lines(&boxes(Role::EmptyLeaf).map(|(b, _)| b).collect::<Vec<_>>());
+    let mut drawn = Vec::new();
+    for role in [Role::FaintNode, Role::InnerNode, Role::EmptyLeaf] {
+        drawn.extend(view.lines(&boxes(role).map(|(b, _)| b).collect::<Vec<_>>(), role));
+    }
     let solids: Vec<Area<D>> = of(Role::Solid).flat_map(|mark| view.solid(mark)).collect();
     let mut map = DepthMap::of(root, camera, page);
     solids.iter().for_each(|area| map.add(&area.polygon));
@@ -42,6 +49,9 @@ pub(crate) fn ground<const D: usize>(
         Some(_) => true,
         None => map.shows(&area.polygon),
     }));
+    drawn.extend(
+        of(Role::EmptySection).chain(of(Role::FullSection)).filter_map(|m| view.section(m)),
+    );
     drawn
 }
 
@@ -62,8 +72,8 @@ struct View<'a, const D: usize> {
 
 impl<const D: usize> View<'_, D> {
     /// Edges of boxes, each piece of a line once.
-    fn lines(&self, boxes: &[Aabb<D>]) -> Vec<Drawn> {
-        let Some(grid) = Grid::of(boxes, self.root) else { return Vec::new() };
+    fn lines(&self, boxes: &[Aabb<D>], role: Role) -> Vec<Drawn> {
+        let grid = Grid::finest(self.root);
         let mut lines: BTreeMap<(usize, [i64; D]), Vec<[i64; 2]>> = BTreeMap::new();
         for bounds in boxes {
             let [min, max] = [bounds.min, bounds.max].map(|p| grid.place(p));
@@ -87,7 +97,7 @@ impl<const D: usize> View<'_, D> {
                 });
                 if let Some(line) = self.camera.project_segment(self.page, ends) {
                     let form = Form::Polyline(line.map(|p| p.at).to_vec());
-                    drawn.push(Drawn { form, role: Role::EmptyLeaf, part: Part::Edge, node: None });
+                    drawn.push(Drawn { form, role, part: Part::Edge, node: None });
                 }
             }
         }
@@ -97,18 +107,25 @@ impl<const D: usize> View<'_, D> {
     /// Sides of full leaves that are neither turned away, nor covered by a
     /// neighbour, nor behind other leaves or `solids`.
     fn leaves(&self, leaves: &[(Aabb<D>, Option<NodeId>)], solids: &DepthMap) -> Vec<Drawn> {
-        let boxes: Vec<Aabb<D>> = leaves.iter().map(|(bounds, _)| *bounds).collect();
-        let Some(grid) = Grid::of(&boxes, self.root) else { return Vec::new() };
+        // What a slice has left of a leaf is no cube; whether it is covered is not asked.
+        let is_cube = |bounds: &Aabb<D>| {
+            let size = bounds.size();
+            size.iter().all(|side| (side / size[0] - 1.0).abs() < 1e-9)
+        };
+        let boxes = leaves.iter().map(|(bounds, _)| *bounds).filter(is_cube);
+        let boxes: Vec<Aabb<D>> = boxes.collect();
+        let grid = Grid::of(&boxes, self.root).unwrap_or_else(|| Grid::finest(self.root));
         let full: HashSet<_> = boxes.iter().map(|bounds| grid.cell(bounds)).collect();
         let mut areas = Vec::new();
         for (bounds, node) in leaves {
             for side in sides_to_eye(self.camera, self.page, bounds) {
                 let (level, mut beyond) = grid.cell(bounds);
                 beyond[side.axis] += if side.is_upper { 1 << level } else { -1 };
-                let is_covered = (level..64)
-                    .map(|level| (level, beyond.map(|c| c >> level << level)))
-                    .take(grid.n_levels)
-                    .any(|cell| full.contains(&cell));
+                let is_covered = is_cube(bounds)
+                    && (level..64)
+                        .map(|level| (level, beyond.map(|c| c >> level << level)))
+                        .take(grid.n_levels)
+                        .any(|cell| full.contains(&cell));
                 if !is_covered {
                     let light = self.light(side.normal());
                     let polygon = side.polygon;
@@ -120,6 +137,20 @@ impl<const D: usize> View<'_, D> {
         areas.iter().for_each(|area| map.add(&area.polygon));
         let is_seen = |area: &Area<D>| map.shows(&area.polygon) && solids.is_bare(&area.polygon);
         self.painted(areas, Role::FullLeaf, is_seen)
+    }
+
+    /// Where a slice meets a cell.
+    fn section(&self, mark: &Mark<D>) -> Option<Drawn> {
+        let Shape::Plane { axis, bounds } = mark.shape else { return None };
+        let corners: Vec<[f64; D]> = corners(&bounds).collect();
+        let upper = 1usize << (D - 1 - axis);
+        let own = (0..1 << D).filter(|corner| corner & upper == 0).map(|corner| corners[corner]);
+        let project = |p| Some(self.camera.project(self.page, p)?.at);
+        let at: Option<Vec<_>> = own.map(project).collect();
+        let at = at?;
+        let turn = [0, 1, 3, 2].iter().filter_map(|&i| at.get(i).copied()).collect();
+        let form = Form::Polygon(turn);
+        Some(Drawn { form, role: mark.role, part: Part::Whole, node: mark.node })
     }
 
     /// Areas of a solid that may be seen.
@@ -224,6 +255,13 @@ struct Grid<const D: usize> {
 }
 
 impl<const D: usize> Grid<D> {
+    /// Finer than every tree.
+    fn finest(root: &Aabb<D>) -> Self {
+        const LEVELS: i32 = 24;
+        let cell = root.size()[0] * 0.5f64.powi(LEVELS);
+        Self { min: root.min, cell, n_levels: LEVELS as usize + 1 }
+    }
+
     fn of(boxes: &[Aabb<D>], root: &Aabb<D>) -> Option<Self> {
         let cell = boxes.iter().map(|bounds| bounds.size()[0]).reduce(f64::min)?;
         let n_levels = (root.size()[0] / cell).log2().round().max(0.0) as usize + 1;

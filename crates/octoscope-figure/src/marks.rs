@@ -1,57 +1,16 @@
 //! The marks of a moment.
 
+mod apart;
+mod mirrored;
+mod sides;
+
 use crate::ways::ways;
-use crate::{Mark, Role, Shape};
+use crate::{Mark, Role, Shape, Show};
 use octoscope_core::event::{End, Event};
 use octoscope_core::geometry::{AXIS_NAMES, Aabb, Axes, Ray};
 use octoscope_core::query::Query;
 use octoscope_core::trace::Moment;
 use octoscope_core::tree::{Child, NodeId, Tree, branch};
-use serde::{Deserialize, Serialize};
-
-/// What is to be seen beside the algorithm's state.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
-#[serde(default)]
-pub struct Show {
-    /// Numbers of the visited leaves.
-    pub order_numbers: bool,
-    /// The sides that the current node owns.
-    pub half_open_sides: bool,
-    /// Codes, written into the current node and the visited leaves.
-    pub codes: bool,
-    /// The ray in the mirrored tree.
-    pub mirrored_ray: bool,
-    /// Points and primitives.
-    pub content: bool,
-    /// Leaves without contents.
-    pub empty_leaves: bool,
-    /// Nodes above the current one.
-    pub ancestors: bool,
-    /// Children of the current node, taken and not, with their indices.
-    pub children: bool,
-}
-
-impl Show {
-    /// What is seen at first: in space only a hint of the leaves off the path.
-    pub fn at_first<const D: usize>() -> Self {
-        Self { empty_leaves: D == 2, ..Self::default() }
-    }
-}
-
-impl Default for Show {
-    fn default() -> Self {
-        Self {
-            order_numbers: true,
-            half_open_sides: false,
-            codes: false,
-            mirrored_ray: false,
-            content: true,
-            empty_leaves: true,
-            ancestors: true,
-            children: true,
-        }
-    }
-}
 
 /// Marks of a query at a moment, the lowest first; O(length of the path), so
 /// that they can be made anew while the ray is dragged. `event` is the last
@@ -69,27 +28,18 @@ pub fn marks<const D: usize>(
     scene.visited(&mut marks);
     scene.ancestors(&mut marks);
     scene.children(&mut marks);
+    scene.apart(&mut marks);
     scene.current(&mut marks);
     scene.planes(&mut marks);
     marks.extend(ways(tree, ray, moment, event));
     scene.query(&mut marks);
+    scene.mirrored(&mut marks);
     scene.ray(&mut marks);
     marks.sort_by_key(|mark| mark.role.layer());
     marks
 }
 
-/// Marks of all leaves: the ground on which the others lie. O(leaves), and the
-/// same as long as the tree is the same.
-pub fn leaves<const D: usize>(tree: &Tree<D>, show: &Show) -> Vec<Mark<D>> {
-    let seen = tree.leaves().filter(|leaf| leaf.is_full() || show.empty_leaves);
-    seen.map(|leaf| {
-        let role = if leaf.is_full() { Role::FullLeaf } else { Role::EmptyLeaf };
-        node_mark(tree, leaf.id, role)
-    })
-    .collect()
-}
-
-fn node_mark<const D: usize>(tree: &Tree<D>, node: NodeId, role: Role) -> Mark<D> {
+pub(crate) fn node_mark<const D: usize>(tree: &Tree<D>, node: NodeId, role: Role) -> Mark<D> {
     Mark::new(Shape::Box(tree.node_box(node)), role).of_node(node)
 }
 
@@ -194,7 +144,8 @@ impl<const D: usize> Scene<'_, D> {
     }
 
     fn children(&self, marks: &mut Vec<Mark<D>>) {
-        let Some((parent, taken)) = self.choice().filter(|_| self.show.children) else {
+        let is_shown = self.show.children && !self.is_apart();
+        let Some((parent, taken)) = self.choice().filter(|_| is_shown) else {
             return;
         };
         let visited = self.visited_children(parent);
@@ -211,7 +162,7 @@ impl<const D: usize> Scene<'_, D> {
             }
             let at = index_place(&bounds, child);
             let label = Mark::new(Shape::LabelIn { at, bounds }, Role::ChildIndex);
-            marks.push(label.of_node(node.id).with_text(child.0.to_string()));
+            marks.push(label.of_node(node.id).with_text(self.child_name(child)));
         }
     }
 
@@ -251,10 +202,7 @@ impl<const D: usize> Scene<'_, D> {
         if self.show.codes {
             marks.push(self.code_label(node));
         }
-        if self.show.half_open_sides {
-            let sides = (0..D).map(|axis| side(&bounds, axis, bounds.min[axis]));
-            marks.extend(sides.map(|shape| Mark::new(shape, Role::OwnedSide).of_node(node)));
-        }
+        self.sides(node, &bounds, marks);
         if let (Query::Ray { .. }, Some([enter, exit])) =
             (self.query, interval(self.ray, &bounds).filter(|[_, exit]| *exit >= 0.0))
         {
@@ -378,17 +326,6 @@ impl<const D: usize> Scene<'_, D> {
         marks.push(Mark::new(Shape::Arrow([from, far_end(self.tree, self.ray)]), Role::Ray));
         marks.push(Mark::new(Shape::Point(from), Role::RayOrigin));
         marks.push(Mark::new(Shape::Tip([from, to]), Role::RayTip));
-        let mask = self.moment.clip.map_or(Axes::NONE, |clip| clip.mirror);
-        if self.show.mirrored_ray && !mask.is_empty() {
-            let centre = self.tree.domain().root_box().centre();
-            let mirror = |p: [f64; D]| {
-                std::array::from_fn(
-                    |e| if mask.contains(e) { 2.0 * centre[e] - p[e] } else { p[e] },
-                )
-            };
-            let ends = [from, far_end(self.tree, self.ray)].map(mirror);
-            marks.push(Mark::new(Shape::Arrow(ends), Role::MirroredRay));
-        }
     }
 }
 

@@ -9,6 +9,26 @@ pub enum Role {
     EmptyLeaf,
     /// A leaf with contents.
     FullLeaf,
+    /// An inner node off the path.
+    InnerNode,
+    /// A node off the path, where such nodes are but hinted at.
+    FaintNode,
+    /// Where a slice meets a node without contents.
+    EmptySection,
+    /// Where a slice meets a leaf with contents.
+    FullSection,
+    /// A child of the current node, moved away from the others.
+    Apart,
+    /// The one of them that is taken.
+    ApartTaken,
+    /// From the place of a child to where it is moved.
+    Tie,
+    /// A node of the path as the algorithm mirrors it.
+    MirroredNode,
+    /// Side of a cell that the cell does not own.
+    OpenSide,
+    /// Face of a cell that the cell owns.
+    OwnedFace,
     /// Mean colour of a leaf of an image, red, green, blue.
     Pixel([u8; 3]),
     /// A point in the tree.
@@ -185,11 +205,16 @@ impl Role {
 
     /// One role of every kind, in the order in which they cover each other,
     /// the lowest first.
-    pub const KINDS: [Self; 104] = [
+    pub const KINDS: [Self; 114] = [
         Self::Pixel([128; 3]),
+        Self::FaintNode,
+        Self::InnerNode,
         Self::EmptyLeaf,
         Self::FullLeaf,
         Self::Solid,
+        Self::EmptySection,
+        Self::FullSection,
+        Self::MirroredNode,
         Self::Missed,
         Self::Visited { share: 0.5 },
         Self::Root,
@@ -208,6 +233,8 @@ impl Role {
         Self::GridCell,
         Self::Found,
         Self::Expected,
+        Self::OwnedFace,
+        Self::OpenSide,
         Self::OwnedSide,
         Self::Hover,
         Self::HoverSide,
@@ -217,6 +244,9 @@ impl Role {
         Self::ExitPlane(0),
         Self::ExitPlane(1),
         Self::ExitPlane(2),
+        Self::Tie,
+        Self::Apart,
+        Self::ApartTaken,
         Self::MirroredRay,
         Self::Ray,
         Self::Direction,
@@ -298,6 +328,16 @@ impl Role {
             Self::Root => "root",
             Self::EmptyLeaf => "empty-leaf",
             Self::FullLeaf => "full-leaf",
+            Self::InnerNode => "inner-node",
+            Self::FaintNode => "faint-node",
+            Self::EmptySection => "empty-section",
+            Self::FullSection => "full-section",
+            Self::Apart => "apart",
+            Self::ApartTaken => "apart-taken",
+            Self::Tie => "tie",
+            Self::MirroredNode => "mirrored-node",
+            Self::OpenSide => "open-side",
+            Self::OwnedFace => "owned-face",
             Self::Pixel(_) => "pixel",
             Self::Content => "content",
             Self::Solid => "solid",

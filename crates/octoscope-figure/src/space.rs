@@ -1,5 +1,6 @@
 //! The figure of a scene: marks, seen through a camera.
 
+mod apart;
 mod labels;
 
 use crate::camera::corners;
@@ -8,6 +9,7 @@ use crate::painter::{Half, Painted, at_share, back_to_front};
 use crate::parts::{Arrow, part_of_plane};
 use crate::sides::sides_to_eye;
 use crate::{Camera, Drawn, Figure, Form, Mark, Page, Part, Projected, Role, Shape, Style, Theme};
+use apart::is_apart;
 use octoscope_core::geometry::Aabb;
 
 /// Figure of `marks` as `camera` shows them on `page`. In space, boxes of one
@@ -19,6 +21,7 @@ pub fn space_figure<const D: usize>(marks: &[Mark<D>], camera: &Camera<D>, page:
         camera,
         page,
         chord,
+        is_apart: marks.iter().any(|mark| is_apart(mark.role)),
         drawn: vec![],
         in_space: vec![],
         arrows: vec![],
@@ -123,6 +126,8 @@ struct Canvas<'a, const D: usize> {
     page: Page,
     /// Length on the page of the part of the ray in the current node.
     chord: f64,
+    /// Whether children are moved apart: they would hide the ray.
+    is_apart: bool,
     drawn: Vec<(f64, Drawn)>,
     /// What is drawn in the order of its depth.
     in_space: Vec<InSpace<D>>,
@@ -154,10 +159,17 @@ impl<const D: usize> Canvas<'_, D> {
                     let side = bounds.size()[0] / self.camera.unit(self.page);
                     let is_leaf = matches!(
                         mark.role,
-                        Role::EmptyLeaf | Role::FullLeaf | Role::Pixel(_) | Role::Visited { .. }
+                        Role::EmptyLeaf
+                            | Role::FullLeaf
+                            | Role::FaintNode
+                            | Role::Pixel(_)
+                            | Role::Visited { .. }
                     );
                     let part = if is_leaf && side < FINE { Part::Fine } else { Part::Whole };
                     self.push(mark, bounds, part, Form::Polygon(points));
+                    if is_apart(mark.role) {
+                        self.name_apart(mark, above_space(mark.role), &[]);
+                    }
                 }
             }
             Shape::Box(bounds) => self.draw_box(mark, &bounds),
@@ -278,7 +290,11 @@ impl<const D: usize> Canvas<'_, D> {
         let drawn = |(part, form)| Drawn { form, role: mark.role, part, node: mark.node };
         let [behind, front] =
             [behind, front].map(|parts| parts.into_iter().map(drawn).collect::<Vec<_>>());
-        if is_hint(mark.role) {
+        if is_apart(mark.role) {
+            let order = self.order_apart(bounds);
+            self.drawn.extend(behind.into_iter().chain(front).map(|drawn| (order, drawn)));
+            self.name_apart(mark, order, &seen);
+        } else if is_hint(mark.role) {
             let hint = behind.into_iter().chain(front).map(|drawn| (HINT, drawn));
             self.drawn.extend(hint);
         } else if is_above(mark.role) {
@@ -325,7 +341,7 @@ impl<const D: usize> Canvas<'_, D> {
         let drawn = |part, form| Drawn { form, role: mark.role, part, node: mark.node };
         let line = drawn(Part::Edge, Form::Polyline(vec![from, neck]));
         let head = drawn(Part::Head, Form::Polygon(vec![to, wing(1.0), wing(-1.0)]));
-        if D == 3 && mark.role == Role::Ray {
+        if D == 3 && mark.role == Role::Ray && !self.is_apart {
             self.arrows.push(Arrow { ends, shaft: [from, neck], line, head });
         } else {
             let order = above_space(mark.role);
@@ -362,7 +378,7 @@ fn is_above(role: Role) -> bool {
 
 /// Whether a role is but a hint beside the path, and must not cover it.
 fn is_hint(role: Role) -> bool {
-    matches!(role, Role::Rejected)
+    matches!(role, Role::Rejected | Role::MirroredNode)
 }
 
 /// Whether, in the plane, the area of a role lies below everything in it.

@@ -108,6 +108,33 @@ impl Style {
                 let fill = (theme.weakest_fill() == 0.0).then_some(p.quiet_ink.faded(0.055));
                 Self { fill, ..line(p.grid, 1.0) }
             }
+            Role::InnerNode => line(p.grid, 1.0),
+            Role::FaintNode => line(p.grid.faded(0.45), 0.8),
+            Role::EmptySection => line(p.quiet_ink.faded(0.75), 1.0),
+            Role::FullSection => {
+                let fill = p.quiet_ink.faded(0.3).over(p.background);
+                Self { fill: Some(fill), ..line(p.quiet_ink, 1.0) }
+            }
+            Role::Apart => {
+                Self { fill: Some(p.background.faded(0.88)), ..line(p.current_outline, 1.4) }
+                    .lettered(p.ink, 13.0, Weight::Strong)
+            }
+            Role::ApartTaken => {
+                let fill = p.current.faded(0.45).over(p.background).faded(0.92);
+                Self { fill: Some(fill), ..line(p.current_outline, 2.4) }.lettered(
+                    p.ink,
+                    13.0,
+                    Weight::Strong,
+                )
+            }
+            Role::Tie => Self { dash: Dash::Dotted, ..line(p.current_outline, 1.2) },
+            Role::MirroredNode => Self {
+                fill: Some(p.ray.faded(0.07)),
+                dash: Dash::Dashed,
+                ..line(p.ray.faded(0.6), 1.0)
+            },
+            Role::OwnedFace => Self { fill: Some(p.ink.faded(0.12)), ..Self::default() },
+            Role::OpenSide => Self { dash: Dash::Dashed, ..line(p.ink, 2.5) },
             Role::Pixel(rgb) => {
                 let colour = Colour { rgb, opacity: 1.0 };
                 Self { fill: Some(colour), ..line(p.grid.faded(0.5), 0.5) }
@@ -310,6 +337,10 @@ mod tests {
         matches!(
             role,
             Role::EmptyLeaf
+                | Role::InnerNode
+                | Role::FaintNode
+                | Role::MirroredNode
+                | Role::OwnedFace
                 | Role::FullLeaf
                 | Role::Pixel(_)
                 | Role::Visited { .. }

@@ -9,7 +9,7 @@ use octoscope_core::traverse::{Algorithm, Options};
 use octoscope_core::tree::{Cell, Domain, Split, Tree, grow};
 use octoscope_figure::{
     Background, Camera, Drawn, Figure, FileOptions, Form, Mark, Page, Part, Role, Scale, Shape,
-    Show, Theme, Unit, axes, content, leaves, marks, pdf, png, space_figure, svg,
+    Show, Theme, Unit, axes, cells, content, marks, pdf, png, space_figure, svg,
 };
 
 /// Tree that is divided towards the origin.
@@ -39,9 +39,9 @@ fn figure<const D: usize>(step: usize, show: &Show) -> Figure {
     let trace = record(&tree, &ray, &query);
     let moment = Moment::after(&tree, &trace, step);
     let event = step.min(trace.events.len()).checked_sub(1).map(|last| &trace.events[last]);
-    let mut all = leaves(&tree, show);
+    let mut all = cells(&tree, show, None);
     all.extend(axes(tree.domain(), show));
-    all.extend(content(&Content::Points(vec![[0.125; D]])));
+    all.extend(content(&Content::Points(vec![[0.125; D]]), None));
     all.extend(marks(&tree, &ray, &query, &moment, event, show));
     let page = Page { width: 240.0, height: 240.0 };
     space_figure(&all, &Camera::framing(&tree.domain().root_box(), page), page).cropped(4.0)
@@ -101,6 +101,7 @@ fn everything() -> Show {
         empty_leaves: true,
         ancestors: true,
         children: true,
+        ..Show::default()
     }
 }
 
@@ -248,7 +249,7 @@ fn figure_of_a_cube(leaf: Split<()>) -> Figure {
     .expect("nobody cancels");
     let page = Page { width: 640.0, height: 480.0 };
     let camera = Camera::framing(&tree.domain().root_box(), page);
-    space_figure(&leaves(&tree, &everything()), &camera, page)
+    space_figure(&cells(&tree, &everything(), None), &camera, page)
 }
 
 #[test]
@@ -297,7 +298,7 @@ fn lines_of_tiny_leaves_are_fine() {
     let part = |side: f64| {
         let page = Page { width: side, height: side };
         let camera = Camera::framing(&tree.domain().root_box(), page);
-        let figure = space_figure(&leaves(&tree, &everything()), &camera, page);
+        let figure = space_figure(&cells(&tree, &everything(), None), &camera, page);
         figure.drawn.iter().filter(|drawn| drawn.part == Part::Fine).count()
     };
     assert_eq!([part(400.0), part(70.0)], [0, 4]);

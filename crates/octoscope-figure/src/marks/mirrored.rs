@@ -1,0 +1,49 @@
+//! The path as the algorithm mirrors it, and the two numbers of a child.
+
+use super::{Scene, far_end};
+use crate::{Mark, Role, Shape};
+use octoscope_core::geometry::{Aabb, Axes};
+use octoscope_core::query::Query;
+use octoscope_core::tree::{Child, NodeId};
+
+impl<const D: usize> Scene<'_, D> {
+    /// The mirrored ray, and the current and the visited nodes in the mirrored tree.
+    pub(super) fn mirrored(&self, marks: &mut Vec<Mark<D>>) {
+        let mask = self.shown_mask();
+        let Query::Ray { .. } = self.query else {
+            return;
+        };
+        if mask.is_empty() {
+            return;
+        }
+        let centre = self.tree.domain().root_box().centre();
+        let mirror = |p: [f64; D]| -> [f64; D] {
+            std::array::from_fn(|e| if mask.contains(e) { 2.0 * centre[e] - p[e] } else { p[e] })
+        };
+        let visited = self.moment.leaves.iter().map(|leaf| leaf.node);
+        let nodes = visited.chain(self.moment.current.filter(|node| *node != NodeId::ROOT));
+        for node in nodes {
+            let bounds = self.tree.node_box(node);
+            let Some(bounds) = Aabb::around([bounds.min, bounds.max].map(mirror)) else { continue };
+            marks.push(Mark::new(Shape::Box(bounds), Role::MirroredNode).of_node(node));
+        }
+        let ends = [self.ray.origin(), far_end(self.tree, self.ray)].map(mirror);
+        marks.push(Mark::new(Shape::Arrow(ends), Role::MirroredRay));
+    }
+
+    /// The number of a child; where the mirrored ray is shown, its number in the
+    /// mirrored tree as well.
+    pub(super) fn child_name(&self, child: Child<D>) -> String {
+        let mask = self.shown_mask();
+        if mask.is_empty() {
+            return child.0.to_string();
+        }
+        format!("{} → {}", child.0, child.mirrored(mask).0)
+    }
+
+    /// The axes that are mirrored, if that is shown.
+    fn shown_mask(&self) -> Axes<D> {
+        let mask = self.moment.clip.map_or(Axes::NONE, |clip| clip.mirror);
+        if self.show.mirrored_ray { mask } else { Axes::NONE }
+    }
+}
