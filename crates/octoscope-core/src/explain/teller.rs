@@ -52,7 +52,7 @@ impl<const D: usize> Teller<'_, D> {
             Event::Clip { near, far, enter, exit, hit, mirror } => {
                 self.clip(near, far, [enter, exit], hit, mirror)
             }
-            Event::Test { node, interval, touch } => {
+            Event::Test { node, interval, touch, .. } => {
                 let is_leaf = words.tree.node(node).is_leaf();
                 let leaf = if is_leaf { words.leaf(node) } else { words.node_first(node) };
                 let Some([enter, exit]) = interval else {
