@@ -66,7 +66,7 @@ halves-none = Zeigt die Ebene und ihren Parameter, sobald ein Teil halbiert wird
 halves-near = nur nahe Hälfte
 halves-far = nur ferne Hälfte
 halves-both = nahe, später ferne
-halves-near-why = Der Strahl trifft die Ebene erst nach dem Teil, hinter seinem Ursprung oder nie.
+halves-near-why = Der Strahl trifft die Ebene erst nach dem Teil, hinter seinem Startpunkt oder nie.
 halves-far-why = Der Strahl hat die Ebene getroffen, bevor er in den Teil eintritt.
 halves-both-why = Der Strahl trifft die Ebene im Teil: die ferne Hälfte wartet auf dem Stapel.
 

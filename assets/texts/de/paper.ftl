@@ -13,7 +13,7 @@ erratum-b-2-why = In Tabelle 3 und der Maske a = 4a_x + 2a_y + a_z ist x das hö
 erratum-b-3-title = Auswahl der Kinder in der Ebene
 erratum-b-3-printed = q1 in beiden Zweigen; q3, wenn t_ym < t_y1; nichts für t_xm = t_ym
 erratum-b-3-right = q2, wenn t_xm < t_ym; dann q3, wenn t_ym < t_x1; q0 und q3, wenn t_xm = t_ym
-erratum-b-3-why = t_ym < t_y1 gilt immer, also wird q3 immer gemeldet; und ein Strahl durch die Mitte erhält gar kein Kind.
+erratum-b-3-why = Im zweiten Zweig ist q1 die falsche Zelle, denn der Strahl ist entlang y in der unteren Hälfte, und t_ym < t_y1 gilt immer, also wird q3 immer gemeldet. Ein Strahl durch die Mitte erhält gar kein Kind.
 
 erratum-b-4-title = Parameter der Mittelebene
 erratum-b-4-printed = t_xm = (t_x0 + t_x) / 2, für jedes Kind berechnet
@@ -115,15 +115,15 @@ erratum-b-23-printed = Linke obere Ecke
 erratum-b-23-right = Minimum-Ecke: links, unten, hinten
 erratum-b-23-why = Zeigt y nach oben, liegen die kleinsten Koordinaten unten.
 
-erratum-b-24-title = Regionssuche
+erratum-b-24-title = Suche eines Bereichs
 erratum-b-24-printed = Ebene = Nummer der ersten gemeinsamen Eins; Abstieg mit den XOR-Codes
-erratum-b-24-right = Ebene = Nummer der höchsten Eins in irgendeinem XOR-Code + 1; Abstieg mit den Codes eines Punktes der Region
+erratum-b-24-right = Ebene = Nummer der höchsten Eins in irgendeinem XOR-Code + 1; Abstieg mit den Codes eines Punktes des Bereichs
 erratum-b-24-why = Bit k trennt Zellen unterhalb von Ebene k + 1. Eine Achse genügt, um die Ecken zu trennen, und ein Unterschied sagt nichts über den Ort. Lauter Nullen bedeuten Ebene 0.
 
 erratum-b-25-title = Gemeinsamer Vorfahr
 erratum-b-25-printed = Aufsteigen, bis die erste Binärstelle im Abstandscode null ist
 erratum-b-25-right = Aufsteigen, bis das Bit der jeweiligen Ebene null ist, ab der Ebene der Zelle
-erratum-b-25-why = Die verschiedenen Bits bilden eine Kette ab der Ebene der Zelle aufwärts. Die Stelle ganz links ist immer 0, die ganz rechts fast immer.
+erratum-b-25-why = Die verschiedenen Bits bilden eine Kette ab der Ebene der Zelle aufwärts. Die Stelle ganz links ist immer 0, man steigt also nie auf. Die ganz rechts ändert sich nie: Ist sie 1, steigt man bis zur Wurzel.
 
 erratum-b-26-title = Was HERO prüft
 erratum-b-26-printed = HERO prüft alle möglichen Kindknoten nacheinander

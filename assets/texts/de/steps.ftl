@@ -37,8 +37,10 @@ clip-falls = { " " }Entlang { $axes } ist seine Richtung negativ; dort sind dahe
 clip-behind = Der Strahl verfehlt die Wurzel, die hinter seinem Startpunkt liegt: Schon für die erste ferne Ebene gilt { $exit } ≤ 0.
 clip-miss = Der Strahl verfehlt die Wurzel: Er trifft eine ferne Ebene nicht später als die letzte nahe, { $exit } { $relation } { $enter }.
 clip-short = Der Strahl endet, bevor er die Wurzel trifft, deren letzte nahe Ebene bei { $enter } liegt.
+clip-no-length = Der Strahl verfehlt die Wurzel: Er endet bei { $end }, nicht später, als er beginnt.
 clip-printed = Nach der gedruckten Regel, { $rule }, wird die Wurzel getroffen, von t = { $enter } bis t = { $exit }.
 as-printed = { " " }So sagt es die gedruckte Regel, { $rule }.
+clip-printed-miss = Nach der gedruckten Regel, { $rule }, wird die Wurzel verfehlt, mit t_min = { $enter } und t_max = { $exit }.
 clip-parallel = Der Strahl verfehlt die Wurzel: Entlang { $axes } bewegt er sich nicht, und sein Startpunkt liegt dort außerhalb.
 
 test-hit = { $node } wird zwischen t = { $enter } und t = { $exit } getroffen.
@@ -133,6 +135,8 @@ encode = Der Punkt { $point } hat binär die Ortscodes { $codes }.
 encode-ray = Unmittelbar nach t = { $after }, nahe { $point }, ist der Strahl in der kleinsten Zelle mit den Ortscodes { $codes }, binär geschrieben.
 compare = { $comparisons }, also liegt der Punkt in Kind { $child }: { $node }.
 follow = Bit { $bit } der Codes ist { $bits } und wählt Kind { $child }: { $node }.
+follow-printed = Nach der gedruckten Regel, { $rule }, wird Bit { $bit } der Codes gelesen. Es ist { $bits } und wählt Kind { $child }: { $node }.
+follow-difference = Nach der gedruckten Regel, { $rule }, wird Bit { $bit } der Differenzen gelesen. Es ist { $bits } und wählt Kind { $child }: { $node }.
 bit-of = { $value } in { $axis }
 exits-one = Das Blatt wird durch die Ebene { $planes } verlassen: { $exits }.
 exits-many = Das Blatt wird durch die Ebenen { $planes } zugleich verlassen: { $exits }.
@@ -141,6 +145,7 @@ border-inside = Diese Codes liegen im Gebiet; dahinter ist also eine Zelle.
 border-outside = Entlang { $axes } liegt der Code außerhalb des Gebiets; dahinter ist also keine Zelle.
 border-point-outside = Entlang { $axes } liegt der Punkt außerhalb des Gebiets; dahinter ist also keine Zelle.
 difference = Die Codes unterscheiden sich zuerst in Bit { $bit }, also liegt der gemeinsame Vorfahr auf Ebene { $level }.
+difference-printed = Nach der gedruckten Regel, { $rule }, ist die Ebene { $level }, obwohl sich die Codes zuerst in Bit { $bit } unterscheiden.
 difference-none = Die Codes sind gleich, also liegen beide Orte in einer kleinsten Zelle, auf Ebene 0.
 climb = Hinauf zum Elternknoten, { $node }; der gemeinsame Vorfahr liegt auf Ebene { $level }.
 climb-done = Hinauf zum Elternknoten, { $node }; dies ist der gemeinsame Vorfahr.
@@ -152,6 +157,7 @@ corners = Die Ecken { $min } und { $max } des Bereichs haben binär die Codes { 
 leaf-full = { $node } liegt von t = { $enter } bis t = { $exit } auf dem Strahl und ist belegt.
 leaf-printed = Nach der gedruckten Regel, { $rule }, wird { $node } gemeldet, von t = { $enter } bis t = { $exit }.
 leaf-empty = { $node } liegt von t = { $enter } bis t = { $exit } auf dem Strahl und ist leer.
+touch-printed = Nach der gedruckten Regel, { $rule }, führt der Weg zu { $node }, der aber bei t = { $at } verlassen würde, nicht später, als er betreten wird: Er wird nicht gemeldet.
 touch = { $node } wird nur berührt, in einem Punkt bei t = { $at }.
 found-leaf = Gefunden: { $node }, ein Blatt.
 found-node = Gefunden: { $node }, ein Knoten mit Kindern.
@@ -252,7 +258,7 @@ why-touched-origin = { $who } wird nur in einem Punkt berührt, dem Startpunkt: 
 why-behind = { $who } liegt hinter dem Startpunkt: Der Austritt ist bei { $comparison }.
 why-beside = { $who } liegt neben dem Strahl, der sich entlang { $axis } nicht bewegt: { $comparison }.
 why-end = { $who } liegt hinter dem Ende des Strahls: { $comparison }.
-why-full = { $who } wird nicht mehr gebraucht, denn die Suche endet davor am ersten vollen Blatt: { $comparison }.
+why-full = { $who } wird nicht mehr gebraucht, denn die Suche endet davor am ersten belegten Blatt: { $comparison }.
 why-elsewhere = { $who } enthält den Punkt nicht: { $comparison }.
 fate-name-visited = besucht
 fate-name-entered = in Arbeit

@@ -7,6 +7,7 @@ codes-morton = Morton code { $code }
 region-none = Shows the codes of a region’s corners once a region is located.
 region-same = All bits agree: one cell of level 0.
 region-level = Highest one: bit { $bit }. Plus 1: level { $level }.
+region-printed = Highest one: bit { $bit }. By the printed rule: level { $level }.
 neighbour-none = Shows how the codes beyond a cell come about, once it is left.
 neighbour-new = new
 neighbour-carry = carries marked

@@ -13,7 +13,7 @@ erratum-b-2-why = Table 3 and the mask a = 4a_x + 2a_y + a_z have x as the highe
 erratum-b-3-title = Selection of children in the plane
 erratum-b-3-printed = q1 in both branches; q3 if t_ym < t_y1; nothing for t_xm = t_ym
 erratum-b-3-right = q2 if t_xm < t_ym; then q3 if t_ym < t_x1; q0 and q3 if t_xm = t_ym
-erratum-b-3-why = t_ym < t_y1 always holds, so q3 is always reported; and a ray through the centre gets no child at all.
+erratum-b-3-why = In the second branch q1 is the wrong cell, as the ray is in the lower half along y, and t_ym < t_y1 always holds, so q3 is always reported. A ray through the centre gets no child at all.
 
 erratum-b-4-title = Parameter of the mid plane
 erratum-b-4-printed = t_xm = (t_x0 + t_x) / 2, computed for each child
@@ -22,7 +22,7 @@ erratum-b-4-why = The index 1 is missing. Read as t_x0, the mid plane falls on t
 
 erratum-b-5-title = Division by zero on a plane
 erratum-b-5-printed = x / 0 = ∞ for x > 0 and −∞ for x < 0; x = 0 is missing
-erratum-b-5-right = x / 0 = −∞ for x ≤ 0 as well
+erratum-b-5-right = x / 0 = −∞ for x = 0 as well
 erratum-b-5-why = A cell owns its lower plane. With 0 / 0 = NaN no comparison holds, and a ray in the upper face of the root counts as a hit.
 
 erratum-b-6-title = Mid plane of an axis without motion
@@ -123,7 +123,7 @@ erratum-b-24-why = Bit k separates cells below level k + 1. One axis is enough t
 erratum-b-25-title = Common ancestor
 erratum-b-25-printed = Climb until the first binary digit of the difference code is 0
 erratum-b-25-right = Climb until the bit at the current level is 0, from the level of the cell on
-erratum-b-25-why = The bits that differ form a run upwards from the cell's level. The leftmost digit is 0 always, the rightmost one nearly always.
+erratum-b-25-why = The bits that differ form a run upwards from the cell's level. The leftmost digit is always 0, so that one never climbs. The rightmost one never changes: where it is 1 one climbs to the root.
 
 erratum-b-26-title = What HERO tests
 erratum-b-26-printed = HERO tests all possible children one after the other

@@ -37,8 +37,10 @@ clip-falls = { " " }Its direction is negative along { $axes }, so the far planes
 clip-behind = The ray misses the root, which lies behind its origin: even the first far plane has { $exit } ≤ 0.
 clip-miss = The ray misses the root: it meets a far plane no later than the last near plane, { $exit } { $relation } { $enter }.
 clip-short = The ray ends before it meets the root, whose last near plane has { $enter }.
+clip-no-length = The ray misses the root: it ends at { $end }, no later than it begins.
 clip-printed = By the printed rule, { $rule }, the root is hit, from t = { $enter } to t = { $exit }.
 as-printed = { " " }So says the printed rule, { $rule }.
+clip-printed-miss = By the printed rule, { $rule }, the root is missed, with t_min = { $enter } and t_max = { $exit }.
 clip-parallel = The ray misses the root: it does not move along { $axes }, and its origin lies outside there.
 
 test-hit = { $node } is met between t = { $enter } and t = { $exit }.
@@ -124,6 +126,8 @@ encode = The point { $point } has the location codes { $codes } in binary.
 encode-ray = Just after t = { $after }, near { $point }, the ray is in the smallest cell with the location codes { $codes } in binary.
 compare = { $comparisons }, so the point lies in child { $child }: { $node }.
 follow = Bit { $bit } of the codes is { $bits }, which selects child { $child }: { $node }.
+follow-printed = By the printed rule, { $rule }, bit { $bit } of the codes is read. It is { $bits }, which selects child { $child }: { $node }.
+follow-difference = By the printed rule, { $rule }, bit { $bit } of the differences is read. It is { $bits }, which selects child { $child }: { $node }.
 bit-of = { $value } in { $axis }
 exits-one = The leaf is left through the plane { $planes }: { $exits }.
 exits-many = The leaf is left through the planes { $planes } at once: { $exits }.
@@ -132,6 +136,7 @@ border-inside = These codes lie inside the domain, so there is a cell beyond.
 border-outside = Along { $axes } the code lies outside the domain, so there is no cell beyond.
 border-point-outside = Along { $axes } the point lies outside the domain, so there is no cell beyond.
 difference = The codes differ first in bit { $bit }, so the common ancestor has level { $level }.
+difference-printed = By the printed rule, { $rule }, the level is { $level }, although the codes differ first in bit { $bit }.
 difference-none = The codes are equal, so both places lie in one smallest cell, of level 0.
 climb = Up to the parent, { $node }; the common ancestor has level { $level }.
 climb-done = Up to the parent, { $node }: this is the common ancestor.
@@ -143,6 +148,7 @@ corners = The corners { $min } and { $max } of the region have the codes { $from
 leaf-full = { $node } is on the ray from t = { $enter } to t = { $exit }, and it is occupied.
 leaf-printed = By the printed rule, { $rule }, { $node } is reported, from t = { $enter } to t = { $exit }.
 leaf-empty = { $node } is on the ray from t = { $enter } to t = { $exit }, and it is empty.
+touch-printed = By the printed rule, { $rule }, the walk comes to { $node }, but would leave it at t = { $at }, no later than it enters it: it is not reported.
 touch = { $node } is only touched, in one point at t = { $at }.
 found-leaf = The search has found { $node }, a leaf.
 found-node = The search has found { $node }, which has children.
@@ -243,7 +249,7 @@ why-touched-origin = { $who } is touched in one point only, the origin: { $compa
 why-behind = { $who } lies behind the origin: it is left at { $comparison }.
 why-beside = { $who } lies beside the ray, which does not move along { $axis }: { $comparison }.
 why-end = { $who } lies beyond the end of the ray: { $comparison }.
-why-full = { $who } is not looked at, as the search ends at the first full leaf before it: { $comparison }.
+why-full = { $who } is not looked at, as the search ends at the first occupied leaf before it: { $comparison }.
 why-elsewhere = { $who } does not hold the point: { $comparison }.
 fate-name-visited = visited
 fate-name-entered = in search

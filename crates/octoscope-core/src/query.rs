@@ -96,12 +96,12 @@ impl<const D: usize> Query<D> {
     /// Whether parameters on `ray` are compared exactly, be it that this is asked
     /// for or that doubles do not suffice.
     pub fn is_exact(&self, domain: &Domain<D>, ray: &Ray<D>) -> bool {
-        let Self::Ray { algorithm, options, arithmetic } = *self else { return false };
+        let Self::Ray { algorithm, arithmetic, .. } = *self else { return false };
         if algorithm == Algorithm::Exhaustive {
             return true;
         }
         let suffice = arithmetic == Arithmetic::Doubles && doubles_suffice(domain, ray);
-        !suffice && !options.variants.iter().any(Variant::is_about_doubles)
+        !suffice && !self.variants_at_work().iter().any(Variant::is_about_doubles)
     }
 
     /// The leaves along the ray by this method; of other options, those of this
@@ -145,6 +145,11 @@ impl<const D: usize> Query<D> {
         }
     }
 
+    /// Those of them that the query has a rule for. The others do nothing.
+    pub fn variants_at_work(&self) -> Variants {
+        self.variants().iter().filter(|&variant| self.takes(variant)).collect()
+    }
+
     /// Whether the query has the rule; variants of other rules do nothing.
     pub fn takes(&self, variant: Variant) -> bool {
         use Variant::{B2, B3, B18, B19, B21, B24a, B24b, B24c, B25Leftmost, B25Rightmost, B28};
@@ -169,6 +174,7 @@ impl<const D: usize> Query<D> {
     pub fn run(&self, tree: &Tree<D>, ray: &Ray<D>, observe: &mut impl Observer<D>) -> Outcome {
         match *self {
             Self::Ray { algorithm, options, .. } => {
+                let options = Options { variants: self.variants_at_work(), ..options };
                 if self.is_exact(tree.domain(), ray) {
                     algorithm.run::<D, Exact>(tree, ray, options, observe)
                 } else {

@@ -4,7 +4,7 @@
 use octoscope_core::event::{Event, Search};
 use octoscope_core::geometry::Ray;
 use octoscope_core::progress::Progress;
-use octoscope_core::query::{Arithmetic, Query};
+use octoscope_core::query::{Arithmetic, PointMethod, Query};
 use octoscope_core::random::Random;
 use octoscope_core::scene::{Content, Sphere, made};
 use octoscope_core::trace::{Counter, Counters, record};
@@ -193,6 +193,46 @@ fn means_take_no_division() {
     for algorithm in [Algorithm::Parametric, Algorithm::ParametricTable] {
         let counters = cost(&tree, &ray, algorithm, averaged, Codes::Counted);
         assert_eq!(counters.get(Counter::Divisions), 4);
+    }
+}
+
+#[test]
+fn axes_without_motion_take_no_division() {
+    let tree = grow(Domain::unit(1), (), &Progress::default(), |cell, ()| match cell.level {
+        0 => Split::Empty,
+        _ => Split::Inner(vec![(); 8]),
+    });
+    let tree: Tree<3> = tree.expect("eight leaves fit");
+    let ray = Ray::new([-1.0, 0.25, 0.25], [1.0, 0.0, 0.0]).expect("it moves along x");
+    // Two for the root. Then one for the mid planes, one a binary node whose plane
+    // lies across x, two a tested child, one a leaf left or a cell.
+    for (algorithm, divisions) in [
+        (Algorithm::Parametric, 2 + 1),
+        (Algorithm::Bsp, 2 + 1),
+        (Algorithm::AllChildren, 2 + 8 * 2),
+        (Algorithm::Glassner, 2 + 2),
+        // By multiplying crosswise.
+        (Algorithm::Exhaustive, 0),
+    ] {
+        let counters = free(&tree, &ray, algorithm);
+        assert_eq!(counters.get(Counter::Divisions), divisions, "{algorithm:?}");
+    }
+}
+
+#[test]
+fn a_point_in_an_octree_of_eight_levels_takes_eight_leaf_tests() {
+    let tree = grow(Domain::unit(7), (), &Progress::default(), |cell, ()| {
+        let on_path = cell.code == [0; 3] && cell.level > 0;
+        if on_path { Split::Inner(vec![(); 8]) } else { Split::Empty }
+    });
+    let tree: Tree<3> = tree.expect("one path fits");
+    let ray = Ray::new([0.0; 3], [1.0; 3]).expect("the direction is not zero");
+    for (method, comparisons) in [(PointMethod::Comparison, 21), (PointMethod::Codes, 0)] {
+        let query = Query::Point { at: [0.001; 3], method, variants: Variants::NONE };
+        let mut counters = Counters::default();
+        record(&tree, &ray, &query).events.iter().for_each(|event| counters.add(event));
+        assert_eq!(counters.comparisons(), comparisons, "{method:?}");
+        assert_eq!(counters.get(Counter::LeafTests), 8, "{method:?}");
     }
 }
 

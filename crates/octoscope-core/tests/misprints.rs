@@ -9,7 +9,7 @@ use octoscope_core::progress::Progress;
 use octoscope_core::query::{Arithmetic, Query};
 use octoscope_core::scenario::AnyScenario;
 use octoscope_core::trace::{Trace, record};
-use octoscope_core::traverse::{Method, Options, Variant, Variants};
+use octoscope_core::traverse::{Algorithm, Method, Options, Variant, Variants};
 use octoscope_core::tree::{Child, Domain, Split, Tree, build, grow};
 
 /// Tree that is divided down to level 0.
@@ -182,6 +182,34 @@ fn b_11_takes_touching_for_crossing() {
 fn misprints_are_named_in_capitals_or_not() {
     assert_eq!("parametric@b-2,b-10".parse::<Method>().unwrap().to_string(), "parametric@B-2,B-10");
     assert!("hero@B-2".parse::<Method>().is_err());
+}
+
+#[test]
+fn variants_of_other_rules_do_nothing() {
+    let tree = full::<3>(2);
+    for origin in [[-0.25, 0.1, 0.3], [-1e9, -1e9 + 0.1, -1e9 + 0.2]] {
+        let ray = Ray::new(origin, [1.0, 1.0, 1.0]).expect("the numbers make a ray");
+        for algorithm in Algorithm::ALL {
+            for arithmetic in [Arithmetic::Doubles, Arithmetic::Exact] {
+                let options = Options::default();
+                let query = Query::Ray { algorithm, options, arithmetic };
+                let right = record(&tree, &ray, &query);
+                for variant in Variant::ALL.into_iter().filter(|&v| !query.takes(v)) {
+                    let query = query.with_variants(Variants::NONE.with(variant));
+                    let trace = record(&tree, &ray, &query);
+                    assert_eq!(trace.events, right.events, "{algorithm:?} {variant:?}");
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn misprints_mirror_a_root_away_from_zero_as_the_right_rules_do() {
+    let domain = || Domain::new([1.0; 3], 2.0, 1).unwrap();
+    check_in(domain(), "parametric@B-10", [0.0; 3], [-1.0; 3], [&[7, 0], &[]]);
+    let (origin, direction) = ([1.5, 1.5, -1.0], [-0.0625, 0.0625, 1.0]);
+    check_in(domain(), "parametric-table@B-2", origin, direction, [&[1], &[0, 1]]);
 }
 
 // Queries without a ray.

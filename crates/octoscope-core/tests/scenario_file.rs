@@ -283,6 +283,12 @@ fn what_is_wrong_with_the_whole_is_told_with_its_place() {
         &scene(r#""image": {"width": 2, "height": 1, "rows": ["00"]}"#),
         &["column 88", "row 1 of the picture"],
     );
+    for image in [
+        r#""image": {"width": 4294967295, "height": 0, "rows": []}"#,
+        r#""image": {"width": 0, "height": 1, "rows": [""]}"#,
+    ] {
+        refused(&scene(image), &["column 53", "the picture has no pixels"]);
+    }
     refused(&scene(r#""points": [], "hash": "x""#), &["column 66", "‘hash’ goes only with ‘file’"]);
 }
 

@@ -10,6 +10,7 @@ use octoscope_core::event::{End, Event};
 use octoscope_core::geometry::{AXIS_NAMES, Aabb, Axes, Ray};
 use octoscope_core::query::Query;
 use octoscope_core::trace::Moment;
+use octoscope_core::traverse::Variant;
 use octoscope_core::tree::{Child, NodeId, Tree, branch};
 
 /// Marks of a query at a moment, the lowest first; O(length of the path), so
@@ -69,7 +70,10 @@ impl<const D: usize> Scene<'_, D> {
                 marks.push(self.code_label(leaf.node));
             }
         }
-        for &(node, at) in &self.moment.touches {
+        // Where a misprint comes to a leaf without a length, the ray need not be.
+        let misprinted = self.query.variants_at_work().iter().any(Variant::is_misprint);
+        let touches = if misprinted { &[] } else { &self.moment.touches[..] };
+        for &(node, at) in touches {
             let point = Mark::new(Shape::Point(self.ray.at(at)), Role::Touch);
             marks.push(point.of_node(node));
         }

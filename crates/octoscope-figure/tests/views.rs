@@ -7,7 +7,7 @@ use octoscope_core::query::Query;
 use octoscope_core::scenario::{AnyScenario, BUILT_IN, BuiltIn, Scenario, built_in};
 use octoscope_core::text::{Language, Texts};
 use octoscope_core::trace::{Moment, Trace, record};
-use octoscope_core::traverse::{Algorithm, Method, Variants};
+use octoscope_core::traverse::{Algorithm, Method, Variant, Variants};
 use octoscope_core::tree::{Tree, build};
 use octoscope_figure::views::{
     Exercise, Fields, FigureView, Subject, figure, figure_texts, worksheet,
@@ -104,6 +104,14 @@ fn queries<const D: usize>(scene: &Scene<D>) -> Vec<Query<D>> {
     for [from, to] in [[0.3, 0.4], [0.1, 0.6]] {
         let [min, max] = [from, to].map(place);
         queries.push(Query::Region { min, max, variants: Variants::NONE });
+    }
+    // Corners that differ along x alone.
+    for variant in [Variant::B24a, Variant::B24b, Variant::B24c] {
+        let [min, max] = [5.0, 6.0].map(|x| {
+            let sixteenths = |e: usize| if e == 0 { x } else { 9.0 };
+            std::array::from_fn(|e| domain.min()[e] + domain.side() * sixteenths(e) / 16.0)
+        });
+        queries.push(Query::Region { min, max, variants: Variants::NONE.with(variant) });
     }
     for sign in [1, -1] {
         queries.push(Query::Neighbour {

@@ -36,6 +36,9 @@ pub enum Event<const D: usize> {
         interval: Option<[f64; 2]>,
         /// Whether it meets it in one point only.
         touch: bool,
+        /// Axes whose two planes took a division each: not those without motion,
+        /// and none where fractions are compared by multiplying crosswise.
+        divided: Axes<D>,
     },
     /// All tested leaves are put in the order of their entry.
     Sort {
@@ -149,7 +152,8 @@ pub enum Event<const D: usize> {
         axis: u8,
         /// Coordinate of the plane, in world units.
         plane: f64,
-        /// Its parameter; NaN or ±∞ if the ray does not move along the axis.
+        /// Its parameter; ±∞ if the ray does not move along the axis, and NaN by
+        /// the rule of the gem for an origin in the plane.
         at: f64,
         /// Parameters between which the ray is in the part.
         interval: [f64; 2],

@@ -5,7 +5,10 @@ use super::rich::strong;
 use super::words::Words;
 use crate::event::Event;
 use crate::query::Query;
-use crate::traverse::{Algorithm, Variant};
+use crate::traverse::Algorithm;
+use crate::variant::Variant::{
+    self, B4, B5, B6, B7, B18, B19, B21, B24a, B24b, B24c, B25Leftmost, B25Rightmost, B28,
+};
 
 /// The sentence on a step of `query`: what `tell` says, unless the step follows
 /// a misprinted rule. Then the rule is named, and stands in place of reasons
@@ -16,55 +19,96 @@ pub(super) fn with_printed_rules<const D: usize>(
     event: &Event<D>,
     tell: impl FnOnce() -> String,
 ) -> String {
-    let variants = query.variants();
+    let variants = query.variants_at_work();
     if variants.is_empty() {
         return tell();
     }
     let at_work = |candidates: &[Variant]| {
-        let used = |v: &&Variant| variants.has(**v) && query.takes(**v);
+        let used = |v: &&Variant| variants.has(**v);
         let ids: Vec<String> = candidates.iter().filter(used).map(|v| v.id().to_owned()).collect();
         (!ids.is_empty()).then(|| words.list(ids))
     };
+    let misprints: Vec<Variant> = variants.iter().filter(|v| v.is_misprint()).collect();
     match *event {
-        Event::Clip { enter, exit, hit: true, .. } => {
-            if let Some(rule) = at_work(&[Variant::B1, Variant::B10, Variant::B11]) {
+        Event::Clip { enter, exit, hit, .. } => {
+            // Of a miss only B-1 takes other planes than those that are told.
+            let rules = [Variant::B1, Variant::B10, Variant::B11];
+            if let Some(rule) = at_work(if hit { &rules } else { &rules[..1] }) {
                 let interval = [("enter", approx(enter)), ("exit", approx(exit)), ("rule", rule)];
-                return words.say("clip-printed", &interval);
+                let key = if hit { "clip-printed" } else { "clip-printed-miss" };
+                return words.say(key, &interval);
             }
         }
-        Event::First { state, .. } => {
+        Event::First { entry, state, .. } => {
             let of_children = if D == 2 { Variant::B3 } else { Variant::B2 };
-            // The tables begin at the near planes in any case.
+            // The tables begin at the near planes in any case; by the one rule it
+            // makes a difference where these lie behind the origin.
             let clamps = matches!(query, Query::Ray { algorithm: Algorithm::Parametric, .. });
             let rules = [of_children, Variant::B9, Variant::B10];
-            if let Some(rule) = at_work(if clamps { &rules } else { &rules[..1] }) {
+            if let Some(rule) = at_work(if clamps && entry < 0.0 { &rules } else { &rules[..1] }) {
                 let state = strong(&state.0.to_string());
                 return words.say("first-printed", &[("state", state), ("rule", rule)]);
             }
         }
         // What a misprint reports need not be on the ray.
         Event::Leaf { node, enter, exit, .. } => {
-            let misprints: Vec<Variant> = variants.iter().filter(|v| v.is_misprint()).collect();
             if let Some(rule) = at_work(&misprints) {
-                let leaf = words.leaf(node);
+                let leaf = words.node(node);
                 let interval = [("enter", approx(enter)), ("exit", approx(exit))];
                 let arguments = [&interval[..], &[("node", leaf), ("rule", rule)]].concat();
                 return words.say("leaf-printed", &arguments);
             }
         }
+        // Nor need what it comes to without a length be touched.
+        Event::Touch { node, at } => {
+            if let Some(rule) = at_work(&misprints) {
+                let arguments = [("node", words.node(node)), ("at", approx(at)), ("rule", rule)];
+                return words.say("touch-printed", &arguments);
+            }
+        }
+        Event::Difference { xor, level, .. } => {
+            let rules = [B24a, B24b, B25Leftmost, B25Rightmost];
+            let highest = xor.iter().fold(0, |bits, code| bits | code).checked_ilog2();
+            let bit = highest.filter(|bit| bit + 1 != u32::from(level));
+            if let (Some(rule), Some(bit)) = (at_work(&rules), bit) {
+                let (bit, level) = (strong(&bit.to_string()), strong(&level.to_string()));
+                let arguments = [("bit", bit), ("level", level), ("rule", rule)];
+                return words.say("difference-printed", &arguments);
+            }
+        }
+        Event::Follow { level, child, node, .. } => {
+            let arguments = |rule| {
+                let child_index = strong(&child.0.to_string());
+                [
+                    ("rule", rule),
+                    ("bits", words.bits(child)),
+                    ("child", child_index),
+                    ("node", words.node(node)),
+                ]
+            };
+            if let Some(rule) = at_work(&[B18, B19]) {
+                // The bit of the codes as they are told: from the other end, one further on.
+                let above = level - 1 + u8::from(variants.has(B19));
+                let root_level = words.tree.domain().root_level();
+                let bit = if variants.has(B18) { root_level - above } else { above };
+                let bit = [("bit", bit.to_string())];
+                return words.say("follow-printed", &[&arguments(rule)[..], &bit].concat());
+            }
+            if let Some(rule) = at_work(&[B24c]) {
+                let bit = [("bit", (level - 1).to_string())];
+                return words.say("follow-difference", &[&arguments(rule)[..], &bit].concat());
+            }
+        }
         _ => {}
     }
-    let Some(rule) = at_work(candidates(event)) else {
+    let Some(rule) = at_work(candidates(event, words.tree.domain().grid_size())) else {
         return tell();
     };
     tell() + &words.say("as-printed", &[("rule", rule)])
 }
 
 /// Rules that an event may follow without making its reasons untrue.
-fn candidates<const D: usize>(event: &Event<D>) -> &'static [Variant] {
-    use Variant::{
-        B4, B5, B6, B7, B18, B19, B21, B24a, B24b, B24c, B25Leftmost, B25Rightmost, B28,
-    };
+fn candidates<const D: usize>(event: &Event<D>, grid_size: u32) -> &'static [Variant] {
     match *event {
         Event::Clip { near, far, mirror, .. } => {
             let no_number = near.iter().chain(&far).any(|t| t.is_nan());
@@ -77,8 +121,8 @@ fn candidates<const D: usize>(event: &Event<D>) -> &'static [Variant] {
         }
         Event::Halve { mid, .. } if mid.iter().any(|t| t.is_nan()) => &[B4, B5, B6],
         Event::Halve { .. } => &[B4],
-        Event::Encode { .. } => &[B21],
-        Event::Follow { .. } => &[B18, B19, B24c],
+        // Only the code of an upper face is one by the printed rule.
+        Event::Encode { code, .. } if code.contains(&grid_size) => &[B21],
         Event::Difference { .. } => &[B24a, B24b, B25Leftmost, B25Rightmost],
         Event::Target { .. } => &[B28],
         _ => &[],

@@ -3,7 +3,7 @@
 use super::number::distinct;
 use super::rich::{on_axis, strong};
 use super::teller::Teller;
-use super::words::{Decided, chain, equation, relation, t};
+use super::words::{Decided, chain, equation, relation, t, typographic};
 use crate::event::Halves;
 use crate::geometry::{AXIS_NAMES, Axes};
 use crate::query::Query;
@@ -34,13 +34,24 @@ impl<const D: usize> Teller<'_, D> {
             ("exit", equation(&t(axis_out, "1"), &values[1])),
         ];
         if !hit {
-            if exit <= 0.0 {
-                return words.say("clip-behind", &arguments);
+            let end = match self.trace.query {
+                Query::Ray { options, .. } => options.segment_end,
+                Query::Point { .. } | Query::Region { .. } | Query::Neighbour { .. } => None,
+            };
+            // What the line has no part in is missed, wherever the ray begins.
+            if exit >= enter {
+                if exit <= 0.0 {
+                    return words.say("clip-behind", &arguments);
+                }
+                if let Some(end) = end.filter(|&end| enter.max(0.0) >= end) {
+                    arguments.push(("end", equation("t", &typographic(end))));
+                    let key = if enter > 0.0 { "clip-short" } else { "clip-no-length" };
+                    return words.say(key, &arguments);
+                }
             }
-            if enter < exit {
-                return words.say("clip-short", &arguments);
-            }
-            arguments.push(("relation", relation(exit, enter).to_owned()));
+            // Exact numbers may be equal where the doubles differ.
+            let relation = if exit > enter { "≤" } else { relation(exit, enter) };
+            arguments.push(("relation", relation.to_owned()));
             return words.say("clip-miss", &arguments);
         }
         let key = if enter <= 0.0 { "clip-inside" } else { "clip-hit" };
@@ -103,7 +114,7 @@ impl<const D: usize> Teller<'_, D> {
         // Once all axes are halved the part is a child, whose index tells the half.
         let child = words.tree.child_index(taken.node).filter(|_| taken.halved.is_empty());
         let is_upper = child.map_or(taken.upper.contains(axis), |child| child.is_upper(axis));
-        let is_gem = self.trace.query.variants().has(Variant::Gem);
+        let is_gem = self.trace.query.variants_at_work().has(Variant::Gem);
         let key = match (halves, is_gem) {
             (Halves::Near, false) => "split-near",
             (Halves::Far, false) => "split-far",
@@ -150,15 +161,14 @@ impl<const D: usize> Teller<'_, D> {
         let comparisons = words.list(told.iter().map(|e| {
             let left = equation(&t(e, "m"), &values[e]);
             let right = equation(&entry_name, &values[D]);
-            let sign = match self.decided() {
-                Decided::Exactly if mid[e] == entry => {
-                    if upper.contains(e) {
-                        "≤"
-                    } else {
-                        ">"
-                    }
+            // Exact numbers may differ where the doubles are the same.
+            let sign = match (self.decided(), upper.contains(e)) {
+                (Decided::Exactly, true) if mid[e] == entry => "≤",
+                (Decided::Exactly, false) if mid[e] == entry => ">",
+                (Decided::ExactlyOneByOne, true) if mid[e] == entry => "<",
+                (Decided::Exactly | Decided::ExactlyOneByOne | Decided::InDoubles, _) => {
+                    relation(mid[e], entry)
                 }
-                Decided::Exactly | Decided::InDoubles => relation(mid[e], entry),
             };
             format!("{left} {sign} {right}")
         }));
@@ -208,7 +218,8 @@ impl<const D: usize> Teller<'_, D> {
     pub(super) fn tie(&self, parameters: [f64; D], axes: Axes<D>) -> String {
         let by_tables =
             matches!(self.trace.query, Query::Ray { algorithm: Algorithm::ParametricTable, .. });
-        let key = match (by_tables, self.trace.query.variants().has(Variant::OneByOne)) {
+        let one_by_one = self.trace.query.variants_at_work().has(Variant::OneByOne);
+        let key = match (by_tables, one_by_one) {
             (true, _) => "tie-last",
             (false, true) => "tie-first",
             (false, false) => return String::new(),

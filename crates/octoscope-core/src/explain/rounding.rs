@@ -36,6 +36,7 @@ pub fn double_would_differ<const D: usize>(
     before: &Moment<D>,
 ) -> Option<Disagreement<D>> {
     let Query::Ray { algorithm, options, .. } = *query else { return None };
+    let options = Options { variants: query.variants_at_work(), ..options };
     let misprinted = options.variants.iter().any(|variant| variant != Variant::OneByOne);
     if algorithm == Algorithm::Exhaustive || misprinted {
         return None;
@@ -77,7 +78,7 @@ impl<const D: usize> Rounding<'_, D> {
         let nobody = Axes::NONE;
         match *event {
             Event::Clip { enter, exit, hit, .. } => self.clip(enter, exit, hit),
-            Event::Test { node, interval, touch } => {
+            Event::Test { node, interval, touch, .. } => {
                 let domain = self.tree.domain();
                 let (level, code) = (self.tree.level(node), self.tree.code(node));
                 let (near, far) = slabs::<D, f64>(domain, self.ray, level, code);

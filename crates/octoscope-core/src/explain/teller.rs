@@ -7,8 +7,9 @@ use super::rounding::{Disagreement, double_would_differ};
 use super::words::{Decided, Words, chain, equation, point, signs, t, tuple, typographic};
 use crate::event::{End, Event};
 use crate::geometry::{AXIS_NAMES, Axes, Ray};
+use crate::query::Query;
 use crate::trace::{Frame, Moment, Trace};
-use crate::traverse::Variant;
+use crate::traverse::{Algorithm, Variant};
 use crate::tree::NodeId;
 
 /// Tells one event, knowing what was before.
@@ -39,10 +40,14 @@ impl<const D: usize> Teller<'_, D> {
     /// be the smaller one.
     pub(super) fn decided(&self) -> Decided {
         let query = &self.trace.query;
-        let is_exact = query.is_exact(self.words.tree.domain(), self.ray);
-        match is_exact && !query.variants().has(Variant::OneByOne) {
-            true => Decided::Exactly,
-            false => Decided::InDoubles,
+        if !query.is_exact(self.words.tree.domain(), self.ray) {
+            return Decided::InDoubles;
+        }
+        let by_tables = matches!(query, Query::Ray { algorithm: Algorithm::ParametricTable, .. });
+        if by_tables || query.variants_at_work().has(Variant::OneByOne) {
+            Decided::ExactlyOneByOne
+        } else {
+            Decided::Exactly
         }
     }
 
@@ -52,7 +57,7 @@ impl<const D: usize> Teller<'_, D> {
             Event::Clip { near, far, enter, exit, hit, mirror } => {
                 self.clip(near, far, [enter, exit], hit, mirror)
             }
-            Event::Test { node, interval, touch } => {
+            Event::Test { node, interval, touch, .. } => {
                 let is_leaf = words.tree.node(node).is_leaf();
                 let leaf = if is_leaf { words.leaf(node) } else { words.node_first(node) };
                 let Some([enter, exit]) = interval else {
@@ -89,7 +94,7 @@ impl<const D: usize> Teller<'_, D> {
                 let mids = words.list((0..D).map(|e| equation(&t(e, "m"), &values[e])));
                 let still = Axes::where_true(self.ray.direction().map(|d| d == 0.0));
                 let mut text = words.say("halve", &[("mid", mids)]);
-                let is_mean = self.trace.query.variants().has(Variant::Averaged);
+                let is_mean = self.trace.query.variants_at_work().has(Variant::Averaged);
                 if is_mean && !mid.iter().all(|t| t.is_infinite()) {
                     text += &words.texts.get("halve-mean");
                 }
@@ -125,7 +130,7 @@ impl<const D: usize> Teller<'_, D> {
             }
             Event::Grid { cell, next, .. } => {
                 let values = distinct(&next);
-                let planes = words.list((0..D).map(|e| equation(&t(e, "max"), &values[e])));
+                let planes = words.list((0..D).map(|e| equation(&t(e, "Max"), &values[e])));
                 let cell = tuple(cell.map(|c| c.to_string()));
                 words.say("grid", &[("cell", cell), ("planes", planes)])
             }
@@ -137,7 +142,7 @@ impl<const D: usize> Teller<'_, D> {
                     (false, false) => "cross-out-many",
                 };
                 let cell = tuple(cell.map(|c| c.to_string().replace('-', "−")));
-                let planes = chain(next, "max", axes, self.decided());
+                let planes = chain(next, "Max", axes, self.decided());
                 let arguments = [("axes", words.axes(axes)), ("cell", cell), ("planes", planes)];
                 words.say(key, &arguments) + &self.tie(next, axes)
             }
@@ -208,22 +213,15 @@ impl<const D: usize> Teller<'_, D> {
                     ],
                 )
             }
-            Event::Follow { level, child, node, .. } => {
-                let bits = words.list((0..D).map(|e| {
-                    let value = strong(if child.is_upper(e) { "1" } else { "0" });
-                    let axis = on_axis(e, AXIS_NAMES[e]);
-                    words.say("bit-of", &[("value", value), ("axis", axis)])
-                }));
-                words.say(
-                    "follow",
-                    &[
-                        ("bit", (level - 1).to_string()),
-                        ("bits", bits),
-                        ("child", strong(&child.0.to_string())),
-                        ("node", words.node(node)),
-                    ],
-                )
-            }
+            Event::Follow { level, child, node, .. } => words.say(
+                "follow",
+                &[
+                    ("bit", (level - 1).to_string()),
+                    ("bits", words.bits(child)),
+                    ("child", strong(&child.0.to_string())),
+                    ("node", words.node(node)),
+                ],
+            ),
             Event::Exits { planes, exits, axes } => {
                 let planes = words.list(axes.iter().map(|e| {
                     let name = on_axis(e, AXIS_NAMES[e]);

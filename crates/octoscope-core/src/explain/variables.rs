@@ -48,7 +48,9 @@ pub fn variables<const D: usize>(tree: &Tree<D>, moment: &Moment<D>) -> Vec<Vari
         match frame.planes() {
             Some([_, far]) => {
                 list.parameters("1", far);
-                list.push("entry", &typographic(frame.enter()));
+                if let Some(entry) = frame.entry {
+                    list.push("entry", &typographic(entry));
+                }
             }
             None => list.interval([frame.enter(), frame.exit()]),
         }

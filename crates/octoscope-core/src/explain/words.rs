@@ -5,7 +5,7 @@ use super::number::{distinct, number};
 use super::rich::{on_axis, strong, with_sub};
 use crate::geometry::{AXIS_NAMES, Axes};
 use crate::text::{Language, Texts};
-use crate::tree::{Code, NodeId, Tree};
+use crate::tree::{Child, Code, NodeId, Tree};
 
 /// Pieces of sentences on a tree, in a language.
 pub(super) struct Words<'a, const D: usize> {
@@ -43,6 +43,15 @@ impl<'a, const D: usize> Words<'a, D> {
     /// Names of axes, in their colours.
     pub fn axes(&self, axes: Axes<D>) -> String {
         self.list(axes.iter().map(|e| on_axis(e, AXIS_NAMES[e])))
+    }
+
+    /// "0 in x and 1 in y": the bits that select a child.
+    pub fn bits(&self, child: Child<D>) -> String {
+        self.list((0..D).map(|e| {
+            let value = strong(if child.is_upper(e) { "1" } else { "0" });
+            let axis = on_axis(e, AXIS_NAMES[e]);
+            self.say("bit-of", &[("value", value), ("axis", axis)])
+        }))
     }
 
     /// An inner node in the middle of a sentence, or any.
@@ -134,6 +143,8 @@ pub(super) enum Decided {
     InDoubles,
     /// By exact numbers, which may differ where the doubles are the same.
     Exactly,
+    /// The same, but of equal planes only one is taken, and comparisons are strict.
+    ExactlyOneByOne,
 }
 
 /// "t_x1 = 0.2 < t_y1 = 0.5": parameters at planes of all axes, in order, those
@@ -157,9 +168,15 @@ pub(super) fn chain<const D: usize>(
         if i > 0 {
             let before = order[i - 1];
             // Only what is met first at once was found to be equal.
-            let is_less =
-                decided == Decided::Exactly && first.contains(before) && !first.contains(e);
-            let sign = if is_less { "<" } else { relation(values[before], values[e]) };
+            let leads = first.contains(before) && !first.contains(e);
+            let sign = match decided {
+                Decided::Exactly if leads => "<",
+                // What is taken alone need not be the smaller one.
+                Decided::ExactlyOneByOne if leads && values[before] > values[e] => "≤",
+                Decided::Exactly | Decided::ExactlyOneByOne | Decided::InDoubles => {
+                    relation(values[before], values[e])
+                }
+            };
             chain.push_str(&format!(" {sign} "));
         }
         chain.push_str(&equation(&t(e, plane), &texts[e]));

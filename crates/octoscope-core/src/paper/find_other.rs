@@ -33,7 +33,7 @@ pub fn find_other<const D: usize>(
     progress: &Progress,
 ) -> Option<Question<D>> {
     let goes_wrong = |(ray, query): &Question<D>| {
-        (*ray, *query) != question && !verdict(tree, ray, &record(tree, ray, query)).agrees
+        (*ray, *query) != question && !verdict(tree, ray, &record(tree, ray, query)).agrees()
     };
     let mut random = Random::new(seed);
     progress.start(N_TRIES);
@@ -207,7 +207,7 @@ mod tests {
             assert_eq!(find(asked), Some(found), "another one for the same seed");
             assert_ne!(found, asked);
             let (ray, query) = found;
-            let agrees = |query| verdict(&tree, &ray, &record(&tree, &ray, &query)).agrees;
+            let agrees = |query| verdict(&tree, &ray, &record(&tree, &ray, &query)).agrees();
             assert!(!agrees(query), "{variant:?} {found:?}");
             assert!(agrees(query.corrected()), "{variant:?} {found:?}");
             assert_eq!(query.variants(), scenario.query.variants());

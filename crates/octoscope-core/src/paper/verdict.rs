@@ -4,7 +4,10 @@ use crate::event::Event;
 use crate::geometry::Ray;
 use crate::query::{Arithmetic, Query};
 use crate::trace::{Trace, record};
-use crate::traverse::{Algorithm, Options, Slivers, StopAt, Variants, first_difference_of_run};
+use crate::traverse::{
+    Algorithm, Base, Options, Slivers, StopAt, Variant, Variants, first_difference_of_run,
+    traverse_mirrored,
+};
 use crate::tree::{NodeId, Tree};
 
 /// What a trace should have come to.
@@ -12,13 +15,18 @@ use crate::tree::{NodeId, Tree};
 pub struct Verdict {
     /// The leaves on the ray in order, or the nodes that the query should find.
     pub expected: Vec<NodeId>,
-    /// Whether the trace has found just these.
-    pub agrees: bool,
     /// Number of events up to and with the first one that is wrong, if the trace
-    /// does not agree: along a ray the first event that is another than with the
-    /// right rules, of other queries the step to a node off their path; else the
+    /// does not agree: along a ray the first event that is another than the same
+    /// walk makes by the right rules, of other queries the step to a node off their path; else the
     /// end before all are found.
     pub first_wrong_step: Option<usize>,
+}
+
+impl Verdict {
+    /// Whether the trace has found just what it should have.
+    pub fn agrees(&self) -> bool {
+        self.first_wrong_step.is_none()
+    }
 }
 
 /// Compares a trace with the oracle, or, of a query without a ray, with the
@@ -45,7 +53,7 @@ pub fn verdict<const D: usize>(tree: &Tree<D>, ray: &Ray<D>, trace: &Trace<D>) -
             let slivers = Slivers::Ignore;
             let difference = first_difference_of_run(tree, ray, whole, &expected, &found, slivers);
             difference.map(|difference| {
-                let corrected = record(tree, ray, &trace.query.corrected());
+                let corrected = corrected(tree, ray, &trace.query);
                 step_of(trace, difference.found).min(step_apart(trace, &corrected))
             })
         }
@@ -53,7 +61,27 @@ pub fn verdict<const D: usize>(tree: &Tree<D>, ray: &Ray<D>, trace: &Trace<D>) -
             (expected != found).then(|| step_off_path(trace, &right))
         }
     };
-    Verdict { expected, agrees: first_wrong_step.is_none(), first_wrong_step }
+    Verdict { expected, first_wrong_step }
+}
+
+/// The events of the run with every rule in its right form, by the same walk: a
+/// walk with misprints mirrors the ray, so that its numbers are rounded otherwise.
+fn corrected<const D: usize>(tree: &Tree<D>, ray: &Ray<D>, query: &Query<D>) -> Vec<Event<D>> {
+    let mut events = Vec::new();
+    match query.corrected() {
+        Query::Ray { algorithm, options, .. }
+            if query.variants_at_work().iter().any(Variant::is_misprint) =>
+        {
+            // Only these two have misprints.
+            let by_tables = algorithm == Algorithm::ParametricTable;
+            let base = if by_tables { Base::Tables } else { Base::Uniform };
+            traverse_mirrored(tree, ray, options, base, &mut events);
+        }
+        corrected => {
+            corrected.run(tree, ray, &mut events);
+        }
+    }
+    events
 }
 
 /// Number of events up to and with the report of `wrong`, or of all.
@@ -64,9 +92,9 @@ fn step_of<const D: usize>(trace: &Trace<D>, wrong: Option<NodeId>) -> usize {
 }
 
 /// Number of events up to and with the first one that is another than that of the
-/// `corrected` run of the same algorithm.
-fn step_apart<const D: usize>(trace: &Trace<D>, corrected: &Trace<D>) -> usize {
-    let pairs = trace.events.iter().zip(&corrected.events);
+/// run with `corrected` rules.
+fn step_apart<const D: usize>(trace: &Trace<D>, corrected: &[Event<D>]) -> usize {
+    let pairs = trace.events.iter().zip(corrected);
     // Numbers that are none differ from themselves, but not as they are printed.
     let same = |(a, b): &(&Event<D>, &Event<D>)| format!("{a:?}") == format!("{b:?}");
     (pairs.take_while(same).count() + 1).min(trace.events.len())
@@ -109,8 +137,7 @@ mod tests {
     use super::*;
     use crate::progress::Progress;
     use crate::scenario::AnyScenario;
-    use crate::traverse::Variant;
-    use crate::tree::build;
+    use crate::tree::{Cell, Domain, Split, build, grow};
 
     /// The first wrong event of the counterexample of `variant`.
     fn first_wrong(variant: Variant) -> (usize, Event<2>) {
@@ -141,6 +168,23 @@ mod tests {
         assert_eq!(wrong_way_down(Variant::B25Leftmost), (5, 1));
         assert_eq!(wrong_way_down(Variant::B25Rightmost), (5, 1));
         assert_eq!(wrong_way_down(Variant::B28), (7, 1));
+    }
+
+    #[test]
+    fn a_mirrored_ray_goes_wrong_in_the_step_of_the_rule() {
+        let divided = |cell: Cell<3>, ()| match cell.level {
+            0 => Split::Empty,
+            _ => Split::Inner(vec![(); 8]),
+        };
+        let tree = grow(Domain::unit(1), (), &Progress::default(), divided).unwrap();
+        // 1 − 0.3 is no double, nor are the parameters that begin with it.
+        let ray = Ray::new([0.3, 0.25, -1.0], [-0.0625, 0.0625, 1.0]).unwrap();
+        for id in ["parametric@B-2", "parametric-table@B-2"] {
+            let query = Query::default().along_the_ray_by(id.parse().unwrap());
+            let trace = record(&tree, &ray, &query);
+            let step = verdict(&tree, &ray, &trace).first_wrong_step.unwrap();
+            assert!(matches!(trace.events[step - 1], Event::First { .. }), "{id}: {step}");
+        }
     }
 
     #[test]

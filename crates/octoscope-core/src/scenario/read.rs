@@ -72,6 +72,9 @@ pub enum Fault {
          and in each as many colours of 2 or 6 hexadecimal digits as ‘width’ says"
     )]
     Row(usize),
+    /// A picture without a pixel.
+    #[error("the picture has no pixels; give a ‘width’ and a ‘height’ of 1 or more")]
+    NoPixels,
     /// More levels than codes have bits.
     #[error(
         "{0} is above {MAX_ROOT_LEVEL}, the number of bits of codes; give a number from 0 to {MAX_ROOT_LEVEL}"
@@ -121,6 +124,7 @@ impl Fault {
             Self::Dimension(_) => "dimension".to_owned(),
             Self::Kinds(_) => "scene".to_owned(),
             Self::Stray { field, .. } => format!("scene.{field}"),
+            Self::NoPixels => "scene.image".to_owned(),
             Self::Row(row) => format!("scene.image.rows[{}]", row.saturating_sub(1)),
             Self::Source(source) => match source {
                 SourceError::Unknown { .. }
@@ -324,6 +328,9 @@ fn field<const D: usize>(content: &Content<D>) -> &'static str {
 
 fn picture(picture: &Picture) -> Result<Image, Fault> {
     let mut pixels = Vec::new();
+    if picture.width == 0 || picture.height == 0 {
+        return Err(Fault::NoPixels);
+    }
     if picture.rows.len() != picture.height as usize {
         return Err(Fault::Row(picture.rows.len().min(picture.height as usize) + 1));
     }

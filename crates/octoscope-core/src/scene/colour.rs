@@ -33,13 +33,15 @@ pub fn leaf_colours(image: &Image, tree: &Tree<2>) -> Vec<Option<[u8; 3]>> {
 /// A cell smaller than a pixel has the pixel around it.
 pub fn pixels_of(image: &Image, root_level: u8, level: u8, code: Code<2>) -> [Range<u32>; 2] {
     let grid_level = image.grid_level();
-    let pixel = |index: u32, round_up: u32| match root_level.checked_sub(grid_level) {
-        Some(finer) => (index + round_up * ((1 << finer) - 1)) >> finer,
-        None => index << (grid_level - root_level),
+    // A picture may be as large as 2^32 pixels along a side.
+    let pixel = |index: u32, round_up: u64| match root_level.checked_sub(grid_level) {
+        Some(finer) => (u64::from(index) + round_up * ((1 << finer) - 1)) >> finer,
+        None => u64::from(index) << (grid_level - root_level),
     };
     let range = |axis: usize, size: u32| {
-        let end = pixel(code[axis] + (1 << level), 1).min(size);
-        pixel(code[axis], 0).min(end)..end
+        let within = |pixel: u64| pixel.min(u64::from(size)) as u32;
+        let end = within(pixel(code[axis] + (1 << level), 1));
+        within(pixel(code[axis], 0)).min(end)..end
     };
     [range(0, image.width), range(1, image.height)]
 }

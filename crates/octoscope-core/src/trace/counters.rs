@@ -3,7 +3,8 @@
 //! Counted is what the method needs, as the literature counts it: the smallest of
 //! D parameters takes D − 1 comparisons. Left out are leaf and loop tests, finding
 //! which others equal the smallest, and what is done only to report the interval
-//! of a leaf.
+//! of a leaf. An axis without motion takes no division. Sorting n leaves counts as
+//! n ⌊log₂ n⌋ comparisons.
 
 use crate::event::{Event, Lookup, Search};
 use crate::tree::NodeId;
@@ -107,6 +108,12 @@ impl Counter {
     }
 }
 
+/// Number of parameters that a division has led to: without motion along an axis
+/// they are ±∞ without one.
+fn finite<const N: usize>(parameters: [f64; N]) -> u64 {
+    parameters.iter().filter(|t| t.is_finite()).count() as u64
+}
+
 /// A number for each [`Counter`].
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Counters {
@@ -141,17 +148,18 @@ impl Counters {
         let axes = D as u64;
         let mut count = |counter: Counter, n: u64| self.counts[counter as usize] += n;
         match *event {
-            Event::Clip { .. } => {
-                count(Additions, 2 * axes);
-                count(Divisions, 2 * axes);
+            Event::Clip { near, .. } => {
+                count(Additions, 2 * finite(near));
+                count(Divisions, 2 * finite(near));
                 count(EntryComparisons, axes);
                 count(ExitComparisons, axes - 1);
                 count(RangeComparisons, 2);
             }
-            Event::Test { .. } => {
+            Event::Test { divided, .. } => {
                 // By its planes alone: the node itself is reached only by a visit.
-                count(Additions, 2 * axes);
-                count(Divisions, 2 * axes);
+                let divided = divided.count() as u64;
+                count(Additions, 2 * divided);
+                count(Divisions, 2 * divided);
                 count(EntryComparisons, axes);
                 count(ExitComparisons, axes - 1);
                 count(RangeComparisons, 1);
@@ -174,9 +182,10 @@ impl Counters {
             }
             Event::Classify { .. } => count(EntryComparisons, axes),
             Event::Flip { axes: crossed, .. } => count(BitOperations, crossed.count() as u64),
-            Event::Split { kept, .. } => {
-                count(Additions, 1);
-                count(Divisions, 1);
+            Event::Split { at, kept, .. } => {
+                let divided = finite([at]);
+                count(Additions, divided);
+                count(Divisions, divided);
                 count(RangeComparisons, 3);
                 count(LeafTests, 1);
                 count(Descends, 1);
@@ -190,10 +199,10 @@ impl Counters {
                 count(LeafTests, 1);
                 self.on_stack = self.on_stack.saturating_sub(1);
             }
-            Event::Grid { search, .. } => {
+            Event::Grid { search, next, .. } => {
                 count(GridCells, 1);
-                count(Additions, axes);
-                count(Divisions, axes);
+                count(Additions, finite(next));
+                count(Divisions, finite(next));
                 self.search(search);
             }
             Event::Cross { axes: crossed, outside, .. } => {
@@ -232,6 +241,7 @@ impl Counters {
             Event::Begin { node } => {
                 if node == NodeId::ROOT {
                     count(PointLocations, 1);
+                    count(LeafTests, 1);
                 }
             }
             Event::Skip { .. } => {
@@ -273,9 +283,9 @@ impl Counters {
                 count(Descends, 1);
                 count(BitOperations, axes);
             }
-            Event::Exits { .. } => {
-                count(Additions, axes);
-                count(Divisions, axes);
+            Event::Exits { exits, .. } => {
+                count(Additions, finite(exits));
+                count(Divisions, finite(exits));
                 count(ExitComparisons, axes - 1);
             }
             // What is added to codes is no sum of doubles.

@@ -111,9 +111,10 @@ impl<const D: usize> Moment<D> {
             }
             Event::Skip { .. } => {}
             Event::Halve { mid, .. } => self.change_frame(|frame| frame.mid = Some(mid)),
-            Event::First { state, .. } => {
-                self.change_frame(|frame| frame.child_state = Some(state))
-            }
+            Event::First { entry, state, .. } => self.change_frame(|frame| {
+                frame.entry = Some(entry);
+                frame.child_state = Some(state);
+            }),
             Event::Step { next, .. } => self.change_frame(|frame| {
                 frame.child_state = next.or(frame.child_state);
             }),
@@ -226,8 +227,8 @@ impl<const D: usize> Moment<D> {
     }
 
     fn push(&mut self, node: NodeId, state: Option<Child<D>>, extent: Extent<D>) {
-        let (mid, child_state, child, cuts) = (None, None, None, None);
-        self.stack.push(Frame { node, state, extent, mid, child_state, child, cuts });
+        let (mid, entry, child_state, child, cuts) = (None, None, None, None, None);
+        self.stack.push(Frame { node, state, extent, mid, entry, child_state, child, cuts });
         self.current = Some(node);
     }
 

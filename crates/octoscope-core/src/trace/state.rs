@@ -14,6 +14,9 @@ pub struct Frame<const D: usize> {
     pub extent: Extent<D>,
     /// Parameters of its mid planes, once they are known.
     pub mid: Option<[f64; D]>,
+    /// The parameter with which they are compared for the first child, once it is
+    /// known: where the ray enters, or t = 0 if it begins inside.
+    pub entry: Option<f64>,
     /// State of its automaton: the child that is visited or was left last, in
     /// the mirrored numbering.
     pub child_state: Option<Child<D>>,

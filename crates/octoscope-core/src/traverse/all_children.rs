@@ -82,6 +82,7 @@ impl<const D: usize, P: Parameter, O: Observer<D>> Walk<'_, D, P, O> {
                 node: child_node.id,
                 interval: (crossed || touch).then_some([enter.value(), exit.value()]),
                 touch,
+                divided: Axes::where_true(self.ray.direction().map(|d| d != 0.0)),
             });
 
             // Visit what is on the ray; what it only touches is not.

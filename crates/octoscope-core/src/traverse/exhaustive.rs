@@ -10,7 +10,7 @@
 
 use super::algorithm::{Options, StopAt};
 use crate::event::{End, Event, Observer, Outcome};
-use crate::geometry::{Aabb, Ray};
+use crate::geometry::{Aabb, Axes, Ray};
 use crate::tree::{Node, Tree};
 use num_bigint::BigInt;
 use std::cmp::Ordering;
@@ -110,7 +110,9 @@ fn test_all<const D: usize, I: Integer>(
             if steps[e] == nothing {
                 // Without motion the cell owns its lower plane, not its upper one.
                 if origin[e] < low || origin[e] >= high {
-                    observe.observe(Event::Test { node: leaf.id, interval: None, touch: false });
+                    let (node, divided) = (leaf.id, Axes::NONE);
+                    let missed = Event::Test { node, interval: None, touch: false, divided };
+                    observe.observe(missed);
                     continue 'leaves;
                 }
                 continue;
@@ -143,8 +145,12 @@ fn test_all<const D: usize, I: Integer>(
         let cut = end.as_ref().filter(|end| exit.compare(end) != Ordering::Less);
         let interval = [enter.value, cut.unwrap_or(&exit).value];
         let touch = meets && order == Ordering::Equal;
-        let interval_if_met = meets.then_some(interval);
-        observe.observe(Event::Test { node: leaf.id, interval: interval_if_met, touch });
+        observe.observe(Event::Test {
+            node: leaf.id,
+            interval: meets.then_some(interval),
+            touch,
+            divided: Axes::NONE,
+        });
         if meets {
             let kind = match (order, cut) {
                 (Ordering::Equal, _) => Kind::Touch,

@@ -38,5 +38,6 @@ pub(crate) use bsp::halves;
 pub(crate) use clip::slabs;
 pub use clip::{Clip, clip};
 pub(crate) use hero::sorted;
+pub(crate) use misprint::{Base, traverse as traverse_mirrored};
 pub use parametric_table::{TABLE_1, TABLE_2, TABLE_3, entry_axes, transition};
 pub use variant::{UnknownVariant, Variant, Variants};

@@ -15,7 +15,8 @@ pub struct Found {
     pub leaves: Vec<NodeId>,
     /// Where the ray is in each.
     pub intervals: Vec<[f64; 2]>,
-    touches: Vec<NodeId>,
+    /// The touches that are told.
+    pub touches: Vec<NodeId>,
     /// Number of children visited so far of every node on the stack.
     visited: Vec<usize>,
     /// Most children visited of one node.

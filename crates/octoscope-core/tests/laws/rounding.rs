@@ -72,7 +72,7 @@ fn a_run_in_doubles_never_differs_from_doubles() {
 fn decision<const D: usize>(event: &Event<D>) -> String {
     match *event {
         Event::Clip { hit, .. } => format!("{hit}"),
-        Event::Test { node, interval, touch } => {
+        Event::Test { node, interval, touch, .. } => {
             format!("{node:?} {} {touch}", interval.is_some())
         }
         Event::Visit { node, state, .. } => format!("{node:?} {state:?}"),

@@ -6,7 +6,9 @@ use crate::trees::{domain, random_tree};
 use octoscope_core::geometry::Ray;
 use octoscope_core::query::{Arithmetic, Query};
 use octoscope_core::random::Random;
-use octoscope_core::traverse::{Algorithm, Options};
+use octoscope_core::traverse::{
+    Algorithm, Method, Options, Slivers, doubles_suffice, first_difference,
+};
 use octoscope_core::tree::Tree;
 
 /// Compares all algorithms on one ray; returns the number of visited leaves.
@@ -19,6 +21,59 @@ fn check<const D: usize>(tree: &Tree<D>, ray: &Ray<D>, context: &str) -> usize {
         }
     }
     oracle.0.leaves.len()
+}
+
+/// Planes that are crossed one by one, or mid planes that are means, cost extra
+/// touches, but no leaf is missing or out of order.
+fn check_forms<const D: usize>(seed: u64) {
+    let mut random = Random::new(seed);
+    let mut n_touches = 0;
+    for n in 0..40 {
+        let tree = random_tree(domain::<D>(1 + (n % 8) as u8, n / 8), 25, &mut random);
+        for class in Class::ALL {
+            for _ in 0..4 {
+                let ray = random_ray(&tree, class, &mut random);
+                let (expected, _) = oracle(&tree, &ray);
+                for (id, arithmetic) in FORMS {
+                    let Method { algorithm, variants } = id.parse().expect(id);
+                    let options = Options { variants, ..Options::default() };
+                    let query = Query::Ray { algorithm, options, arithmetic };
+                    let name = || format!("{id} {class:?} {ray:?}");
+                    let (found, _) = run_with(&tree, &ray, query);
+                    let exact = arithmetic == Arithmetic::Exact;
+                    if !exact && !doubles_suffice(tree.domain(), &ray) {
+                        continue;
+                    }
+                    let slivers = if exact { Slivers::Count } else { Slivers::Ignore };
+                    let [expected_leaves, leaves] = [&expected.leaves, &found.leaves];
+                    let difference =
+                        first_difference(&tree, &ray, expected_leaves, leaves, slivers);
+                    assert!(difference.is_none(), "{}: {difference:?}", name());
+                    let known = |touch| expected.touches.contains(touch);
+                    assert!(!exact || found.touches.iter().all(known), "{}", name());
+                    n_touches += found.touches.len();
+                }
+            }
+        }
+    }
+    assert!(n_touches > 100, "{n_touches}");
+}
+
+/// Rules in another form that come to the right leaves, in the numbers in which
+/// they do.
+const FORMS: [(&str, Arithmetic); 6] = [
+    ("parametric@one-by-one", Arithmetic::Exact),
+    ("parametric@one-by-one", Arithmetic::Doubles),
+    ("parametric@averaged", Arithmetic::Doubles),
+    ("parametric-table@averaged", Arithmetic::Doubles),
+    ("dda@one-by-one", Arithmetic::Exact),
+    ("dda-octree@one-by-one", Arithmetic::Exact),
+];
+
+#[test]
+fn other_forms_of_the_rules_cost_touches_but_no_leaf() {
+    check_forms::<2>(5);
+    check_forms::<3>(6);
 }
 
 /// Compares all algorithms on the piece of a ray that ends at `segment_end`.

@@ -37,12 +37,20 @@ pub fn region_table<const D: usize>(
         }
     }
     let result = moment.difference.map(|difference| {
-        let marked = if union == 0 { 0 } else { 1 << (difference.level - 1) };
+        let level = difference.level;
+        let highest = union.checked_ilog2();
+        let marked = highest.map_or(0, |bit| 1 << bit);
         let row = bit_row("or".to_owned(), None, union);
         rows.push(BitRow { rule_above: true, marked, ..row });
-        let key = if union == 0 { "region-same" } else { "region-level" };
-        let bit = i64::from(difference.level) - 1;
-        texts.format(key, &[("bit", bit.into()), ("level", difference.level.into())])
+        match highest {
+            None => texts.get("region-same"),
+            Some(bit) => {
+                // A misprinted rule takes another level than the codes say.
+                let is_right = bit + 1 == u32::from(level);
+                let key = if is_right { "region-level" } else { "region-printed" };
+                texts.format(key, &[("bit", bit.into()), ("level", level.into())])
+            }
+        }
     });
     let width = tree.domain().root_level() + 1;
     Some((BitTable { width, framed: None, rows, carries: None, name_room: 0.0 }, result))

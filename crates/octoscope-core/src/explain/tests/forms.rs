@@ -56,8 +56,8 @@ fn of_planes_met_at_once_the_one_that_counts_is_told() {
         &ray,
         &with(Algorithm::Dda, Variant::OneByOne),
         [
-            "t_xmax = 0.375 = t_ymax = 0.375, so the ray crosses the x plane: on to cell (1, 0). Of equal parameters the first axis counts.",
-            "t_xmax = 0.375 = t_ymax = 0.375, also kreuzt der Strahl die x-Ebene: weiter zu Zelle (1, 0). Von gleichen Parametern zählt die erste Achse.",
+            "t_xMax = 0.375 = t_yMax = 0.375, so the ray crosses the x plane: on to cell (1, 0). Of equal parameters the first axis counts.",
+            "t_xMax = 0.375 = t_yMax = 0.375, also kreuzt der Strahl die x-Ebene: weiter zu Zelle (1, 0). Von gleichen Parametern zählt die erste Achse.",
         ],
     );
     check_words(
@@ -78,6 +78,67 @@ fn mid_planes_that_are_means_are_told_as_that() {
         [
             "The ray meets the mid planes of the node at t_xm = 0.75 and t_ym = 1.5. These are the means of the parameters of the near and far planes.",
             "Der Strahl trifft die Mittelebenen des Knotens bei t_xm = 0.75 und t_ym = 1.5. Das sind die Mittel der Parameter der nahen und fernen Ebenen.",
+        ],
+    );
+}
+
+#[test]
+fn equal_numbers_are_told_as_equal_whatever_they_are_compared_in() {
+    let query = |arithmetic| Query::Ray {
+        algorithm: Algorithm::ParametricTable,
+        options: Options::default(),
+        arithmetic,
+    };
+    for arithmetic in [Arithmetic::Doubles, Arithmetic::Exact] {
+        check_words(
+            &Ray::new([-0.25, -0.25], [1.0, 1.0]).unwrap(),
+            &query(arithmetic),
+            [
+                "Child 0 is left through the y plane: t_y1 = 0.75 = t_x1 = 0.75, so the y bit is set and the next state is 1. Of equal parameters the last axis counts.",
+                "Kind 0 wird durch die y-Ebene verlassen: t_y1 = 0.75 = t_x1 = 0.75, also wird das y-Bit gesetzt, und der nächste Zustand ist 1. Von gleichen Parametern zählt die letzte Achse.",
+            ],
+        );
+        check_words(
+            &Ray::new([-0.25, 0.25], [1.0, 1.0]).unwrap(),
+            &query(arithmetic),
+            [
+                "t_ym = 0.25 = t_x0 = 0.25, so no bit is 1: the ray enters in state 0.",
+                "t_ym = 0.25 = t_x0 = 0.25, also ist kein Bit 1: Der Strahl tritt im Zustand 0 ein.",
+            ],
+        );
+    }
+}
+
+#[test]
+fn a_printed_rule_is_named_only_where_it_makes_a_difference() {
+    let beyond = Ray::new([2.0, 2.0], [1.0, 1.0]).unwrap();
+    check_words(
+        &beyond,
+        &with(Algorithm::ParametricTable, Variant::B1),
+        [
+            "By the printed rule, B-1, the root is missed, with t_min = −2 and t_max = −1.",
+            "Nach der gedruckten Regel, B-1, wird die Wurzel verfehlt, mit t_min = −2 und t_max = −1.",
+        ],
+    );
+    let inside = Query::Point {
+        at: [0.3, 0.9],
+        method: PointMethod::Codes,
+        variants: Variants::NONE.with(Variant::B21),
+    };
+    check_words(
+        &beyond,
+        &inside,
+        [
+            "The point (0.3, 0.9) has the location codes (010, 111) in binary.",
+            "Der Punkt (0.3, 0.9) hat binär die Ortscodes (010, 111).",
+        ],
+    );
+    check_words(
+        &Ray::new([-0.25, 0.125], [1.0, 0.25]).unwrap(),
+        &with(Algorithm::Parametric, Variant::B10),
+        [
+            "t_ym = 1.5 > t_x0 = 0.25, so no bit is 1: the ray enters in state 0.",
+            "t_ym = 1.5 > t_x0 = 0.25, also ist kein Bit 1: Der Strahl tritt im Zustand 0 ein.",
         ],
     );
 }
@@ -103,7 +164,34 @@ fn steps_by_a_printed_rule_say_so() {
         (Variant::B1, "By the printed rule, B-1, the root is hit, from t = 0 to t = 3."),
         (Variant::B2, "By the printed rule, B-2, the ray enters in state 1."),
         (Variant::B3, "By the printed rule, B-3, the ray enters in state 0."),
-        (Variant::B24b, "So says the printed rule, B-24b."),
+        (
+            Variant::B1,
+            "By the printed rule, B-1, the node (0, 1) of level 0 is reported, from t = 0.5 to t = 2.5.",
+        ),
+        (
+            Variant::B4,
+            "By the printed rule, B-4, the walk comes to the node (0, 1) of level 0, but would leave it at t = 1, no later than it enters it: it is not reported.",
+        ),
+        (
+            Variant::B18,
+            "By the printed rule, B-18, bit 2 of the codes is read. It is 0 in x and 0 in y, which selects child 0: the node (0, 0) of level 0.",
+        ),
+        (
+            Variant::B19,
+            "By the printed rule, B-19, bit 2 of the codes is read. It is 0 in x and 0 in y, which selects child 0: the node (0, 0) of level 1.",
+        ),
+        (
+            Variant::B24a,
+            "By the printed rule, B-24a, the level is 1, although the codes differ first in bit 1.",
+        ),
+        (
+            Variant::B24b,
+            "By the printed rule, B-24b, the level is 0, although the codes differ first in bit 1.",
+        ),
+        (
+            Variant::B25Leftmost,
+            "By the printed rule, B-25-leftmost, the level is 1, although the codes differ first in bit 1.",
+        ),
         (Variant::B28, "So says the printed rule, B-28."),
     ] {
         let sentences = printed(variant);

@@ -165,6 +165,58 @@ fn every_step_has_a_whole_sentence_in_both_languages() {
     check_sentences::<3>();
 }
 
+/// A number as it is written in a sentence.
+fn read(token: &str) -> Option<f64> {
+    let digits = token.trim_end_matches([',', ':', ';', '.']).replace('−', "-");
+    digits.replace('∞', "inf").parse().ok().filter(|x: &f64| !x.is_nan())
+}
+
+/// Checks each "x < y" and "x < name = y" of a text; returns how many there are.
+#[track_caller]
+fn check_relations(text: &str, context: &str) -> usize {
+    let tokens: Vec<&str> = text.split_whitespace().collect();
+    let mut n = 0;
+    for at in 1..tokens.len().saturating_sub(1) {
+        let right = read(tokens[at + 1]).or_else(|| {
+            let is_named = tokens.get(at + 2).is_some_and(|token| *token == "=");
+            read(tokens.get(at + 3)?).filter(|_| is_named)
+        });
+        let (Some(left), Some(right)) = (read(tokens[at - 1]), right) else { continue };
+        let holds = match tokens[at] {
+            "<" => left < right,
+            ">" => left > right,
+            "≤" => left <= right,
+            "≥" => left >= right,
+            "=" => left == right,
+            _ => continue,
+        };
+        assert!(holds, "{context}: {text}");
+        n += 1;
+    }
+    n
+}
+
+fn count_relations<const D: usize>() -> usize {
+    let mut n = 0;
+    for_all_runs::<D>(|tree, ray, _, query| {
+        let trace = record(tree, ray, query);
+        for step in 0..=trace.events.len() {
+            let text = sentence(tree, ray, &trace, step, Language::English).plain();
+            // Where doubles err they are not what was compared.
+            if !text.contains("Doubles would err") {
+                n += check_relations(&text, &format!("{query:?} {ray:?}, step {step}"));
+            }
+        }
+    });
+    n
+}
+
+#[test]
+fn what_is_told_of_numbers_holds_for_them() {
+    assert!(count_relations::<2>() > 1000);
+    assert!(count_relations::<3>() > 1000);
+}
+
 fn check_variables<const D: usize>() {
     for_all_runs::<D>(|tree, ray, _, query| {
         let trace = record(tree, ray, query);

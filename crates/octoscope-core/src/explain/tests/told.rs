@@ -118,8 +118,8 @@ fn the_last_step_out_of_the_grid_leads_to_no_cell() {
         &ray,
         &along(Algorithm::Dda),
         [
-            "t_xmax = 1.25 < t_ymax = ∞, so the ray crosses the x plane and leaves the grid.",
-            "t_xmax = 1.25 < t_ymax = ∞, also kreuzt der Strahl die x-Ebene und verlässt das Raster.",
+            "t_xMax = 1.25 < t_yMax = ∞, so the ray crosses the x plane and leaves the grid.",
+            "t_xMax = 1.25 < t_yMax = ∞, also kreuzt der Strahl die x-Ebene und verlässt das Raster.",
         ],
     );
 }
@@ -172,6 +172,55 @@ fn a_miss_beside_the_root_and_a_touch_are_told() {
         [
             "Leaf (0, 4) of level 2 is only touched, in one point at t = 0.75.",
             "Blatt (0, 4) auf Ebene 2 wird nur berührt, in einem Punkt bei t = 0.75.",
+        ],
+    );
+}
+
+#[test]
+fn a_miss_is_told_by_its_reason() {
+    let query = |segment_end| Query::Ray {
+        algorithm: Algorithm::Parametric,
+        options: Options { segment_end, ..Options::default() },
+        arithmetic: Arithmetic::Doubles,
+    };
+    let check = |origin, direction, segment_end, expected| {
+        check_words::<2>(&Ray::new(origin, direction).unwrap(), &query(segment_end), expected);
+    };
+    // No part of the line is in the root, although its first far plane is behind.
+    check(
+        [-1.0, 2.0],
+        [1.0, 1.0],
+        None,
+        [
+            "The ray misses the root: it meets a far plane no later than the last near plane, t_y1 = −1 < t_x0 = 1.",
+            "Der Strahl verfehlt die Wurzel: Er trifft eine ferne Ebene nicht später als die letzte nahe, t_y1 = −1 < t_x0 = 1.",
+        ],
+    );
+    check(
+        [2.0, 1.75],
+        [1.0, 1.0],
+        None,
+        [
+            "The ray misses the root, which lies behind its origin: even the first far plane has t_x1 = −1 ≤ 0.",
+            "Der Strahl verfehlt die Wurzel, die hinter seinem Startpunkt liegt: Schon für die erste ferne Ebene gilt t_x1 = −1 ≤ 0.",
+        ],
+    );
+    check(
+        [-1.0, 0.25],
+        [1.0, 0.25],
+        Some(0.5),
+        [
+            "The ray ends before it meets the root, whose last near plane has t_x0 = 1.",
+            "Der Strahl endet, bevor er die Wurzel trifft, deren letzte nahe Ebene bei t_x0 = 1 liegt.",
+        ],
+    );
+    check(
+        [0.25, 0.25],
+        [1.0, 0.25],
+        Some(0.0),
+        [
+            "The ray misses the root: it ends at t = 0, no later than it begins.",
+            "Der Strahl verfehlt die Wurzel: Er endet bei t = 0, nicht später, als er beginnt.",
         ],
     );
 }
