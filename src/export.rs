@@ -12,7 +12,7 @@ mod size;
 mod steps;
 mod write;
 
-pub use choice::{Choice, Extent, StepChoice};
+pub use choice::{Choice, ExerciseChoice, Extent, MomentChoice, StepChoice};
 pub use eye::Eye;
 pub use format::Format;
 pub use order::Order;

@@ -176,6 +176,7 @@ fn bytes(
         title: &title,
         scenario: &scenario,
         scale: frames.scale(order),
+        line_scale: order.line_scale,
     };
     let mut figures = series.steps.clone().map(|step| -> anyhow::Result<Figure> {
         progress.advance(1)?;

@@ -81,5 +81,5 @@ figure-neighbour = Nachbar
 figure-listing = Listing und Variablen
 figure-table = Tabelle der Schritte
 figure-chart = Diagramm der Kosten
-figure-storyboard = Bilderfolge aus sechs Schritten
-figure-worksheet = Arbeitsblatt zu diesem Strahl
+figure-storyboard = Storyboard
+figure-worksheet = Arbeitsblatt

@@ -81,5 +81,5 @@ figure-neighbour = Neighbour
 figure-listing = Listing and variables
 figure-table = Table of the steps
 figure-chart = Chart of the costs
-figure-storyboard = Storyboard of six steps
-figure-worksheet = Worksheet of this ray
+figure-storyboard = Storyboard
+figure-worksheet = Worksheet

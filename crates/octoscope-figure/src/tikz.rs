@@ -244,7 +244,7 @@ impl<'a> Tikz<'a> {
     /// Name of the style of a shape, which is defined; `None` if nothing is seen.
     fn style(&mut self, drawn: &Drawn) -> Option<String> {
         let theme = self.options.theme;
-        let paint = Paint::of(theme, drawn);
+        let paint = Paint::of(theme, drawn).with_lines(self.options.line_scale);
         let own = own_colour(theme, drawn.role).map(|colour| self.colour(colour));
         let part = match drawn.part {
             Part::Whole => String::new(),

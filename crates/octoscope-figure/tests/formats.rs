@@ -150,6 +150,27 @@ fn an_svg_shows_what_the_png_shows() {
 }
 
 #[test]
+fn lines_grow_alone() {
+    let wide = FileOptions { line_scale: 2.0, ..options() };
+    let of = |options: &FileOptions| {
+        let figure = sample(1);
+        let tikz = tikz(&figure, TikzForm::Snippet, options);
+        let pixels = Pixels::of(&figure, options).unwrap();
+        let inked = pixels.rgba.chunks_exact(4).filter(|pixel| pixel[0] < 250).count();
+        (svg(&figure, options), tikz, inked, pdf(&figure, options).unwrap())
+    };
+    let (usual, wider) = (of(&options()), of(&wide));
+    for (file, width) in [(&usual, 1.76), (&wider, 3.52)] {
+        assert!(file.0.contains(&format!("stroke-width:{width}")), "{}", file.0);
+        assert!(file.1.contains(&format!("line width={width}bp")), "{}", file.1);
+    }
+    // Type is as large as before.
+    let type_sizes = |tikz: &str| tikz.matches("\\fontsize{11bp}").count();
+    assert_eq!(type_sizes(&usual.1), type_sizes(&wider.1));
+    assert!(wider.2 > usual.2 && wider.3 != usual.3);
+}
+
+#[test]
 fn a_pdf_has_pages_of_the_right_size_and_its_letters_inside() {
     let folder = tempfile::tempdir().unwrap();
     let scale = Scale { factor: 2.54, unit: Unit::Millimetre };
