@@ -132,6 +132,10 @@ pub enum Role {
     Spent,
     /// Work of the whole run.
     Planned,
+    /// Frame round the bit that tells whether a code has left the domain.
+    BorderBit,
+    /// Arrow to what follows from a bit, and what is written at it.
+    Conclusion,
     /// Field that is to be filled in by hand.
     Blank,
     /// Where the ray is between the planes across an axis, 0 = x.
@@ -155,7 +159,7 @@ pub enum Role {
 impl Role {
     /// One role of every kind, in the order in which they cover each other,
     /// the lowest first.
-    pub const KINDS: [Self; 86] = [
+    pub const KINDS: [Self; 88] = [
         Self::Pixel([128; 3]),
         Self::EmptyLeaf,
         Self::FullLeaf,
@@ -237,6 +241,8 @@ impl Role {
         Self::TransitionTogether,
         Self::Spent,
         Self::Planned,
+        Self::BorderBit,
+        Self::Conclusion,
         Self::Blank,
         Self::Level,
         Self::Branch,
@@ -310,6 +316,8 @@ impl Role {
             Self::TransitionTogether => "transition-together",
             Self::Spent => "spent",
             Self::Planned => "planned",
+            Self::BorderBit => "border-bit",
+            Self::Conclusion => "conclusion",
             Self::Blank => "blank",
             Self::Bar(axis) => ["bar-x", "bar-y", "bar-z"][axis],
             Self::Stop(axis) => ["stop-x", "stop-y", "stop-z"][axis],

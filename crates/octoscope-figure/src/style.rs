@@ -237,6 +237,14 @@ impl Style {
             }
             Role::Spent => Self { fill: Some(p.accent), ..Self::default() },
             Role::Planned => Self { fill: Some(p.accent.faded(0.18)), ..line(p.accent, 0.8) },
+            Role::BorderBit => line(p.ink, 2.0),
+            Role::Conclusion => {
+                Self { fill: Some(p.current_outline), ..line(p.current_outline, 2.0) }.lettered(
+                    p.ink,
+                    12.5,
+                    Weight::Strong,
+                )
+            }
             Role::Blank => line(p.quiet_ink, 0.8),
             Role::Level => line(p.grid.faded(0.7), 0.8).lettered(p.quiet_ink, 11.0, Weight::Mono),
             Role::Branch => {
