@@ -4,6 +4,7 @@ use super::{Eye, Format, Order, Series, Steps, left_out, print_shown, write};
 use crate::document::{AnyDocument, Document};
 use crate::figures::{Moments, Wanted, figure_of, take_exercise};
 use crate::save;
+use crate::text::texts;
 use crate::with_document;
 use octoscope_core::explain::sentence;
 use octoscope_core::progress::Progress;
@@ -80,7 +81,7 @@ impl Request {
             let step = *series.steps.start();
             let (figure, scale) =
                 Series::figure_of(&self.order, series, step, &Progress::default())?;
-            let (title, scenario) = ((series.title)(step), (series.scenario)(step));
+            let (title, scenario) = ((series.caption)(step).plain(), (series.scenario)(step));
             let Order { theme, background, line_scale, .. } = self.order;
             let options = FileOptions {
                 theme,
@@ -138,9 +139,12 @@ impl Request {
     ) -> anyhow::Result<T> {
         let exercise = self.exercise_of(document)?;
         let document = exercise.as_ref().unwrap_or(document);
-        let title = |step| {
+        let caption = |step| {
+            if !self.view.is_of_a_step() {
+                return texts(self.language).get(&format!("figure-{}", self.view)).into();
+            }
             with_document!(document, d => {
-                sentence(&d.tree, &d.scenario.ray, &d.trace, step, self.language).plain()
+                sentence(&d.tree, &d.scenario.ray, &d.trace, step, self.language)
             })
         };
         let scenario = |step| {
@@ -154,7 +158,7 @@ impl Request {
         then(&Series {
             steps: self.shown_of(document, steps)?,
             figure: &|page, step| with_document!(document, d => self.figure(d, page, step)),
-            title: &title,
+            caption: &caption,
             scenario: &scenario,
         })
     }

@@ -3,6 +3,7 @@
 use super::{Format, Order};
 use crate::files::Output;
 use anyhow::{Context, bail};
+use octoscope_core::explain::RichText;
 use octoscope_core::progress::Progress;
 use octoscope_figure::{
     Apng, Extent, Figure, FileOptions, Gif, Page, Pdf, Pixels, Scale, Tikz, png, svg,
@@ -18,7 +19,7 @@ pub struct Series<'a> {
     /// Figure of a step, laid out on a page.
     pub figure: &'a dyn Fn(Page, usize) -> anyhow::Result<Figure>,
     /// What happens in a step, in words.
-    pub title: &'a dyn Fn(usize) -> String,
+    pub caption: &'a dyn Fn(usize) -> RichText,
     /// The scenario with the playhead at a step, as JSON.
     pub scenario: &'a dyn Fn(usize) -> String,
 }
@@ -169,7 +170,7 @@ fn bytes(
     progress: &Progress,
 ) -> anyhow::Result<Vec<u8>> {
     let first = *series.steps.start();
-    let (title, scenario) = ((series.title)(first), (series.scenario)(first));
+    let (title, scenario) = ((series.caption)(first).plain(), (series.scenario)(first));
     let options = FileOptions {
         theme: order.theme,
         background: order.background,
@@ -200,8 +201,8 @@ fn bytes(
         }
         Format::Tikz => {
             let mut tikz = Tikz::new(order.tikz, &options);
-            for figure in figures {
-                tikz.figure(&figure?);
+            for (step, figure) in series.steps.clone().zip(figures) {
+                tikz.figure(&figure?, &(series.caption)(step));
             }
             Ok(tikz.finish().into_bytes())
         }
@@ -270,7 +271,7 @@ mod tests {
         let series = Series {
             steps: 0..=1,
             figure: &figure,
-            title: &|_| String::new(),
+            caption: &|_| RichText::default(),
             scenario: &|_| String::new(),
         };
         let frames = Frames::of(&order, &series, &Progress::default()).unwrap();

@@ -240,8 +240,24 @@ fn several_steps_are_pages_pictures_frames_or_files() {
     assert_eq!(text.matches("\\begin{tikzpicture}").count(), 3);
     desk.prints("export a.octo --step 2-4 --beamer --snippet -o b.tex");
     let text = String::from_utf8(read("b.tex")).unwrap();
-    assert_eq!(text.matches("\\only<").count(), 3);
-    assert_eq!(text.matches("\\begin{tikzpicture}").count(), 1);
+    // A picture and a caption a slide.
+    let says = |n: usize| text.contains(&format!("\\only<{n}>{{%\n"));
+    assert!((1..=3).all(says) && !says(4));
+    let sentences = desk.prints("trace a.octo");
+    let captions = text.lines().filter(|line| line.starts_with("\\only<") && !line.ends_with("{%"));
+    let plain = |caption: &str| {
+        let commands =
+            ["\\textcolor{octo-axis-x}", "\\textcolor{octo-axis-y}", "\\textbf", "\\textsubscript"];
+        let text = commands.iter().fold(caption.to_owned(), |text, sign| text.replace(sign, ""));
+        text.replace(['{', '}', '$'], "")
+    };
+    let captions: Vec<String> = captions.map(plain).collect();
+    for (slide, step) in (2..=4).enumerate() {
+        let sentence = sentences.lines().nth(step).unwrap().replace('_', "");
+        let sentence = sentence.trim_start_matches([' ', '2', '3', '4']);
+        assert_eq!(captions[slide], format!("\\only<{}>{sentence}%", slide + 1));
+    }
+    assert_eq!(captions.len(), 3);
     desk.prints("export a.octo --step 2-4 -o b.pdf");
     let text = String::from_utf8_lossy(&read("b.pdf")).into_owned();
     assert!(text.contains("/Count 3"));
