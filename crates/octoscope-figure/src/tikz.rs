@@ -348,8 +348,8 @@ impl<'a> Tikz<'a> {
             let family = match weight {
                 Weight::Regular => "\\sffamily",
                 Weight::Strong => "\\sffamily\\bfseries",
-                Weight::Mono => "\\ttfamily",
-                Weight::MonoStrong => "\\ttfamily\\bfseries",
+                Weight::Mono => "\\frenchspacing\\ttfamily",
+                Weight::MonoStrong => "\\frenchspacing\\ttfamily\\bfseries",
             };
             let [height, skip, shift] = [size, 1.2 * size, -0.365 * size].map(length);
             let style = format!(

@@ -66,8 +66,10 @@ fn escaped(text: &str) -> String {
             '\u{2009}' | '\u{202f}' => out += "\\,",
             '…' => out += "\\dots{}",
             '°' => out += "$^\\circ$",
-            '₀'..='₉' => out += &format!("$_{}$", u32::from(c) - u32::from('₀')),
-            'ₘ' => out += "$_m$",
+            '₀'..='₉' => {
+                out += &format!("\\textsubscript{{{}}}", u32::from(c) - u32::from('₀'))
+            }
+            'ₘ' => out += "\\textsubscript{m}",
             c if c.is_control() => out.push(' '),
             c if (c as u32) < 0x180 || ('–'..='„').contains(&c) => out.push(c),
             c => match mathematics(c) {
@@ -130,8 +132,8 @@ mod tests {
         check("\\a~b^c", "\\textbackslash{}a\\textasciitilde{}b\\textasciicircum{}c");
         check("−∞ … 3°", "$-$$\\infty$ \\dots{} 3$^\\circ$");
         check("a < b", "a $<$ b");
-        check("x₀", "x$_0$");
-        check("tₘ", "t$_m$");
+        check("x₀", "x\\textsubscript{0}");
+        check("tₘ", "t\\textsubscript{m}");
         check("„so“ – ‘x’", "„so“ – ‘x’");
         check("a\u{1}b ☃", "a b [U+2603]");
     }
