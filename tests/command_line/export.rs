@@ -99,48 +99,6 @@ fn every_view_is_a_well_formed_svg_with_the_scenario_inside() {
 }
 
 #[test]
-fn every_view_is_written_in_every_format() {
-    let desk = desk_with_scenario();
-    for arguments in [
-        "--view space --step 3",
-        "--view automaton --step 7",
-        "--view t-rail --step 3",
-        "--view codes --step 5 --algorithm codes",
-        "--view neighbour --algorithm codes --step last",
-        "--view listing --step 5 --lang de",
-        "--view table --step last",
-        "--view chart --step last",
-        "--view storyboard --steps leaves:3",
-        "--view worksheet --seed 4 --solution",
-    ] {
-        let scene = if arguments.contains("worksheet") { "scene:figure-1" } else { "a.octo" };
-        for (format, begin) in [
-            ("svg", "<svg"),
-            ("pdf", "%PDF"),
-            ("png", "\u{89}PNG"),
-            ("tikz", "% "),
-            ("gif", "GIF89a"),
-            ("apng", "\u{89}PNG"),
-        ] {
-            // What moves is of all steps otherwise.
-            let step = if arguments.contains("--step ") { "" } else { "--step 3" };
-            let arguments = format!("{arguments} {step} --format {format} -o a.{format}");
-            desk.prints(&format!("export {scene} {arguments}"));
-            let file = fs::read(desk.0.path().join(format!("a.{format}"))).unwrap();
-            let begins: String = file.iter().take(8).map(|&byte| char::from(byte)).collect();
-            assert!(begins.starts_with(begin) && file.len() > 1000, "{arguments}");
-            if format == "tikz" {
-                let text = String::from_utf8(file).unwrap();
-                assert!(!text.contains("[U+"), "LaTeX has a sign for every letter: {arguments}");
-            }
-            if format != "gif" {
-                desk.prints(&format!("check a.{format}"));
-            }
-        }
-    }
-}
-
-#[test]
 fn every_exercise_has_another_ray_and_its_own_solution() {
     let desk = desk_with_scenario();
     let sheet = |arguments: &str| {

@@ -7,5 +7,6 @@ mod arguments;
 mod desk;
 mod export;
 mod files;
+mod matrix;
 mod scenario;
 mod visit;
