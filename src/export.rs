@@ -27,12 +27,17 @@ use crate::document::Document;
 use crate::space::interesting;
 use octoscope_core::scene::Content;
 use octoscope_figure::{
-    Camera, Diagram, DiagramLens, DiagramOf, Figure, Mark, Page, Role, Shape, Show, axes, content,
-    leaves, marks, space_figure, tree_diagram,
+    Camera, Diagram, DiagramLens, DiagramOf, Figure, Mark, Page, Role, Shape, Show, axes,
+    axis_names, content, leaves, marks, space_figure, tree_diagram,
 };
 
 /// Page of figures of which no size is asked for.
 const PAGE: Page = Page { width: 960.0, height: 720.0 };
+
+/// From the end of an axis to its name, in page units.
+const NAME_DISTANCE: f64 = 22.0;
+/// Smaller pages have no room for names.
+const NAMES_FROM: f64 = 200.0;
 
 /// Figure of the space view of `document` after `step` events, on the whole of
 /// `page`. Without a camera, the tree and the ray fill it.
@@ -56,6 +61,10 @@ pub fn space<const D: usize>(
         all.extend(content(&document.content));
     }
     all.extend(axes(document.tree.domain(), show));
+    if page.width.min(page.height) >= NAMES_FROM {
+        let beyond = NAME_DISTANCE * camera.height / page.height;
+        all.extend(axis_names(document.tree.domain(), beyond));
+    }
     all.extend(marks(&document.tree, &scenario.ray, &scenario.query, &moment, event, show));
     all.sort_by_key(|mark| mark.role.layer());
     space_figure(&all, &camera, page)

@@ -245,6 +245,7 @@ fn samples(series: &Series, frames: &Frames, options: &FileOptions) -> anyhow::R
 #[cfg(test)]
 mod tests {
     use super::*;
+    use octoscope_core::progress::Cancelled;
     use octoscope_figure::{Drawn, Form, Part, Role};
 
     /// Figures with a page of their own, higher from step to step.
@@ -293,6 +294,37 @@ mod tests {
         check(on_page, Some("640x480"), [640.0, 480.0]);
         // Two circles, their line and the margin.
         check(on_page, None, [50.0 + 2.0 * 7.0, 40.0 + 2.0 * 7.0]);
+    }
+
+    /// Writes 200 steps as `format` until step 150 is drawn, when it is cancelled.
+    fn check_cancelled(format: Format) {
+        let folder = tempfile::tempdir().unwrap();
+        let order = Order { format, size: Some("40x30".parse().unwrap()), ..Order::default() };
+        let progress = Progress::default();
+        let figure = |page: Page, step: usize| {
+            if step == 150 {
+                progress.cancel();
+            }
+            on_page(page, step)
+        };
+        let series = Series {
+            steps: 0..=199,
+            figure: &figure,
+            caption: &|_| RichText::default(),
+            scenario: &|_| String::new(),
+        };
+        let path = folder.path().join("a.out");
+        let error = write(&order, &series, Some(&path), &progress).unwrap_err();
+        assert!(error.root_cause().is::<Cancelled>(), "{format:?}: {error}");
+        assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 0, "{format:?}");
+        assert!(progress.fraction() < Some(0.8), "{format:?}");
+    }
+
+    #[test]
+    fn what_is_cancelled_leaves_no_file() {
+        for format in [Format::Gif, Format::Apng, Format::Pdf, Format::Tikz] {
+            check_cancelled(format);
+        }
     }
 
     #[test]

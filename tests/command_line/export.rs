@@ -252,6 +252,26 @@ fn a_size_on_paper_is_kept_in_every_format() {
 }
 
 #[test]
+fn axes_of_a_plane_have_their_names_where_there_is_room() {
+    let desk = desk_with_scenario();
+    let names = |arguments: &str| {
+        desk.prints(&format!("export a.octo {arguments} -o a.svg"));
+        let svg = fs::read_to_string(desk.0.path().join("a.svg")).unwrap();
+        let document = roxmltree::Document::parse(&svg).unwrap();
+        ["x", "y"].map(|name| {
+            let of_axis = |node: &roxmltree::Node| {
+                node.attribute("class") == Some(&format!("axis-{name}"))
+                    && node.text() == Some(name)
+            };
+            document.descendants().filter(of_axis).count()
+        })
+    };
+    assert_eq!(names("--step last"), [1, 1]);
+    assert_eq!(names("--step last --size 90x80mm"), [1, 1]);
+    assert_eq!(names("--step last --size 150x120"), [0, 0]);
+}
+
+#[test]
 fn what_is_shown_can_be_chosen() {
     let desk = desk_with_scenario();
     let n_texts = |shown: &str| {

@@ -41,7 +41,7 @@ pub mod views;
 mod ways;
 
 pub use camera::{Camera, Lens, Page, Projected};
-pub use content::{axes, content};
+pub use content::{axes, axis_names, content};
 pub use diagram::{Diagram, DiagramLens, DiagramNode, DiagramOf, NodeKind, tree_diagram};
 pub use figure::{Anchor, Drawn, Extent, Figure, Form, Part};
 pub use gif::{Gif, GifError};

@@ -105,7 +105,9 @@ impl Style {
             Role::EmptyLeaf => line(p.grid, 1.0),
             // Too weak for a projector, where the contents tell it.
             Role::FullLeaf => {
-                let fill = (theme.weakest_fill() == 0.0).then_some(p.quiet_ink.faded(0.055));
+                // Paper shows less than a screen.
+                let share = if theme == Theme::Print { 0.12 } else { 0.055 };
+                let fill = (theme.weakest_fill() == 0.0).then_some(p.quiet_ink.faded(share));
                 Self { fill, ..line(p.grid, 1.0) }
             }
             Role::Pixel(rgb) => {
