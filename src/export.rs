@@ -12,7 +12,7 @@ mod size;
 mod steps;
 mod write;
 
-pub use choice::{Choice, Extent, StepChoice};
+pub use choice::{Choice, ExerciseChoice, Extent, MomentChoice, StepChoice};
 pub use eye::Eye;
 pub use format::Format;
 pub use order::Order;
@@ -28,11 +28,16 @@ use crate::space::interesting;
 use octoscope_core::scene::Content;
 use octoscope_figure::{
     Camera, Diagram, DiagramLens, DiagramOf, Figure, Mark, Page, Rest, Role, Shape, Show, axes,
-    cells, content, marks, space_figure, tree_diagram,
+    axis_names, cells, content, marks, space_figure, tree_diagram,
 };
 
 /// Page of figures of which no size is asked for.
 const PAGE: Page = Page { width: 960.0, height: 720.0 };
+
+/// From the end of an axis to its name, in page units.
+const NAME_DISTANCE: f64 = 22.0;
+/// Smaller pages have no room for names.
+const NAMES_FROM: f64 = 200.0;
 
 /// Figure of the space view of `document` after `step` events, on the whole of
 /// `page`. Without a camera, the tree and the ray fill it.
@@ -57,6 +62,10 @@ pub fn space<const D: usize>(
         all.extend(content(&document.content, cut.as_ref()));
     }
     all.extend(axes(document.tree.domain(), show));
+    if page.width.min(page.height) >= NAMES_FROM {
+        let beyond = NAME_DISTANCE * camera.height / page.height;
+        all.extend(axis_names(document.tree.domain(), beyond));
+    }
     all.extend(marks(&document.tree, &scenario.ray, &scenario.query, &moment, event, show));
     all.sort_by_key(|mark| mark.role.layer());
     space_figure(&all, &camera, page)

@@ -1,7 +1,10 @@
 //! The dialog of an export: what is chosen, how it looks, the command that does
 //! the same.
 
-use crate::export::{Choice, Extent, Format, Origin, Request, StepChoice, shell_line};
+use crate::export::{
+    Choice, ExerciseChoice, Extent, Format, MomentChoice, Origin, Request, StepChoice, shell_line,
+};
+use crate::figures::Moments;
 use crate::files;
 use crate::look::Look;
 use crate::panels::show::{self, Of};
@@ -107,8 +110,13 @@ fn settings(ui: &mut Ui, look: &Look, shown: &mut Shown) {
         list.response.labelled_by(label);
         ui.end_row();
         if choice.view == FigureView::Worksheet {
-            ui.label("");
-            ui.checkbox(&mut choice.solution, name("export-solution"));
+            ui.label(name("export-exercise"));
+            ui.vertical(|ui| exercise(ui, look, choice));
+            ui.end_row();
+        }
+        if choice.view == FigureView::Storyboard {
+            ui.label(name("export-moments"));
+            ui.vertical(|ui| moments(ui, look, choice, *last_step));
             ui.end_row();
         }
 
@@ -136,7 +144,12 @@ fn settings(ui: &mut Ui, look: &Look, shown: &mut Shown) {
         }
 
         ui.label(name("export-type-scale"));
-        number(ui, look, "export-type-scale", &mut choice.type_scale, [0.25, 4.0], 0.01);
+        ui.horizontal(|ui| {
+            number(ui, look, "export-type-scale", &mut choice.type_scale, [0.25, 8.0], 0.01);
+            ui.add_space(8.0);
+            ui.label(name("export-line-scale"));
+            number(ui, look, "export-line-scale", &mut choice.line_scale, [0.25, 8.0], 0.01);
+        });
         ui.end_row();
 
         ui.label(name("export-theme"));
@@ -150,22 +163,9 @@ fn settings(ui: &mut Ui, look: &Look, shown: &mut Shown) {
         choice.background = if is_clear { Background::Transparent } else { Background::Filled };
         ui.end_row();
 
-        ui.label(name("export-steps"));
-        let steps = [
-            (StepChoice::Here, "export-here"),
-            (StepChoice::Range, "export-range"),
-            (StepChoice::All, "export-all"),
-        ];
-        segments(ui, &mut choice.steps, &steps.map(|(step, key)| (step, name(key))));
-        ui.end_row();
-        if choice.steps == StepChoice::Range {
-            ui.label("");
-            ui.horizontal(|ui| {
-                for (step, key) in choice.range.iter_mut().zip(["export-from", "export-to"]) {
-                    let label = ui.label(name(key));
-                    ui.add(DragValue::new(step).range(0..=*last_step)).labelled_by(label.id);
-                }
-            });
+        if choice.view.is_of_a_step() {
+            ui.label(name("export-steps"));
+            ui.vertical(|ui| steps(ui, look, choice, *last_step));
             ui.end_row();
         }
         if choice.format.moves() {
@@ -187,6 +187,69 @@ fn settings(ui: &mut Ui, look: &Look, shown: &mut Shown) {
     if choice.view.shows_space() {
         CollapsingHeader::new(name("export-show")).show(ui, |ui| show::ui(ui, look, what, *of));
     }
+}
+
+fn steps(ui: &mut Ui, look: &Look, choice: &mut Choice, last_step: usize) {
+    let steps = [
+        (StepChoice::Here, "export-here"),
+        (StepChoice::Range, "export-range"),
+        (StepChoice::All, "export-all"),
+    ];
+    segments(ui, &mut choice.steps, &steps.map(|(step, key)| (step, look.text(key))));
+    if choice.steps == StepChoice::Range {
+        ui.horizontal(|ui| {
+            for (step, key) in choice.range.iter_mut().zip(["export-from", "export-to"]) {
+                let label = ui.label(look.text(key));
+                ui.add(DragValue::new(step).range(0..=last_step)).labelled_by(label.id);
+            }
+        });
+    }
+}
+
+/// Which moments a storyboard shows.
+fn moments(ui: &mut Ui, look: &Look, choice: &mut Choice, last_step: usize) {
+    let rules = [
+        (MomentChoice::Even, "export-even"),
+        (MomentChoice::Leaves, "export-leaves"),
+        (MomentChoice::Listed, "export-listed"),
+    ];
+    segments(ui, &mut choice.moments, &rules.map(|(rule, key)| (rule, look.text(key))));
+    match choice.moments {
+        MomentChoice::Even | MomentChoice::Leaves => {
+            ui.horizontal(|ui| {
+                let label = ui.label(look.text("export-at-most"));
+                let field = DragValue::new(&mut choice.n_moments).range(1..=Moments::MOST);
+                ui.add(field).labelled_by(label.id);
+            });
+        }
+        MomentChoice::Listed => {
+            let field = TextEdit::singleline(&mut choice.listed_moments).hint_text("3, 7, 12");
+            let field = ui.add(field.desired_width(240.0));
+            let name = look.text("export-listed");
+            field.widget_info(|| {
+                eframe::egui::WidgetInfo::labeled(Role::TextInput, true, name.as_str())
+            });
+            if choice.listed(last_step).is_none() {
+                let arguments = [("most", Moments::MOST.into()), ("last", last_step.into())];
+                let note = look.texts.format("export-listed-wrong", &arguments);
+                ui.label(RichText::new(note).color(look.palette.quiet).size(13.0));
+            }
+        }
+    }
+}
+
+/// Which ray a worksheet has, and whether it is solved.
+fn exercise(ui: &mut Ui, look: &Look, choice: &mut Choice) {
+    let rays =
+        [(ExerciseChoice::Own, "export-own-ray"), (ExerciseChoice::Numbered, "export-numbered")];
+    segments(ui, &mut choice.exercise, &rays.map(|(ray, key)| (ray, look.text(key))));
+    if choice.exercise == ExerciseChoice::Numbered {
+        ui.horizontal(|ui| {
+            let label = ui.label(look.text("export-seed"));
+            ui.add(DragValue::new(&mut choice.seed).speed(0.1)).labelled_by(label.id);
+        });
+    }
+    ui.checkbox(&mut choice.solution, look.text("export-solution"));
 }
 
 fn sides(ui: &mut Ui, look: &Look, choice: &mut Choice) {

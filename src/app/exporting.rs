@@ -68,6 +68,10 @@ impl App {
             fault: self.exporting.preview.fault.as_deref(),
         };
         let answer = export_dialog::ui(context, &self.look, shown);
+        // A view that this scenario does not have stays chosen for the next one.
+        if choice.view == request.view {
+            choice.view = self.view.export.view;
+        }
         (self.view.export, self.view.language) = (choice, language);
         *self.show_of_document_mut() = show;
         match answer {

@@ -92,6 +92,9 @@ pub struct Export {
     /// Size of type and lines against the usual, on a page of the same size.
     #[arg(long, value_name = "FACTOR", default_value = "1", value_parser = type_scale, allow_negative_numbers = true)]
     type_scale: f64,
+    /// Width of lines against that.
+    #[arg(long, value_name = "FACTOR", default_value = "1", value_parser = type_scale, allow_negative_numbers = true)]
+    line_scale: f64,
     /// light, dark, print or projector.
     #[arg(long, default_value = "print", value_parser = theme)]
     theme: Theme,
@@ -219,6 +222,7 @@ impl Export {
             size: self.size,
             enlarged: self.scale,
             type_scale: self.type_scale,
+            line_scale: self.line_scale,
             tikz,
             pause_secs: self.pause,
         })
@@ -251,9 +255,6 @@ fn aim<const D: usize>(document: &mut Document<D>, arguments: &Export) -> anyhow
         document.scenario.query = document.scenario.query.along_the_ray_by(method);
     }
     document.refresh(0);
-    if let (FigureView::Worksheet, Some(number)) = (arguments.view, arguments.seed) {
-        take_exercise(document, number)?;
-    }
     Ok(())
 }
 
@@ -299,6 +300,7 @@ mod tests {
                 size: Some("120.5x80mm".parse().unwrap()),
                 enlarged: Some(0.3),
                 type_scale: 1.25,
+                line_scale: 0.8,
                 tikz,
                 pause_secs: 0.1,
             };

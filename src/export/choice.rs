@@ -14,11 +14,19 @@ use serde::{Deserialize, Serialize};
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(default)]
 pub struct Choice {
-    /// What is drawn; not remembered, as other scenarios have other views.
-    #[serde(skip)]
+    /// What is drawn, where the scenario has that.
     pub view: FigureView,
+    /// Which moments a storyboard shows.
+    pub moments: MomentChoice,
+    /// How many, if they are chosen by rule.
+    pub n_moments: usize,
+    /// Which, if they are listed, between commas.
+    pub listed_moments: String,
+    /// Which ray a worksheet has.
+    pub exercise: ExerciseChoice,
+    /// Number of the exercise, if it has one.
+    pub seed: u64,
     /// Whether the fields of a worksheet are filled in.
-    #[serde(skip)]
     pub solution: bool,
     /// Format of the file.
     pub format: Format,
@@ -32,6 +40,8 @@ pub struct Choice {
     pub enlarged: f64,
     /// Size of type and lines against the usual.
     pub type_scale: f64,
+    /// Width of lines against that.
+    pub line_scale: f64,
     /// Colours and lines.
     pub theme: Theme,
     /// Whether something lies behind the figure.
@@ -70,10 +80,37 @@ pub enum StepChoice {
     All,
 }
 
+/// Which moments a storyboard shows.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub enum MomentChoice {
+    /// Some of all, at even distances.
+    #[default]
+    Even,
+    /// Those at which a leaf is reported.
+    Leaves,
+    /// These.
+    Listed,
+}
+
+/// Which ray a worksheet has.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub enum ExerciseChoice {
+    /// That of the scenario.
+    #[default]
+    Own,
+    /// That of an exercise with a number.
+    Numbered,
+}
+
 impl Default for Choice {
     fn default() -> Self {
         Self {
             view: FigureView::default(),
+            moments: MomentChoice::Even,
+            n_moments: 6,
+            listed_moments: String::new(),
+            exercise: ExerciseChoice::Own,
+            seed: 1,
             solution: false,
             format: Format::Svg,
             extent: Extent::Cropped,
@@ -81,6 +118,7 @@ impl Default for Choice {
             unit: Unit::Millimetre,
             enlarged: 1.0,
             type_scale: 1.0,
+            line_scale: 1.0,
             theme: Theme::Print,
             background: Background::Filled,
             steps: StepChoice::Here,
@@ -129,6 +167,26 @@ impl Choice {
         if views.contains(&self.view) { self.view } else { FigureView::default() }
     }
 
+    /// The moments of a storyboard, within a run of `n_events`.
+    pub fn moments(&self, n_events: usize) -> Moments {
+        let few = self.n_moments.clamp(1, Moments::MOST);
+        match self.moments {
+            MomentChoice::Even => Moments::Even(few),
+            MomentChoice::Leaves => Moments::Leaves(few),
+            MomentChoice::Listed => self.listed(n_events).unwrap_or_default(),
+        }
+    }
+
+    /// The moments that are listed; `None` if a run of `n_events` has them not.
+    pub fn listed(&self, n_events: usize) -> Option<Moments> {
+        let steps: String = self.listed_moments.split_whitespace().collect();
+        let moments = steps.trim_end_matches(',').parse().ok();
+        moments.filter(|moments: &Moments| match moments {
+            Moments::At(_) => moments.check(n_events).is_ok(),
+            Moments::Even(_) | Moments::Leaves(_) => false,
+        })
+    }
+
     /// Whether the enlargement counts.
     pub fn can_be_enlarged(&self) -> bool {
         let on_paper = matches!(self.unit, Unit::Millimetre | Unit::Point);
@@ -148,10 +206,13 @@ impl Choice {
             size: self.size(),
             enlarged: Some(enlarged).filter(|x| self.can_be_enlarged() && *x != 1.0),
             type_scale: short(self.type_scale, [0.25, 8.0]),
+            line_scale: short(self.line_scale, [0.25, 8.0]),
             tikz: if is_tikz { self.tikz } else { TikzForm::default() },
             pause_secs: short(self.pause_secs, [0.02, 60.0]),
         };
-        let steps = match self.steps {
+        let shown = self.view_of(document);
+        let chosen = if shown.is_of_a_step() { self.steps } else { StepChoice::Here };
+        let steps = match chosen {
             StepChoice::Here => Steps::One(StepAt::At(view.playback.step)),
             StepChoice::All => Steps::All,
             StepChoice::Range => {
@@ -159,17 +220,20 @@ impl Choice {
                 Steps::Range(StepAt::At(first.min(last)), StepAt::At(first.max(last)))
             }
         };
-        let shown = self.view_of(document);
         let in_space = shown.shows_space();
         let eye = with_document!(document, d => eye(d, view, &order)).filter(|_| in_space);
         let show = with_document!(document, d => shown_of(d, view)).filter(|_| in_space);
-        let is_solved = shown == FigureView::Worksheet && self.solution;
+        let (is_story, is_sheet) =
+            (shown == FigureView::Storyboard, shown == FigureView::Worksheet);
+        let moments = if is_story { self.moments(document.n_events()) } else { Moments::default() };
+        let is_numbered = is_sheet && self.exercise == ExerciseChoice::Numbered;
+        let fields = if is_sheet && self.solution { Fields::Solved } else { Fields::Empty };
         Request {
             view: shown,
             order,
             steps,
-            moments: Moments::default(),
-            exercise: (None, if is_solved { Fields::Solved } else { Fields::Empty }),
+            moments,
+            exercise: (is_numbered.then_some(self.seed), fields),
             eye,
             show,
             language: view.language,
@@ -211,6 +275,19 @@ mod tests {
         choice.steps = StepChoice::Range;
         choice.set_format(Format::Apng);
         assert_eq!(choice.steps, StepChoice::Range);
+    }
+
+    #[test]
+    fn listed_moments_are_those_of_the_run() {
+        let check = |text: &str, expected: Option<Vec<usize>>| {
+            let choice = Choice { listed_moments: text.to_owned(), ..Choice::default() };
+            assert_eq!(choice.listed(20), expected.map(Moments::At), "{text}");
+        };
+        check("3, 7,12", Some(vec![3, 7, 12]));
+        check("3,", Some(vec![3]));
+        for bad in ["", "3, x", "21", "-1", "even:3"] {
+            check(bad, None);
+        }
     }
 
     #[test]

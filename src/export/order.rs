@@ -19,6 +19,8 @@ pub struct Order {
     pub enlarged: Option<f64>,
     /// Size of type and lines against the usual.
     pub type_scale: f64,
+    /// Width of lines against that.
+    pub line_scale: f64,
     /// What is written around TikZ.
     pub tikz: TikzForm,
     /// How long each step of what moves is shown, in seconds.
@@ -34,6 +36,7 @@ impl Default for Order {
             size: None,
             enlarged: None,
             type_scale: 1.0,
+            line_scale: 1.0,
             tikz: TikzForm::default(),
             pause_secs: 0.5,
         }

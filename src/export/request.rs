@@ -2,8 +2,9 @@
 
 use super::{Eye, Format, Order, Series, Steps, left_out, print_shown, write};
 use crate::document::{AnyDocument, Document};
-use crate::figures::{Moments, Wanted, figure_of};
+use crate::figures::{Moments, Wanted, figure_of, take_exercise};
 use crate::save;
+use crate::text::texts;
 use crate::with_document;
 use octoscope_core::explain::sentence;
 use octoscope_core::progress::Progress;
@@ -77,12 +78,19 @@ impl Request {
     /// Says what cannot be drawn.
     pub fn svg(&self, document: &AnyDocument, step: usize) -> anyhow::Result<String> {
         self.with_series(document, one(step), None, |series| {
+            let step = *series.steps.start();
             let (figure, scale) =
                 Series::figure_of(&self.order, series, step, &Progress::default())?;
-            let (title, scenario) = ((series.title)(step), (series.scenario)(step));
-            let Order { theme, background, .. } = self.order;
-            let options =
-                FileOptions { theme, background, title: &title, scenario: &scenario, scale };
+            let (title, scenario) = ((series.caption)(step).plain(), (series.scenario)(step));
+            let Order { theme, background, line_scale, .. } = self.order;
+            let options = FileOptions {
+                theme,
+                background,
+                title: &title,
+                scenario: &scenario,
+                scale,
+                line_scale,
+            };
             Ok(svg(&figure, &options))
         })
     }
@@ -108,14 +116,15 @@ impl Request {
         progress: &Progress,
     ) -> anyhow::Result<(Figure, Scale)> {
         self.with_series(document, one(step), None, |series| {
-            Series::figure_of(&self.order, series, step, progress)
+            Series::figure_of(&self.order, series, *series.steps.start(), progress)
         })
     }
 
     fn pixels(&self, figure: &Figure, factor: f64) -> Result<Pixels, PixelsError> {
-        let Order { theme, background, .. } = self.order;
+        let Order { theme, background, line_scale, .. } = self.order;
         let scale = Scale { factor, unit: Unit::Pixel };
-        let options = FileOptions { theme, background, scale, ..FileOptions::default() };
+        let options =
+            FileOptions { theme, background, scale, line_scale, ..FileOptions::default() };
         Pixels::of(figure, &options)
     }
 
@@ -128,9 +137,14 @@ impl Request {
         folder: Option<&Path>,
         then: impl FnOnce(&Series) -> anyhow::Result<T>,
     ) -> anyhow::Result<T> {
-        let title = |step| {
+        let exercise = self.exercise_of(document)?;
+        let document = exercise.as_ref().unwrap_or(document);
+        let caption = |step| {
+            if !self.view.is_of_a_step() {
+                return texts(self.language).get(&format!("figure-{}", self.view)).into();
+            }
             with_document!(document, d => {
-                sentence(&d.tree, &d.scenario.ray, &d.trace, step, self.language).plain()
+                sentence(&d.tree, &d.scenario.ray, &d.trace, step, self.language)
             })
         };
         let scenario = |step| {
@@ -144,18 +158,35 @@ impl Request {
         then(&Series {
             steps: self.shown_of(document, steps)?,
             figure: &|page, step| with_document!(document, d => self.figure(d, page, step)),
-            title: &title,
+            caption: &caption,
             scenario: &scenario,
         })
     }
 
+    /// The document with the ray of the exercise, if a worksheet of one is asked for.
+    fn exercise_of(&self, document: &AnyDocument) -> anyhow::Result<Option<AnyDocument>> {
+        let (FigureView::Worksheet, Some(number)) = (self.view, self.exercise.0) else {
+            return Ok(None);
+        };
+        let mut exercise = document.clone();
+        with_document!(&mut exercise, d => take_exercise(d, number)?);
+        Ok(Some(exercise))
+    }
+
     /// The numbers of these steps; of all, those from the first with something to show.
+    /// Of a view that is not of one step, the first.
     fn shown_of(
         &self,
         document: &AnyDocument,
         steps: Steps,
     ) -> anyhow::Result<RangeInclusive<usize>> {
+        if self.view == FigureView::Worksheet && self.exercise.0.is_some() {
+            return Ok(0..=0);
+        }
         let numbers = steps.numbers(document.n_events())?;
+        if !self.view.is_of_a_step() {
+            return Ok(*numbers.start()..=*numbers.start());
+        }
         let (start, last) = (*numbers.start(), *numbers.end());
         if steps != Steps::All {
             return Ok(numbers);
@@ -228,6 +259,9 @@ impl Request {
         let usual = Order::default();
         if order.type_scale != usual.type_scale {
             option("type-scale", order.type_scale.to_string());
+        }
+        if order.line_scale != usual.line_scale {
+            option("line-scale", order.line_scale.to_string());
         }
         if order.theme != usual.theme {
             option("theme", order.theme.id().to_owned());

@@ -3,6 +3,7 @@
 use super::{Format, Order};
 use crate::files::Output;
 use anyhow::{Context, bail};
+use octoscope_core::explain::RichText;
 use octoscope_core::progress::Progress;
 use octoscope_figure::{
     Apng, Extent, Figure, FileOptions, Gif, Page, Pdf, Pixels, Scale, Tikz, png, svg,
@@ -18,7 +19,7 @@ pub struct Series<'a> {
     /// Figure of a step, laid out on a page.
     pub figure: &'a dyn Fn(Page, usize) -> anyhow::Result<Figure>,
     /// What happens in a step, in words.
-    pub title: &'a dyn Fn(usize) -> String,
+    pub caption: &'a dyn Fn(usize) -> RichText,
     /// The scenario with the playhead at a step, as JSON.
     pub scenario: &'a dyn Fn(usize) -> String,
 }
@@ -169,13 +170,14 @@ fn bytes(
     progress: &Progress,
 ) -> anyhow::Result<Vec<u8>> {
     let first = *series.steps.start();
-    let (title, scenario) = ((series.title)(first), (series.scenario)(first));
+    let (title, scenario) = ((series.caption)(first).plain(), (series.scenario)(first));
     let options = FileOptions {
         theme: order.theme,
         background: order.background,
         title: &title,
         scenario: &scenario,
         scale: frames.scale(order),
+        line_scale: order.line_scale,
     };
     let mut figures = series.steps.clone().map(|step| -> anyhow::Result<Figure> {
         progress.advance(1)?;
@@ -199,8 +201,8 @@ fn bytes(
         }
         Format::Tikz => {
             let mut tikz = Tikz::new(order.tikz, &options);
-            for figure in figures {
-                tikz.figure(&figure?);
+            for (step, figure) in series.steps.clone().zip(figures) {
+                tikz.figure(&figure?, &(series.caption)(step));
             }
             Ok(tikz.finish().into_bytes())
         }
@@ -243,6 +245,7 @@ fn samples(series: &Series, frames: &Frames, options: &FileOptions) -> anyhow::R
 #[cfg(test)]
 mod tests {
     use super::*;
+    use octoscope_core::progress::Cancelled;
     use octoscope_figure::{Drawn, Form, Part, Role};
 
     /// Figures with a page of their own, higher from step to step.
@@ -269,7 +272,7 @@ mod tests {
         let series = Series {
             steps: 0..=1,
             figure: &figure,
-            title: &|_| String::new(),
+            caption: &|_| RichText::default(),
             scenario: &|_| String::new(),
         };
         let frames = Frames::of(&order, &series, &Progress::default()).unwrap();
@@ -291,6 +294,37 @@ mod tests {
         check(on_page, Some("640x480"), [640.0, 480.0]);
         // Two circles, their line and the margin.
         check(on_page, None, [50.0 + 2.0 * 7.0, 40.0 + 2.0 * 7.0]);
+    }
+
+    /// Writes 200 steps as `format` until step 150 is drawn, when it is cancelled.
+    fn check_cancelled(format: Format) {
+        let folder = tempfile::tempdir().unwrap();
+        let order = Order { format, size: Some("40x30".parse().unwrap()), ..Order::default() };
+        let progress = Progress::default();
+        let figure = |page: Page, step: usize| {
+            if step == 150 {
+                progress.cancel();
+            }
+            on_page(page, step)
+        };
+        let series = Series {
+            steps: 0..=199,
+            figure: &figure,
+            caption: &|_| RichText::default(),
+            scenario: &|_| String::new(),
+        };
+        let path = folder.path().join("a.out");
+        let error = write(&order, &series, Some(&path), &progress).unwrap_err();
+        assert!(error.root_cause().is::<Cancelled>(), "{format:?}: {error}");
+        assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 0, "{format:?}");
+        assert!(progress.fraction() < Some(0.8), "{format:?}");
+    }
+
+    #[test]
+    fn what_is_cancelled_leaves_no_file() {
+        for format in [Format::Gif, Format::Apng, Format::Pdf, Format::Tikz] {
+            check_cancelled(format);
+        }
     }
 
     #[test]

@@ -99,48 +99,6 @@ fn every_view_is_a_well_formed_svg_with_the_scenario_inside() {
 }
 
 #[test]
-fn every_view_is_written_in_every_format() {
-    let desk = desk_with_scenario();
-    for arguments in [
-        "--view space --step 3",
-        "--view automaton --step 7",
-        "--view t-rail --step 3",
-        "--view codes --step 5 --algorithm codes",
-        "--view neighbour --algorithm codes --step last",
-        "--view listing --step 5 --lang de",
-        "--view table --step last",
-        "--view chart --step last",
-        "--view storyboard --steps leaves:3",
-        "--view worksheet --seed 4 --solution",
-    ] {
-        let scene = if arguments.contains("worksheet") { "scene:figure-1" } else { "a.octo" };
-        for (format, begin) in [
-            ("svg", "<svg"),
-            ("pdf", "%PDF"),
-            ("png", "\u{89}PNG"),
-            ("tikz", "% "),
-            ("gif", "GIF89a"),
-            ("apng", "\u{89}PNG"),
-        ] {
-            // What moves is of all steps otherwise.
-            let step = if arguments.contains("--step ") { "" } else { "--step 3" };
-            let arguments = format!("{arguments} {step} --format {format} -o a.{format}");
-            desk.prints(&format!("export {scene} {arguments}"));
-            let file = fs::read(desk.0.path().join(format!("a.{format}"))).unwrap();
-            let begins: String = file.iter().take(8).map(|&byte| char::from(byte)).collect();
-            assert!(begins.starts_with(begin) && file.len() > 1000, "{arguments}");
-            if format == "tikz" {
-                let text = String::from_utf8(file).unwrap();
-                assert!(!text.contains("[U+"), "LaTeX has a sign for every letter: {arguments}");
-            }
-            if format != "gif" {
-                desk.prints(&format!("check a.{format}"));
-            }
-        }
-    }
-}
-
-#[test]
 fn every_exercise_has_another_ray_and_its_own_solution() {
     let desk = desk_with_scenario();
     let sheet = |arguments: &str| {
@@ -240,8 +198,24 @@ fn several_steps_are_pages_pictures_frames_or_files() {
     assert_eq!(text.matches("\\begin{tikzpicture}").count(), 3);
     desk.prints("export a.octo --step 2-4 --beamer --snippet -o b.tex");
     let text = String::from_utf8(read("b.tex")).unwrap();
-    assert_eq!(text.matches("\\only<").count(), 3);
-    assert_eq!(text.matches("\\begin{tikzpicture}").count(), 1);
+    // A picture and a caption a slide.
+    let says = |n: usize| text.contains(&format!("\\only<{n}>{{%\n"));
+    assert!((1..=3).all(says) && !says(4));
+    let sentences = desk.prints("trace a.octo");
+    let captions = text.lines().filter(|line| line.starts_with("\\only<") && !line.ends_with("{%"));
+    let plain = |caption: &str| {
+        let commands =
+            ["\\textcolor{octo-axis-x}", "\\textcolor{octo-axis-y}", "\\textbf", "\\textsubscript"];
+        let text = commands.iter().fold(caption.to_owned(), |text, sign| text.replace(sign, ""));
+        text.replace(['{', '}', '$'], "")
+    };
+    let captions: Vec<String> = captions.map(plain).collect();
+    for (slide, step) in (2..=4).enumerate() {
+        let sentence = sentences.lines().nth(step).unwrap().replace('_', "");
+        let sentence = sentence.trim_start_matches([' ', '2', '3', '4']);
+        assert_eq!(captions[slide], format!("\\only<{}>{sentence}%", slide + 1));
+    }
+    assert_eq!(captions.len(), 3);
     desk.prints("export a.octo --step 2-4 -o b.pdf");
     let text = String::from_utf8_lossy(&read("b.pdf")).into_owned();
     assert!(text.contains("/Count 3"));
@@ -275,6 +249,26 @@ fn a_size_on_paper_is_kept_in_every_format() {
     assert!(text("a.pdf").contains("[0 0 360 288]"));
     desk.prints("export a.octo --size 127x101.6mm -o a.tex");
     assert!(text("a.tex").contains("(0,0) rectangle (360,288)"));
+}
+
+#[test]
+fn axes_of_a_plane_have_their_names_where_there_is_room() {
+    let desk = desk_with_scenario();
+    let names = |arguments: &str| {
+        desk.prints(&format!("export a.octo {arguments} -o a.svg"));
+        let svg = fs::read_to_string(desk.0.path().join("a.svg")).unwrap();
+        let document = roxmltree::Document::parse(&svg).unwrap();
+        ["x", "y"].map(|name| {
+            let of_axis = |node: &roxmltree::Node| {
+                node.attribute("class") == Some(&format!("axis-{name}"))
+                    && node.text() == Some(name)
+            };
+            document.descendants().filter(of_axis).count()
+        })
+    };
+    assert_eq!(names("--step last"), [1, 1]);
+    assert_eq!(names("--step last --size 90x80mm"), [1, 1]);
+    assert_eq!(names("--step last --size 150x120"), [0, 0]);
 }
 
 #[test]

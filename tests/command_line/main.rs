@@ -8,5 +8,6 @@ mod bench;
 mod desk;
 mod export;
 mod files;
+mod matrix;
 mod scenario;
 mod visit;

@@ -1,9 +1,9 @@
 //! Exports from the window, and what comes back from them.
 
 use crate::desk::Desk;
-use eframe::egui::{Key, Modifiers, accesskit::Role};
+use eframe::egui::{Event, Key, Modifiers, accesskit::Role};
 use egui_kittest::kittest::Queryable;
-use octoscope::export::{Choice, Extent, Format, StepChoice};
+use octoscope::export::{Choice, ExerciseChoice, Extent, Format, MomentChoice, StepChoice};
 use octoscope::view::{Dialog, View};
 use octoscope::with_document;
 use octoscope_core::scenario::built_in;
@@ -121,6 +121,68 @@ fn the_command_of_a_range_of_steps_gives_the_same_bytes() {
 }
 
 #[test]
+fn storyboards_and_worksheets_of_the_dialog_are_those_of_its_command() {
+    let folder = tempdir().unwrap();
+    let mut desk = Desk::new();
+    desk.press(Key::End);
+    let story = |moments, line_scale| Choice {
+        view: FigureView::Storyboard,
+        moments,
+        n_moments: 4,
+        listed_moments: "3, 7, 12".to_owned(),
+        line_scale,
+        ..choice(Format::Svg)
+    };
+    check(&mut desk, &folder, story(MomentChoice::Leaves, 1.0));
+    check(&mut desk, &folder, story(MomentChoice::Listed, 2.0));
+    // Steps do not count here, so that what moves has a single frame.
+    check(
+        &mut desk,
+        &folder,
+        Choice { file: "a.gif".to_owned(), format: Format::Gif, ..story(MomentChoice::Even, 1.0) },
+    );
+    let sheet = |exercise, solution| Choice {
+        view: FigureView::Worksheet,
+        exercise,
+        seed: 12,
+        solution,
+        ..choice(Format::Pdf)
+    };
+    // The ray of the exercise has fewer steps than the playhead has gone.
+    check(&mut desk, &folder, sheet(ExerciseChoice::Numbered, false));
+    check(&mut desk, &folder, sheet(ExerciseChoice::Numbered, true));
+}
+
+#[test]
+fn moments_and_exercises_are_chosen_in_the_dialog() {
+    let mut desk = Desk::new();
+    desk.state_mut().view.export.view = FigureView::Storyboard;
+    desk.press_with(Modifiers::COMMAND, Key::E);
+    assert!(!desk.says("from, to"), "a storyboard has its own steps");
+    desk.click(Role::Button, "at leaves");
+    desk.type_into("at most", "4");
+    assert!(shown_command(&desk).contains("--steps=leaves:4"), "{}", shown_command(&desk));
+    desk.click(Role::Button, "these steps");
+    assert!(desk.says("Give steps from 0 to 173 with commas between, at most 24."));
+    desk.get_by_role_and_label(Role::TextInput, "these steps").click();
+    desk.run();
+    desk.event(Event::Text("3, 7, 12".to_owned()));
+    desk.run();
+    assert!(shown_command(&desk).contains("--steps=3,7,12"), "{}", shown_command(&desk));
+    assert!(!desk.says("Give steps from 0 to 173 with commas between, at most 24."));
+
+    desk.state_mut().view.export.view = FigureView::Worksheet;
+    desk.run();
+    desk.click(Role::Button, "another for every number");
+    desk.type_into("number", "17");
+    desk.click(Role::CheckBox, "with its solution");
+    let command = shown_command(&desk);
+    assert!(command.contains("--seed=17") && command.contains("--solution"), "{command}");
+    desk.type_into("lines alone", "1.5");
+    assert!(shown_command(&desk).contains("--line-scale=1.5"));
+}
+
+#[test]
 fn what_is_not_saved_is_told_to_be_saved_first() {
     let mut desk = Desk::new();
     with_document!(desk.state_mut().document_mut(), d => d.scenario.recipe.depth -= 1);
@@ -175,11 +237,25 @@ fn what_was_chosen_is_remembered() {
     desk.press_with(Modifiers::COMMAND, Key::E);
     desk.click(Role::Button, "PDF");
     assert!(desk.state().view.export.file.ends_with(".pdf"));
+    desk.click(Role::ComboBox, "What");
+    desk.click(Role::Button, "Worksheet");
+    desk.click(Role::CheckBox, "with its solution");
     desk.press(Key::Escape);
     assert_eq!(desk.state().view.dialog, None);
     let json = serde_json::to_string(&desk.state().view).unwrap();
     let view: View = serde_json::from_str(&json).unwrap();
     assert_eq!(view.export.format, Format::Pdf);
+    assert_eq!((view.export.view, view.export.solution), (FigureView::Worksheet, true));
+}
+
+#[test]
+fn a_view_that_a_scenario_lacks_is_remembered_for_the_next_one() {
+    let mut desk = Desk::new();
+    desk.state_mut().view.export.view = FigureView::Region;
+    desk.press_with(Modifiers::COMMAND, Key::E);
+    assert!(shown_command(&desk).contains("--view=space"));
+    desk.click(Role::Button, "PDF");
+    assert_eq!(desk.state().view.export.view, FigureView::Region);
 }
 
 #[test]

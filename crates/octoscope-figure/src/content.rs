@@ -73,6 +73,18 @@ pub fn axes<const D: usize>(domain: &Domain<D>, show: &Show) -> Vec<Mark<D>> {
     marks
 }
 
+/// Names of the axes of a plane domain, as far beyond their last numbers: for figures
+/// on paper, which may be without colours. In space the names are among [`axes`].
+pub fn axis_names<const D: usize>(domain: &Domain<D>, beyond: f64) -> Vec<Mark<D>> {
+    let bounds = domain.root_box();
+    let name = |axis: usize| {
+        let mut at = bounds.min;
+        at[axis] = bounds.max[axis] + beyond;
+        Mark::new(Shape::Label(at), Role::AxisLabel(axis)).with_text(AXIS_NAMES[axis].to_string())
+    };
+    (0..D).filter(|_| D == 2).map(name).collect()
+}
+
 /// A code; one that is too long to stand beside the tree as a multiple of a power
 /// of two, which the codes of ticks are.
 fn short(code: u32) -> String {

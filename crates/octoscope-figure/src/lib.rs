@@ -46,7 +46,7 @@ mod ways;
 
 pub use camera::{Camera, Lens, Page, Projected};
 pub use cells::{cells, role as cell_role};
-pub use content::{axes, content};
+pub use content::{axes, axis_names, content};
 pub use diagram::{Diagram, DiagramLens, DiagramNode, DiagramOf, NodeKind, tree_diagram};
 pub use figure::{Anchor, Drawn, Extent, Figure, Form, Part};
 pub use gif::{Gif, GifError};

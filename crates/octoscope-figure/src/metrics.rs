@@ -2,7 +2,7 @@
 
 use crate::style::Lettering;
 use crate::{Role, Style, Theme, Weight, fonts};
-use octoscope_core::explain::RichText;
+use octoscope_core::explain::{RichText, Span};
 use std::sync::LazyLock;
 use ttf_parser::Face;
 
@@ -68,7 +68,20 @@ pub fn wrapped(role: Role, text: &RichText, most: f64) -> Vec<RichText> {
             }
         }
     }
-    lines.iter().map(trimmed).collect()
+    lines.iter().map(trimmed).map(merged).collect()
+}
+
+/// The same with neighbouring pieces of one look as one.
+fn merged(line: RichText) -> RichText {
+    let mut spans: Vec<Span> = Vec::new();
+    for span in line.0 {
+        let look = |span: &Span| (span.axis, span.strong, span.sub);
+        match spans.last_mut() {
+            Some(last) if look(last) == look(&span) => last.text += &span.text,
+            Some(_) | None => spans.push(span),
+        }
+    }
+    RichText(spans)
 }
 
 /// Words that are better not parted: both sides of an equals sign, and brackets.
@@ -147,6 +160,13 @@ mod tests {
         assert_eq!(joined, text.plain());
         assert_eq!(wrapped(Role::Note, &text, 1.0).len(), 12, "a word a line at least");
         assert_eq!(wrapped(Role::Note, &RichText::default(), 90.0), []);
+    }
+
+    #[test]
+    fn words_of_one_look_are_one_piece_of_a_line() {
+        let piece = |text: &str, strong| Span { text: text.to_owned(), strong, ..Span::default() };
+        let text = RichText(vec![piece("in the domain, ", true), piece("it goes on", false)]);
+        assert_eq!(wrapped(Role::Words, &text, 400.0), [text]);
     }
 
     #[test]

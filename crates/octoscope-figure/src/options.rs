@@ -4,7 +4,7 @@ use crate::Theme;
 use serde::{Deserialize, Serialize};
 
 /// How a figure is written.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FileOptions<'a> {
     /// Colours and lines.
     pub theme: Theme,
@@ -16,6 +16,21 @@ pub struct FileOptions<'a> {
     pub scenario: &'a str,
     /// How large a page unit is shown.
     pub scale: Scale,
+    /// Width of lines against the usual, above 0.
+    pub line_scale: f64,
+}
+
+impl Default for FileOptions<'_> {
+    fn default() -> Self {
+        Self {
+            theme: Theme::default(),
+            background: Background::default(),
+            title: "",
+            scenario: "",
+            scale: Scale::default(),
+            line_scale: 1.0,
+        }
+    }
 }
 
 /// What lies behind a figure.

@@ -42,4 +42,9 @@ impl Paint {
             dash: style.dash,
         }
     }
+
+    /// The same with lines so many times as wide.
+    pub(crate) fn with_lines(self, factor: f64) -> Self {
+        Self { width: self.width * factor, ..self }
+    }
 }

@@ -2,8 +2,7 @@
 
 use crate::typeset::{Line, Run, runs};
 use crate::{
-    Background, Colour, Drawn, Figure, FileOptions, Form, Lettering, Paint, Palette, Style, Theme,
-    fonts,
+    Background, Colour, Drawn, Figure, FileOptions, Form, Lettering, Paint, Palette, Style, fonts,
 };
 use krilla::color::rgb;
 use krilla::embed::{AssociationKind, EmbeddedFile, MimeType};
@@ -89,7 +88,7 @@ impl<'a> Pdf<'a> {
             }
         }
         for drawn in &figure.drawn {
-            draw(&mut surface, drawn, theme, &self.fonts);
+            draw(&mut surface, drawn, &self.options, &self.fonts);
         }
         surface.pop();
         surface.finish();
@@ -121,14 +120,15 @@ impl<'a> Pdf<'a> {
     }
 }
 
-fn draw(surface: &mut Surface, drawn: &Drawn, theme: Theme, fonts: &[Font]) {
+fn draw(surface: &mut Surface, drawn: &Drawn, options: &FileOptions, fonts: &[Font]) {
+    let theme = options.theme;
     if let Some(line) = Line::of(&drawn.form) {
         if let Some(look) = Style::of(theme, drawn.role).text {
             write(surface, &line, look, &runs(theme, look, line.text), fonts);
         }
         return;
     }
-    let paint = Paint::of(theme, drawn);
+    let paint = Paint::of(theme, drawn).with_lines(options.line_scale);
     let (fill, stroke) = (paint.fill.map(fill), stroke(&paint));
     let Some(path) = path(&drawn.form).filter(|_| fill.is_some() || stroke.is_some()) else {
         return;

@@ -160,6 +160,10 @@ pub enum Role {
     Hit,
     /// What had to be fetched, or was guessed wrong.
     Miss,
+    /// Frame round the bit that tells whether a code has left the domain.
+    BorderBit,
+    /// Arrow to what follows from a bit, and what is written at it.
+    Conclusion,
     /// Field that is to be filled in by hand.
     Blank,
     /// Where the ray is between the planes across an axis, 0 = x.
@@ -205,7 +209,7 @@ impl Role {
 
     /// One role of every kind, in the order in which they cover each other,
     /// the lowest first.
-    pub const KINDS: [Self; 114] = [
+    pub const KINDS: [Self; 116] = [
         Self::Pixel([128; 3]),
         Self::FaintNode,
         Self::InnerNode,
@@ -315,6 +319,8 @@ impl Role {
         Self::Series(14),
         Self::Hit,
         Self::Miss,
+        Self::BorderBit,
+        Self::Conclusion,
         Self::Blank,
         Self::Level,
         Self::Branch,
@@ -402,6 +408,8 @@ impl Role {
             Self::Series(number) => SERIES[number % SERIES.len()],
             Self::Hit => "hit",
             Self::Miss => "miss",
+            Self::BorderBit => "border-bit",
+            Self::Conclusion => "conclusion",
             Self::Blank => "blank",
             Self::Bar(axis) => ["bar-x", "bar-y", "bar-z"][axis],
             Self::Stop(axis) => ["stop-x", "stop-y", "stop-z"][axis],

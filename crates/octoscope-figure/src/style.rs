@@ -105,7 +105,9 @@ impl Style {
             Role::EmptyLeaf => line(p.grid, 1.0),
             // Too weak for a projector, where the contents tell it.
             Role::FullLeaf => {
-                let fill = (theme.weakest_fill() == 0.0).then_some(p.quiet_ink.faded(0.055));
+                // Paper shows less than a screen.
+                let share = if theme == Theme::Print { 0.12 } else { 0.055 };
+                let fill = (theme.weakest_fill() == 0.0).then_some(p.quiet_ink.faded(share));
                 Self { fill, ..line(p.grid, 1.0) }
             }
             Role::InnerNode => line(p.grid, 1.0),
@@ -274,6 +276,14 @@ impl Style {
             }
             Role::Hit => Self { fill: Some(p.quiet_ink.faded(0.75)), ..Self::default() },
             Role::Miss => Self { fill: Some(p.ray), ..Self::default() },
+            Role::BorderBit => line(p.ink, 2.0),
+            Role::Conclusion => {
+                Self { fill: Some(p.current_outline), ..line(p.current_outline, 2.0) }.lettered(
+                    p.ink,
+                    12.5,
+                    Weight::Strong,
+                )
+            }
             Role::Blank => line(p.quiet_ink, 0.8),
             Role::Level => line(p.grid.faded(0.7), 0.8).lettered(p.quiet_ink, 11.0, Weight::Mono),
             Role::Branch => {

@@ -26,7 +26,7 @@ pub fn svg(figure: &Figure, options: &FileOptions) -> String {
             out += &format!("<{element}>{}</{element}>\n", escaped(text));
         }
     }
-    out += &style_sheet(figure, options.theme);
+    out += &style_sheet(figure, options);
     if options.background == Background::Filled {
         let colour = hex(Palette::of(options.theme).background);
         out += &format!("<rect width=\"{width}\" height=\"{height}\" fill=\"{colour}\"/>\n");
@@ -37,7 +37,9 @@ pub fn svg(figure: &Figure, options: &FileOptions) -> String {
     out + "</svg>\n"
 }
 
-fn style_sheet(figure: &Figure, theme: Theme) -> String {
+fn style_sheet(figure: &Figure, options: &FileOptions) -> String {
+    let theme = options.theme;
+    let wide = |width: f64| number(width * options.line_scale);
     let roles: BTreeMap<&str, Role> =
         figure.drawn.iter().map(|drawn| (drawn.role.class(), drawn.role)).collect();
     let mut out = String::from("<style>\n");
@@ -45,9 +47,9 @@ fn style_sheet(figure: &Figure, theme: Theme) -> String {
         let style = Style::of(theme, role);
         let fill = if has_own_fill(role) { String::new() } else { paint("fill", style.fill) };
         let stroke = if has_own_fill(role) { String::new() } else { paint("stroke", style.stroke) };
-        out += &format!(".{class}{{{fill}{stroke}stroke-width:{}", number(style.width));
+        out += &format!(".{class}{{{fill}{stroke}stroke-width:{}", wide(style.width));
         if !style.dash.pattern().is_empty() {
-            let lengths = style.dash.pattern().iter().map(|l| number(l * style.width));
+            let lengths = style.dash.pattern().iter().map(|l| wide(l * style.width));
             out += &format!(";stroke-dasharray:{}", lengths.collect::<Vec<_>>().join(" "));
         }
         out += "}\n";
@@ -56,7 +58,7 @@ fn style_sheet(figure: &Figure, theme: Theme) -> String {
             out += &format!(".{class}.head{{{head}stroke:none}}\n");
         }
         if figure.drawn.iter().any(|d| d.part == Part::Fine && d.role.class() == class) {
-            let width = number(Part::Fine.width() * style.width);
+            let width = wide(Part::Fine.width() * style.width);
             out += &format!(".{class}.fine{{stroke-width:{width}}}\n");
         }
         for light in 0..=Part::MOST_LIGHT {
@@ -65,7 +67,7 @@ fn style_sheet(figure: &Figure, theme: Theme) -> String {
                 let lit = Style::lit(theme, role, light);
                 let fill = paint("fill-opacity:1;fill", lit.fill);
                 let stroke = paint("stroke-opacity:1;stroke", lit.stroke);
-                let width = number(lit.width);
+                let width = wide(lit.width);
                 out += &format!(".{class}.lit-{light}{{{fill}{stroke}stroke-width:{width}}}\n");
             }
         }

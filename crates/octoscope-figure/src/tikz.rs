@@ -7,7 +7,7 @@ use crate::{
     Anchor, Background, Colour, Drawn, Figure, FileOptions, Form, Lettering, Paint, Palette, Part,
     Role, Style, Theme, Weight,
 };
-use octoscope_core::explain::latex;
+use octoscope_core::explain::{RichText, latex};
 use serde::{Deserialize, Serialize};
 use std::collections::{BTreeMap, HashMap};
 use std::fmt::Write;
@@ -52,12 +52,14 @@ struct Picture {
     height: f64,
     /// Numbers of its lines.
     lines: Vec<u32>,
+    /// What is said below it, for LaTeX; only slides show it.
+    caption: String,
 }
 
 /// TikZ of one figure.
 pub fn tikz(figure: &Figure, form: TikzForm, options: &FileOptions) -> String {
     let mut tikz = Tikz::new(form, options);
-    tikz.figure(figure);
+    tikz.figure(figure, &RichText::default());
     tikz.finish()
 }
 
@@ -75,8 +77,8 @@ impl<'a> Tikz<'a> {
         }
     }
 
-    /// Appends a figure: a picture of its own, or the next slide.
-    pub fn figure(&mut self, figure: &Figure) {
+    /// Appends a figure: a picture of its own, or the next slide with a caption.
+    pub fn figure(&mut self, figure: &Figure, caption: &RichText) {
         let mut lines = Vec::with_capacity(figure.drawn.len());
         for drawn in &figure.drawn {
             let Some(line) = self.line(drawn, figure.page.height) else { continue };
@@ -89,7 +91,11 @@ impl<'a> Tikz<'a> {
             lines.push(number);
         }
         let (width, height) = (figure.page.width, figure.page.height);
-        self.pictures.push(Picture { width, height, lines });
+        let caption = match self.form {
+            TikzForm::Standalone | TikzForm::Snippet => String::new(),
+            TikzForm::Beamer | TikzForm::BeamerSnippet => self.text(caption),
+        };
+        self.pictures.push(Picture { width, height, lines, caption });
     }
 
     /// The text.
@@ -103,7 +109,10 @@ impl<'a> Tikz<'a> {
         let is_document = matches!(self.form, TikzForm::Standalone | TikzForm::Beamer);
         out += match self.form {
             TikzForm::Standalone => "\\documentclass[tikz]{standalone}\n",
-            TikzForm::Beamer => "\\documentclass{beamer}\n\\usepackage{tikz}\n",
+            TikzForm::Beamer => {
+                "\\documentclass{beamer}\n\\usepackage{tikz}\n\
+                                 \\setbeamertemplate{navigation symbols}{}\n"
+            }
             TikzForm::Snippet | TikzForm::BeamerSnippet => "% Needs \\usepackage{tikz}.\n",
         };
         if is_document {
@@ -133,6 +142,7 @@ impl<'a> Tikz<'a> {
             TikzForm::BeamerSnippet => {
                 let shared = self.shared(&mut out);
                 self.overlays(&mut out, &shared);
+                self.captions(&mut out);
             }
         }
         if is_document {
@@ -149,12 +159,24 @@ impl<'a> Tikz<'a> {
 
     /// One frame that is as high or as wide as a slide has room for.
     fn frame(&self, out: &mut String) {
-        let is_wide = self.pictures.first().is_some_and(|p| p.width > 1.45 * p.height);
-        let size = if is_wide { "{0.96\\paperwidth}{!}" } else { "{!}{0.92\\paperheight}" };
+        let has_captions = self.pictures.iter().any(|picture| !picture.caption.is_empty());
+        let share = if has_captions { 0.78 } else { 0.92 };
+        // A slide is 4 to 3 wide.
+        let widest = 0.96 * 4.0 / (3.0 * share);
+        let is_wide = self.pictures.first().is_some_and(|p| p.width > widest * p.height);
+        let size = if is_wide {
+            "{0.96\\paperwidth}{!}".to_owned()
+        } else {
+            format!("{{!}}{{{share}\\paperheight}}")
+        };
         let shared = self.shared(out);
-        *out += &format!("\\begin{{frame}}[plain]\n\\centering\n\\resizebox{size}{{%\n");
+        *out += &format!(
+            "\\begin{{frame}}[plain]\n\\centering\n\\makebox[\\linewidth]{{\\resizebox{size}{{%\n"
+        );
         self.overlays(out, &shared);
-        *out += "}\n\\end{frame}\n";
+        *out += "}}\n";
+        self.captions(out);
+        *out += "\\end{frame}\n";
     }
 
     /// Defines a command for every run of lines that all figures share.
@@ -190,6 +212,19 @@ impl<'a> Tikz<'a> {
         *out += "\\end{tikzpicture}\n";
     }
 
+    /// What is said on every slide, in a box of two lines: nothing moves.
+    fn captions(&self, out: &mut String) {
+        if self.pictures.iter().all(|picture| picture.caption.is_empty()) {
+            return;
+        }
+        *out += "\\par\\smallskip\n\\begin{minipage}[t][2.4\\baselineskip]{0.96\\linewidth}\n\
+                 \\centering\\small\n";
+        for (slide, picture) in self.pictures.iter().enumerate() {
+            *out += &format!("\\only<{}>{{{}}}%\n", slide + 1, picture.caption);
+        }
+        *out += "\\end{minipage}\n";
+    }
+
     fn write_lines(&self, out: &mut String, lines: &[u32]) {
         lines.iter().for_each(|&line| *out += &self.lines[line as usize]);
     }
@@ -215,11 +250,8 @@ impl<'a> Tikz<'a> {
                 Anchor::Middle => "",
                 Anchor::End => ", anchor=base east",
             };
-            for axis in text.0.iter().filter_map(|span| span.axis) {
-                self.colour(Palette::of(self.options.theme).axes[axis]);
-            }
             let at = self.point(at, height);
-            let text = latex(text, Some(AXES));
+            let text = self.text(text);
             return Some(format!("\\node[{style}{anchor}] at {at} {{{text}}};\n"));
         }
         let style = self.style(drawn)?;
@@ -241,10 +273,18 @@ impl<'a> Tikz<'a> {
         Some(format!("\\path[{style}] {path};\n"))
     }
 
+    /// Text for LaTeX; the colours of its axes are defined.
+    fn text(&mut self, text: &RichText) -> String {
+        for axis in text.0.iter().filter_map(|span| span.axis) {
+            self.colour(Palette::of(self.options.theme).axes[axis]);
+        }
+        latex(text, Some(AXES))
+    }
+
     /// Name of the style of a shape, which is defined; `None` if nothing is seen.
     fn style(&mut self, drawn: &Drawn) -> Option<String> {
         let theme = self.options.theme;
-        let paint = Paint::of(theme, drawn);
+        let paint = Paint::of(theme, drawn).with_lines(self.options.line_scale);
         let own = own_colour(theme, drawn.role).map(|colour| self.colour(colour));
         let part = match drawn.part {
             Part::Whole => String::new(),
@@ -308,8 +348,8 @@ impl<'a> Tikz<'a> {
             let family = match weight {
                 Weight::Regular => "\\sffamily",
                 Weight::Strong => "\\sffamily\\bfseries",
-                Weight::Mono => "\\ttfamily",
-                Weight::MonoStrong => "\\ttfamily\\bfseries",
+                Weight::Mono => "\\frenchspacing\\ttfamily",
+                Weight::MonoStrong => "\\frenchspacing\\ttfamily\\bfseries",
             };
             let [height, skip, shift] = [size, 1.2 * size, -0.365 * size].map(length);
             let style = format!(

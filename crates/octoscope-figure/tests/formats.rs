@@ -20,6 +20,14 @@ fn label() -> RichText {
     RichText(vec![piece("t", false), piece("x0", true), piece(" ≤ 50 %", false)])
 }
 
+/// What is said of a sample, with a letter in the colour of its axis.
+fn caption(n_visited: usize) -> RichText {
+    let on_y = Span { text: "t".to_owned(), axis: Some(1), ..Span::default() };
+    let sub = Span { text: "y0".to_owned(), sub: true, ..on_y.clone() };
+    let more = Span { text: format!(" < 50 %: {n_visited} leaves"), ..Span::default() };
+    RichText(vec![on_y, sub, more])
+}
+
 /// A leaf, its number, an axis with an arrow, and a label with a subscript.
 fn sample(n_visited: usize) -> Figure {
     let square = |x: f64| vec![[x, 10.0], [x + 30.0, 10.0], [x + 30.0, 40.0], [x, 40.0]];
@@ -95,8 +103,28 @@ fn outside(program: &str, arguments: &[&str], folder: &Path) -> Option<Output> {
 fn tikz_is_written_as_expected() {
     expect("sample.tex", &tikz(&sample(2), TikzForm::Standalone, &options()));
     let mut slides = Tikz::new(TikzForm::Beamer, &options());
-    (0..3).for_each(|n| slides.figure(&sample(n)));
+    (0..3).for_each(|n| slides.figure(&sample(n), &caption(n)));
     expect("slides.tex", &slides.finish());
+}
+
+#[test]
+fn every_slide_has_its_caption_and_nothing_else_has() {
+    let of = |form, said: &dyn Fn(usize) -> RichText| {
+        let mut slides = Tikz::new(form, &options());
+        (0..3).for_each(|n| slides.figure(&sample(n), &said(n)));
+        slides.finish()
+    };
+    let said =
+        "\\only<3>{\\textcolor{octo-axis-y}{\\textbf{t\\textsubscript{y0}}} $<$ 50 \\%: 2 leaves}%";
+    for form in [TikzForm::Beamer, TikzForm::BeamerSnippet] {
+        let text = of(form, &caption);
+        assert!(text.contains(said), "{text}");
+        assert!(text.contains("\\definecolor{octo-axis-y}"), "{text}");
+        assert!(!of(form, &|_| RichText::default()).contains("minipage"));
+    }
+    for form in [TikzForm::Standalone, TikzForm::Snippet] {
+        assert!(!of(form, &caption).contains("leaves"));
+    }
 }
 
 #[test]
@@ -150,6 +178,27 @@ fn an_svg_shows_what_the_png_shows() {
 }
 
 #[test]
+fn lines_grow_alone() {
+    let wide = FileOptions { line_scale: 2.0, ..options() };
+    let of = |options: &FileOptions| {
+        let figure = sample(1);
+        let tikz = tikz(&figure, TikzForm::Snippet, options);
+        let pixels = Pixels::of(&figure, options).unwrap();
+        let inked = pixels.rgba.chunks_exact(4).filter(|pixel| pixel[0] < 250).count();
+        (svg(&figure, options), tikz, inked, pdf(&figure, options).unwrap())
+    };
+    let (usual, wider) = (of(&options()), of(&wide));
+    for (file, width) in [(&usual, 1.76), (&wider, 3.52)] {
+        assert!(file.0.contains(&format!("stroke-width:{width}")), "{}", file.0);
+        assert!(file.1.contains(&format!("line width={width}bp")), "{}", file.1);
+    }
+    // Type is as large as before.
+    let type_sizes = |tikz: &str| tikz.matches("\\fontsize{11bp}").count();
+    assert_eq!(type_sizes(&usual.1), type_sizes(&wider.1));
+    assert!(wider.2 > usual.2 && wider.3 != usual.3);
+}
+
+#[test]
 fn a_pdf_has_pages_of_the_right_size_and_its_letters_inside() {
     let folder = tempfile::tempdir().unwrap();
     let scale = Scale { factor: 2.54, unit: Unit::Millimetre };
@@ -193,7 +242,7 @@ fn a_pdf_has_pages_of_the_right_size_and_its_letters_inside() {
 fn latex_accepts_the_documents() {
     let folder = tempfile::tempdir().unwrap();
     let mut slides = Tikz::new(TikzForm::Beamer, &options());
-    (0..3).for_each(|n| slides.figure(&sample(n)));
+    (0..3).for_each(|n| slides.figure(&sample(n), &caption(n)));
     let documents = [
         ("standalone", tikz(&sample(2), TikzForm::Standalone, &options()), 1),
         ("beamer", slides.finish(), 3),

@@ -2,6 +2,7 @@
 
 #![allow(clippy::unwrap_used, reason = "a test may panic")]
 
+use octoscope_core::explain::sentence;
 use octoscope_core::progress::Progress;
 use octoscope_core::query::Query;
 use octoscope_core::scenario::{AnyScenario, BUILT_IN, BuiltIn, Scenario, built_in};
@@ -10,9 +11,13 @@ use octoscope_core::trace::{Moment, Trace, record};
 use octoscope_core::traverse::{Algorithm, Method, Variant, Variants};
 use octoscope_core::tree::{Tree, build};
 use octoscope_figure::views::{
-    Exercise, Fields, FigureView, Subject, figure, figure_texts, worksheet,
+    Exercise, Fields, FigureView, Layout, Panel, Subject, figure, figure_texts, storyboard,
+    worksheet,
 };
-use octoscope_figure::{Figure, FileOptions, Form, Page, Role, metrics, svg};
+use octoscope_figure::{
+    Camera, Figure, FileOptions, Form, Page, Role, Scale, Show, Theme, TikzForm, Unit, axes,
+    leaves, marks, metrics, space_figure, svg, tikz,
+};
 
 /// The views of a single moment.
 const VIEWS: [FigureView; 8] = [
@@ -229,10 +234,23 @@ fn an_empty_worksheet_tells_nothing_of_the_solution() {
 /// Compares a figure with its text; UPDATE_EXPECT=1 writes it anew.
 fn check_text(name: &str, figure: Figure) {
     let text = svg(&figure.cropped(6.0), &FileOptions::default());
-    let path = format!("{}/tests/views/{name}.svg", env!("CARGO_MANIFEST_DIR"));
+    check_file(&format!("{name}.svg"), &text);
+}
+
+/// The same, as SVG and as TikZ.
+fn check_texts(name: &str, figure: Figure) {
+    let scale = Scale { factor: 1.0, unit: Unit::Point };
+    let options = FileOptions { theme: Theme::Print, scale, ..FileOptions::default() };
+    let text = tikz(&figure.clone().cropped(6.0), TikzForm::Snippet, &options);
+    check_file(&format!("{name}.tex"), &text);
+    check_text(name, figure);
+}
+
+fn check_file(name: &str, text: &str) {
+    let path = format!("{}/tests/views/{name}", env!("CARGO_MANIFEST_DIR"));
     if std::env::var_os("UPDATE_EXPECT").is_some() {
         std::fs::create_dir_all(std::path::Path::new(&path).parent().unwrap()).unwrap();
-        std::fs::write(&path, &text).unwrap();
+        std::fs::write(&path, text).unwrap();
     }
     let expected = std::fs::read_to_string(&path).unwrap_or_default();
     assert!(text == expected, "{name}: UPDATE_EXPECT=1 writes it anew");
@@ -285,6 +303,76 @@ fn views_of_an_octree_are_written_as_expected() {
         (FigureView::Table, 9),
     ];
     check_views("figure-7", scenario, &cases);
+}
+
+/// A view of the traversal of a scene by an algorithm after `step` events.
+fn view_of<const D: usize>(scene: &Scene<D>, view: FigureView, id: &str, step: usize) -> Figure {
+    let method: Method = id.parse().unwrap();
+    let query = scene.scenario.query.along_the_ray_by(method);
+    let trace = scene.trace(&query);
+    let moment = Moment::after(&scene.tree, &trace, step);
+    let english = texts(Language::English);
+    figure(view, &scene.subject(&trace, &moment, &english), view.width::<D>()).unwrap()
+}
+
+#[test]
+fn the_neighbour_the_listing_and_the_costs_of_figure_7_are_written_as_expected() {
+    let Some(AnyScenario::Octree(scenario)) = built_in("figure-7") else { panic!() };
+    let scene = Scene::new(scenario);
+    let of = |view, id, step| view_of(&scene, view, id, step);
+    check_texts("figure-7-neighbour", of(FigureView::Neighbour, "codes", 8));
+    check_texts("figure-7-listing", of(FigureView::Listing, "parametric", 6));
+    check_texts("figure-7-chart", of(FigureView::Chart, "parametric", 9));
+}
+
+/// The picture of a scene after `step` events of its query.
+fn picture(scene: &Scene<2>, step: usize, side: f64) -> Figure {
+    let trace = scene.trace(&scene.scenario.query);
+    let moment = Moment::after(&scene.tree, &trace, step);
+    let event = step.checked_sub(1).map(|last| &trace.events[last]);
+    let show = Show::at_first::<2>();
+    let Scenario { ray, query, .. } = &scene.scenario;
+    let mut all: Vec<_> = leaves(&scene.tree, &show).into_iter().collect();
+    all.extend(axes(scene.tree.domain(), &show));
+    all.extend(marks(&scene.tree, ray, query, &moment, event, &show));
+    let page = Page { width: side, height: side };
+    space_figure(&all, &Camera::framing(&scene.tree.domain().root_box(), page), page)
+}
+
+#[test]
+fn a_storyboard_is_written_as_expected() {
+    let Some(AnyScenario::Quadtree(mut scenario)) = built_in("figure-1") else { panic!() };
+    scenario.query = scenario.query.along_the_ray_by("parametric".parse().unwrap());
+    let scene = Scene::new(scenario);
+    let trace = scene.trace(&scene.scenario.query);
+    let width = FigureView::Storyboard.width::<2>();
+    let layout = Layout::of(2, width);
+    let panel = |step| Panel {
+        step,
+        picture: picture(&scene, step, layout.column),
+        caption: sentence(&scene.tree, &scene.scenario.ray, &trace, step, Language::English),
+    };
+    let panels = vec![panel(4), panel(trace.events.len())];
+    let english = texts(Language::English);
+    check_texts("figure-1-storyboard", storyboard(panels, layout, &english, width));
+}
+
+#[test]
+fn worksheets_are_written_as_expected() {
+    let Some(AnyScenario::Quadtree(mut scenario)) = built_in("figure-1") else { panic!() };
+    let tree = Scene::new(scenario.clone()).tree;
+    scenario.ray = Exercise::ray_of(&tree, 7).unwrap();
+    scenario.query = Query::default();
+    let scene = Scene::new(scenario);
+    let exercise = Exercise::of(&scene.tree, &scene.scenario.ray, Some(7)).unwrap();
+    for (name, fields, language) in [
+        ("figure-1-worksheet", Fields::Empty, Language::German),
+        ("figure-1-solution", Fields::Solved, Language::English),
+    ] {
+        let (layout, texts) = ((fields, FigureView::Worksheet.width::<2>()), texts(language));
+        let picture = picture(&scene, 0, 230.0).cropped(0.0);
+        check_texts(name, worksheet(&scene.tree, &exercise, picture, &texts, layout));
+    }
 }
 
 #[test]

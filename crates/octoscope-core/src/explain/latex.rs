@@ -3,8 +3,9 @@
 use super::{RichText, Span};
 
 /// `text` for LaTeX with any of its engines: signs of its own are escaped,
-/// signs that typefaces lack are set in mathematics, subscripts are subscripts.
-/// Letters of axes are in the colours that `axes` names, if it does.
+/// signs that typefaces lack are set in mathematics, subscripts are formulas. If
+/// `axes` names colours, it is set as in figures: letters of axes bold in these
+/// colours, subscripts in the typeface of the text.
 pub fn latex(text: &RichText, axes: Option<[&str; 3]>) -> String {
     let mut out = String::new();
     let mut spans = text.0.iter().peekable();
@@ -14,6 +15,12 @@ pub fn latex(text: &RichText, axes: Option<[&str; 3]>) -> String {
         // The letter before a subscript belongs to the formula.
         let letter = span.text.chars().next_back().filter(|_| sub.is_some());
         let plain = &span.text[..span.text.len() - letter.map_or(0, char::len_utf8)];
+        if axes.is_some() {
+            set += &if span.sub { subscript(&span.text) } else { escaped(&span.text) };
+            set += &sub.map_or(String::new(), |sub| subscript(&sub.text));
+            out += &in_look(span, set, axes);
+            continue;
+        }
         if span.sub {
             set += &format!("$_{{{}}}$", escaped(plain));
         } else {
@@ -28,11 +35,16 @@ pub fn latex(text: &RichText, axes: Option<[&str; 3]>) -> String {
     out
 }
 
+fn subscript(text: &str) -> String {
+    format!("\\textsubscript{{{}}}", escaped(text))
+}
+
 fn in_look(span: &Span, mut set: String, axes: Option<[&str; 3]>) -> String {
-    if span.strong {
+    let colour = span.axis.and_then(|axis| axes?.get(axis).copied());
+    if span.strong || colour.is_some() {
         set = format!("\\textbf{{{set}}}");
     }
-    match span.axis.and_then(|axis| axes?.get(axis).copied()) {
+    match colour {
         Some(colour) => format!("\\textcolor{{{colour}}}{{{set}}}"),
         None => set,
     }
@@ -54,8 +66,10 @@ fn escaped(text: &str) -> String {
             '\u{2009}' | '\u{202f}' => out += "\\,",
             '…' => out += "\\dots{}",
             '°' => out += "$^\\circ$",
-            '₀'..='₉' => out += &format!("$_{}$", u32::from(c) - u32::from('₀')),
-            'ₘ' => out += "$_m$",
+            '₀'..='₉' => {
+                out += &format!("\\textsubscript{{{}}}", u32::from(c) - u32::from('₀'))
+            }
+            'ₘ' => out += "\\textsubscript{m}",
             c if c.is_control() => out.push(' '),
             c if (c as u32) < 0x180 || ('–'..='„').contains(&c) => out.push(c),
             c => match mathematics(c) {
@@ -118,8 +132,8 @@ mod tests {
         check("\\a~b^c", "\\textbackslash{}a\\textasciitilde{}b\\textasciicircum{}c");
         check("−∞ … 3°", "$-$$\\infty$ \\dots{} 3$^\\circ$");
         check("a < b", "a $<$ b");
-        check("x₀", "x$_0$");
-        check("tₘ", "t$_m$");
+        check("x₀", "x\\textsubscript{0}");
+        check("tₘ", "t\\textsubscript{m}");
         check("„so“ – ‘x’", "„so“ – ‘x’");
         check("a\u{1}b ☃", "a b [U+2603]");
     }
@@ -131,6 +145,10 @@ mod tests {
         let text = RichText(vec![on_x("t", false), on_x("x0", true), plain(" = "), strong]);
         assert_eq!(latex(&text, None), "$t_{x0}$ = \\textbf{1}");
         let axes = ["ax", "ay", "az"];
-        assert_eq!(latex(&text, Some(axes)), "\\textcolor{ax}{$t_{x0}$} = \\textbf{1}");
+        let as_in_figures = "\\textcolor{ax}{\\textbf{t\\textsubscript{x0}}} = \\textbf{1}";
+        assert_eq!(latex(&text, Some(axes)), as_in_figures);
+        let low = RichText(vec![on_x("x", false), plain(" − "), on_x("1", true)]);
+        let as_in_figures = "\\textcolor{ax}{\\textbf{x}} $-$ ";
+        assert!(latex(&low, Some(axes)).starts_with(as_in_figures));
     }
 }

@@ -20,12 +20,14 @@ pub struct BitRow {
     pub note: String,
     /// Bits that are marked, as a mask.
     pub marked: i64,
+    /// The bit in a frame, that tells whether a code has left the domain.
+    pub border: Option<u8>,
     /// Whether a line is drawn above, as under a column of numbers to be added.
     pub rule_above: bool,
 }
 
 /// Rows of bits of one width.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct BitTable {
     /// Number of bits, the root's constant one included.
     pub width: u8,
@@ -35,6 +37,8 @@ pub struct BitTable {
     pub rows: Vec<BitRow>,
     /// What is carried from column to column, if anything is.
     pub carries: Option<Carries>,
+    /// What is concluded from a bit of the last row, below it.
+    pub conclusion: Option<Conclusion>,
     /// Least room for the names of rows: tables one below the other have their
     /// columns so.
     pub name_room: f64,
@@ -47,6 +51,15 @@ pub struct Carries {
     pub name: String,
     /// The columns into which, or from which, as a mask.
     pub bits: i64,
+}
+
+/// An arrow from a bit to the next higher one, with a text.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Conclusion {
+    /// The bit.
+    pub bit: u8,
+    /// What is written at the arrow.
+    pub text: String,
 }
 
 /// How a table fills a width.
@@ -97,6 +110,7 @@ impl BitTable {
     const HEADER: f64 = 16.0;
     const ROW: f64 = 29.0;
     const CARRIES: f64 = 18.0;
+    const CONCLUSION: f64 = 20.0;
 
     /// Room that the names of its rows take.
     pub fn name_width(&self) -> f64 {
@@ -154,6 +168,14 @@ impl BitTable {
                     None => sheet.text(Role::Bit, centre, Anchor::Middle, digit),
                 };
             }
+            if let Some(bit) = row.border {
+                // As far as neither touches the cells beside it.
+                let around = (0.25 * (pitch - cell[0])).max(1.0) + 1.0;
+                let corner =
+                    [middle_of(bit) - 0.5 * cell[0] - around, middle - 0.5 * cell[1] - around];
+                let size = cell.map(|side| side + 2.0 * around);
+                sheet.rect(Role::BorderBit, corner, size);
+            }
             let beside = if note_height > 0.0 { middle + 20.0 } else { middle };
             // Below the bits it ends with them.
             let end = name_width + pitch * f64::from(self.width);
@@ -163,6 +185,11 @@ impl BitTable {
                 sheet.text(Role::Note, [end + 6.0, beside], Anchor::Start, row.note.as_str());
             }
             top += Self::ROW + note_height;
+        }
+        if let Some(conclusion) = &self.conclusion {
+            let [from, to] = [conclusion.bit, conclusion.bit + 1].map(middle_of);
+            conclusion.draw(&mut sheet, [from, to], top - note_height, width);
+            top += (Self::CONCLUSION - note_height).max(0.0);
         }
         sheet.figure([width, top])
     }
@@ -182,6 +209,25 @@ impl BitTable {
     }
 }
 
+impl Conclusion {
+    /// Draws the arrow below the columns with these middles, and the text where there
+    /// is room.
+    fn draw(&self, sheet: &mut Sheet, [from, to]: [f64; 2], top: f64, width: f64) {
+        const HEAD: f64 = 7.0;
+        const ROOM: f64 = 8.0;
+        let (start, bend) = (top - 1.0, top + 12.0);
+        sheet.line(Role::Conclusion, [[from, start], [from, bend], [to, bend]]);
+        sheet.arrow(Role::Conclusion, [[to, bend], [to, start]], HEAD);
+        let wide = metrics::width(Role::Conclusion, &self.text.as_str().into());
+        let (x, anchor) = if from + ROOM + wide <= width {
+            (from + ROOM, Anchor::Start)
+        } else {
+            (to - ROOM, Anchor::End)
+        };
+        sheet.text(Role::Conclusion, [x, bend - 2.0], anchor, self.text.as_str());
+    }
+}
+
 impl BitRow {
     fn digit(&self, bit: u8) -> &'static str {
         match (bit >= self.known_from, self.bits >> bit & 1 == 1) {
@@ -195,10 +241,53 @@ impl BitRow {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::{Drawn, Form, Part};
 
     fn table(width: u8, name: &str, note: &str) -> BitTable {
         let row = BitRow { name: name.to_owned(), note: note.to_owned(), ..BitRow::default() };
-        BitTable { width, framed: None, rows: vec![row], carries: None, name_room: 0.0 }
+        BitTable { width, rows: vec![row], ..BitTable::default() }
+    }
+
+    #[test]
+    fn an_arrow_goes_from_a_bit_to_the_next_higher_one() {
+        for (bit, width) in [(0, 360.0), (4, 360.0), (0, 160.0)] {
+            let text = "+1 = level".to_owned();
+            let table =
+                BitTable { conclusion: Some(Conclusion { bit, text }), ..table(6, "or", "2") };
+            let figure = table.figure(width);
+            let head = figure.drawn.iter().find(|drawn| drawn.part == Part::Head);
+            let Some(Drawn { form: Form::Polygon(head), role: Role::Conclusion, .. }) = head else {
+                panic!("{figure:?}")
+            };
+            // The number of the column above.
+            let number = (bit + 1).to_string();
+            let column = figure.drawn.iter().find_map(|drawn| match &drawn.form {
+                Form::Text { at, text, .. } if text.plain() == number => Some(at[0]),
+                Form::Text { .. } | Form::Polygon(_) | Form::Polyline(_) | Form::Circle { .. } => {
+                    None
+                }
+            });
+            assert_eq!(column, Some(head[0][0]), "{bit}");
+            let extent = figure.extent().unwrap();
+            assert!(extent.max[0] <= width && extent.max[1] <= figure.page.height, "{extent:?}");
+        }
+    }
+
+    #[test]
+    fn a_frame_is_drawn_round_the_border_bit() {
+        let mut table = table(6, "=", "16");
+        (table.rows[0].border, table.rows[0].marked) = (Some(5), 1 << 5);
+        let figure = table.figure(360.0);
+        let corners = |role: Role| {
+            figure.drawn.iter().find_map(|drawn| match &drawn.form {
+                Form::Polygon(points) if drawn.role == role => Some([points[0], points[2]]),
+                Form::Polygon(_) | Form::Polyline(_) | Form::Circle { .. } | Form::Text { .. } => {
+                    None
+                }
+            })
+        };
+        let [frame, bit] = [Role::BorderBit, Role::LitEntry].map(|role| corners(role).unwrap());
+        assert!((0..2).all(|e| frame[0][e] < bit[0][e] && frame[1][e] > bit[1][e]));
     }
 
     #[test]

@@ -49,7 +49,7 @@ pub fn code_table<const D: usize>(texts: &Texts, tree: &Tree<D>, moment: &Moment
     });
     let rows = rows.collect();
     let width = root_level + 1;
-    let table = BitTable { width, framed, rows, carries: None, name_room: 0.0 };
+    let table = BitTable { width, framed, rows, ..BitTable::default() };
     let child = framed.map(|bit| {
         let child = branch(code, bit + 1);
         let bits = (0..D).map(|e| format!("{} = {}", AXIS_NAMES[e], u8::from(child.is_upper(e))));

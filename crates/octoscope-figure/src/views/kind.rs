@@ -2,12 +2,14 @@
 
 use octoscope_core::query::Query;
 use octoscope_core::traverse::Algorithm;
+use serde::{Deserialize, Serialize};
 use std::fmt::{Display, Formatter};
 use std::str::FromStr;
 use thiserror::Error;
 
 /// What a figure shows.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum FigureView {
     /// The tree, the ray and the state of the algorithm.
     #[default]
@@ -124,6 +126,24 @@ impl FigureView {
             | Self::Listing
             | Self::Table
             | Self::Chart => false,
+        }
+    }
+
+    /// Whether it shows one step: a storyboard chooses its own, and a worksheet is
+    /// the same at all.
+    pub fn is_of_a_step(self) -> bool {
+        match self {
+            Self::Storyboard | Self::Worksheet => false,
+            Self::Space
+            | Self::Tree
+            | Self::Automaton
+            | Self::TRail
+            | Self::Codes
+            | Self::Region
+            | Self::Neighbour
+            | Self::Listing
+            | Self::Table
+            | Self::Chart => true,
         }
     }
 

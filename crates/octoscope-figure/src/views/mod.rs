@@ -26,7 +26,7 @@ mod words;
 mod worksheet;
 
 pub use automaton::{Automaton, mask_note};
-pub use bits::{BitRow, BitTable, Carries};
+pub use bits::{BitRow, BitTable, Carries, Conclusion};
 pub use codes::{CodeTable, child_rule, code_table};
 pub use exercise::{Exercise, ExerciseError};
 pub use kind::{FigureView, UnknownView, ViewError};

@@ -36,14 +36,17 @@ pub fn neighbour_tables<const D: usize>(
         if !crossed && target.to[axis] == i64::from(target.from[axis]) {
             return None;
         }
-        let rows =
+        let mut rows =
             if crossed { sum_rows(texts, &target, axis) } else { moved_rows(texts, &target, axis) };
+        // As soon as it is asked whether the result is outside.
+        let sum = rows.last_mut().filter(|_| crossed && target.outside.is_some());
+        sum.into_iter().for_each(|sum| sum.border = Some(root_level));
         let carries = Some(carries_of(&target, axis)).filter(|bits| crossed && *bits != 0);
         let upwards = target.to[axis] > i64::from(target.from[axis]);
         let key = if upwards { "neighbour-carries" } else { "neighbour-borrows" };
         let carries = carries.map(|bits| Carries { name: texts.get(key), bits });
         let width = root_level + 1;
-        let mut table = BitTable { width, framed: None, rows, carries, name_room: 0.0 };
+        let mut table = BitTable { width, rows, carries, ..BitTable::default() };
         if crossed
             && let Some(level) = axis_level(&target, axis, root_level)
             && moment.difference.is_some()

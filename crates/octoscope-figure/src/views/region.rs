@@ -1,6 +1,6 @@
 //! Region location by XOR.
 
-use super::bits::{BitRow, BitTable};
+use super::bits::{BitRow, BitTable, Conclusion};
 use super::sheet::Sheet;
 use super::subject::Subject;
 use super::words::strong;
@@ -52,8 +52,12 @@ pub fn region_table<const D: usize>(
             }
         }
     });
+    let conclusion = moment.difference.filter(|_| union != 0).map(|difference| Conclusion {
+        bit: difference.level - 1,
+        text: texts.format("region-plus-one", &[("level", difference.level.into())]),
+    });
     let width = tree.domain().root_level() + 1;
-    Some((BitTable { width, framed: None, rows, carries: None, name_room: 0.0 }, result))
+    Some((BitTable { width, rows, conclusion, ..BitTable::default() }, result))
 }
 
 /// The table and its result, as a figure of this width.
