@@ -21,6 +21,7 @@ use crate::{render, save, theme, with_document};
 use eframe::egui::{CentralPanel, Context, Frame, Key, Ui, ViewportCommand};
 use exporting::Exporting;
 use jobs::Purpose;
+use obey::Taken;
 use octoscope_core::explain::short_title;
 use octoscope_core::gallery::Degenerate;
 use octoscope_core::progress::{Cancelled, Progress};
@@ -54,6 +55,8 @@ pub struct App {
     n_searches: u64,
     /// The ray of the gallery that was shown last.
     degenerate: Option<Degenerate>,
+    /// Which keys were taken after the last frame.
+    taken: Taken,
     /// Layers on the graphics adapter; `None` without one.
     layers: Option<Layers>,
 }
@@ -119,6 +122,7 @@ impl App {
             noticed: None,
             n_searches: 0,
             degenerate: None,
+            taken: Taken::default(),
             layers,
         };
         app.go_to_start();
@@ -210,7 +214,7 @@ impl eframe::App for App {
         self.poll_tracing();
         self.take_answers(&context);
         self.open_dropped(&context);
-        let mut commands = self.pressed(&context);
+        let mut commands = Vec::new();
         let dt_secs = f64::from(context.input(|input| input.stable_dt)).min(0.25);
         self.view.playback.advance(dt_secs, self.document.n_events());
 
@@ -239,6 +243,7 @@ impl eframe::App for App {
         } else {
             self.show(ui, &mut commands);
         }
+        commands.extend(self.pressed(&context));
         self.show_hall(&context, &mut commands);
         if let Some(typed) = refused_number(&context) {
             self.notice.say(match typed.trim() {
@@ -259,6 +264,7 @@ impl eframe::App for App {
         self.settle(&context);
         self.outdate_notice();
         self.name_window(&context);
+        self.taken = self.taken(&context);
         if self.view.hover.turn() {
             context.request_repaint();
         }

@@ -264,7 +264,8 @@ impl<const D: usize> Document<D> {
     /// that is wanted was given up.
     pub fn keep_trace(&mut self) {
         (self.scenario.ray, self.scenario.query) = self.traced;
-        self.resumed = None;
+        // A way back that was not gone is found once more.
+        self.left_ray = self.resumed.take().or(self.left_ray);
     }
 
     /// Takes over the tree of `rebuilt`, made meanwhile from an earlier state of
