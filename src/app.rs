@@ -14,6 +14,7 @@ use crate::job::Job;
 use crate::look::Look;
 use crate::notice::Notice;
 use crate::open::open_built_in;
+use crate::save::Last;
 use crate::space::Layers;
 use crate::view::View;
 use crate::widgets::refused_number;
@@ -44,6 +45,8 @@ pub struct App {
     look: Look,
     look_of: (octoscope_core::text::Language, octoscope_figure::Theme),
     job: Option<(Job<anyhow::Result<AnyDocument>>, Purpose)>,
+    /// What was open last, as long as it is not there.
+    unrestored: Option<Last>,
     /// The trace that is being made of a long run.
     tracing: Option<Job<Result<AnyDocument, Cancelled>>>,
     exporting: Exporting,
@@ -115,6 +118,7 @@ impl App {
             look_of,
             view,
             job: None,
+            unrestored: None,
             tracing: None,
             exporting: Exporting::default(),
             chosen: files::Answers::default(),
@@ -281,6 +285,6 @@ impl eframe::App for App {
         if let Ok(view) = serde_json::to_string(&self.view) {
             storage.set_string(save::VIEW_KEY, view);
         }
-        save::remember(storage, &self.document, self.scenario_now());
+        save::remember(storage, &self.last());
     }
 }

@@ -330,7 +330,9 @@ impl App {
             if !shown.document.is_same_place(&self.document) {
                 self.view.forget_cameras();
             }
-            self.document = shown.document;
+            let mut document = shown.document;
+            document.keep_file(&self.document);
+            self.document = document;
             self.tracing = None;
             self.go_to(shown.step);
             self.settled = self.shown();
