@@ -17,6 +17,7 @@ use crate::look::Look;
 use crate::map::Maps;
 use crate::notice::Notice;
 use crate::open::open_built_in;
+use crate::save::Last;
 use crate::space::Layers;
 use crate::view::View;
 use crate::widgets::refused_number;
@@ -25,6 +26,7 @@ use eframe::egui::{CentralPanel, Context, Frame, Key, Ui, ViewportCommand};
 use exporting::Exporting;
 use jobs::Purpose;
 use measuring::Measuring;
+use obey::Taken;
 use octoscope_core::explain::short_title;
 use octoscope_core::gallery::Degenerate;
 use octoscope_core::progress::{Cancelled, Progress};
@@ -48,6 +50,8 @@ pub struct App {
     look: Look,
     look_of: (octoscope_core::text::Language, octoscope_figure::Theme),
     job: Option<(Job<anyhow::Result<AnyDocument>>, Purpose)>,
+    /// What was open last, as long as it is not there.
+    unrestored: Option<Last>,
     /// The trace that is being made of a long run.
     tracing: Option<Job<Result<AnyDocument, Cancelled>>>,
     exporting: Exporting,
@@ -62,6 +66,8 @@ pub struct App {
     degenerate: Option<Degenerate>,
     /// Maps of rays, for the panel that shows them.
     maps: Maps,
+    /// Which keys were taken after the last frame.
+    taken: Taken,
     /// Layers on the graphics adapter; `None` without one.
     layers: Option<Layers>,
 }
@@ -123,6 +129,7 @@ impl App {
             look_of,
             view,
             job: None,
+            unrestored: None,
             tracing: None,
             exporting: Exporting::default(),
             measuring: Measuring::default(),
@@ -132,6 +139,7 @@ impl App {
             n_searches: 0,
             degenerate: None,
             maps: Maps::default(),
+            taken: Taken::default(),
             layers,
         };
         app.go_to_start();
@@ -250,7 +258,7 @@ impl eframe::App for App {
         self.poll_tracing();
         self.take_answers(&context);
         self.open_dropped(&context);
-        let mut commands = self.pressed(&context);
+        let mut commands = Vec::new();
         let dt_secs = f64::from(context.input(|input| input.stable_dt)).min(0.25);
         self.view.playback.advance(dt_secs, self.document.n_events());
 
@@ -279,6 +287,7 @@ impl eframe::App for App {
         } else {
             self.show(ui, &mut commands);
         }
+        commands.extend(self.pressed(&context));
         self.show_hall(&context, &mut commands);
         if let Some(typed) = refused_number(&context) {
             self.notice.say(match typed.trim() {
@@ -299,6 +308,7 @@ impl eframe::App for App {
         self.settle(&context);
         self.outdate_notice();
         self.name_window(&context);
+        self.taken = self.taken(&context);
         if self.view.hover.turn() {
             context.request_repaint();
         }
@@ -315,6 +325,6 @@ impl eframe::App for App {
         if let Ok(view) = serde_json::to_string(&self.view) {
             storage.set_string(save::VIEW_KEY, view);
         }
-        save::remember(storage, &self.document, self.scenario_to_keep());
+        save::remember(storage, &self.last());
     }
 }

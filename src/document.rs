@@ -126,6 +126,36 @@ impl<const D: usize> Document<D> {
         Scenario { domain, recipe, ray, query, ..(*self.opened).clone() }
     }
 
+    /// Takes `opened`, an earlier question of the same source, for the scenario as
+    /// it was opened; the playhead begins where that of this document does.
+    fn opened_as(&mut self, opened: Scenario<D>) {
+        self.opened = Arc::new(Scenario { step: self.opened.step, ..opened });
+    }
+
+    /// Asks what was asked when the scenario was opened.
+    fn ask_as_opened(&mut self) {
+        let Scenario { domain, recipe, ray, query, .. } = *self.opened;
+        self.scenario = Question { domain, recipe, ray, query };
+    }
+
+    /// Takes the file of `other` over, if both are states of one opened scenario:
+    /// where it is saved to is undone by nothing.
+    fn keep_file(&mut self, other: &Self) {
+        if Arc::ptr_eq(&self.opened, &other.opened) {
+            self.path.clone_from(&other.path);
+        }
+    }
+
+    /// The question that no longer counts as changed: that of `saved`, if it is of the
+    /// same opened scenario, else the opened one.
+    fn unchanged(&self, saved: &Self) -> Scenario<D> {
+        if Arc::ptr_eq(&self.opened, &saved.opened) {
+            saved.whole_scenario()
+        } else {
+            (*self.opened).clone()
+        }
+    }
+
     /// Whether both ask the same question of the same source.
     fn is_same_state(&self, other: &Self) -> bool {
         self.scenario == other.scenario
@@ -264,7 +294,8 @@ impl<const D: usize> Document<D> {
     /// that is wanted was given up.
     pub fn keep_trace(&mut self) {
         (self.scenario.ray, self.scenario.query) = self.traced;
-        self.resumed = None;
+        // A way back that was not gone is found once more.
+        self.left_ray = self.resumed.take().or(self.left_ray);
     }
 
     /// Takes over the tree of `rebuilt`, made meanwhile from an earlier state of

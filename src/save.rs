@@ -9,7 +9,22 @@ use std::path::{Component, Path, PathBuf};
 /// Key of the window's state in the program's storage.
 pub const VIEW_KEY: &str = "view";
 const SCENARIO_KEY: &str = "scenario";
+const UNCHANGED_KEY: &str = "unchanged";
 const FOLDER_KEY: &str = "folder";
+const PATH_KEY: &str = "path";
+
+/// What is open, as it is kept for the next start.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Last {
+    /// The scenario with all changes.
+    pub scenario: AnyScenario,
+    /// The scenario as its file has it, or as it was opened, if there are changes.
+    pub unchanged: Option<AnyScenario>,
+    /// Folder from which the data file is named.
+    pub folder: PathBuf,
+    /// The scenario's file, if it has one.
+    pub path: Option<PathBuf>,
+}
 
 /// Writes `scenario` of `document` to `path`; its data file is named relative
 /// to the folder of `path` where it can be.
@@ -26,29 +41,41 @@ pub fn scenario(document: &AnyDocument, scenario: AnyScenario, path: &Path) -> a
 pub fn named_from(document: &AnyDocument, scenario: AnyScenario, to: &Path) -> AnyScenario {
     let from = with_document!(document, document => document.folder.clone());
     // Folders that are named from here are compared whole.
-    let [from, to] = [from.as_path(), to].map(|folder| {
-        let folder = if folder.as_os_str().is_empty() { Path::new(".") } else { folder };
-        std::path::absolute(folder).unwrap_or_else(|_| folder.to_owned())
-    });
+    let [from, to] = [from.as_path(), to].map(from_here);
     match scenario {
         AnyScenario::Quadtree(scenario) => AnyScenario::Quadtree(moved(scenario, &from, &to)),
         AnyScenario::Octree(scenario) => AnyScenario::Octree(moved(scenario, &from, &to)),
     }
 }
 
-/// Keeps the scenario for the next start.
-pub fn remember(storage: &mut dyn eframe::Storage, document: &AnyDocument, scenario: AnyScenario) {
-    let folder = with_document!(document, document => document.folder.clone());
-    storage.set_string(SCENARIO_KEY, scenario.print());
-    storage.set_string(FOLDER_KEY, folder.to_string_lossy().into_owned());
+/// Keeps what is open for the next start, which may be in another folder.
+pub fn remember(storage: &mut dyn eframe::Storage, last: &Last) {
+    let mut keep = |key, text: Option<String>| match text {
+        Some(text) => storage.set_string(key, text),
+        None => storage.remove_string(key),
+    };
+    let whole = |path: &PathBuf| from_here(path).to_string_lossy().into_owned();
+    keep(SCENARIO_KEY, Some(last.scenario.print()));
+    keep(UNCHANGED_KEY, last.unchanged.as_ref().map(AnyScenario::print));
+    keep(FOLDER_KEY, Some(whole(&last.folder)));
+    keep(PATH_KEY, last.path.as_ref().map(whole));
 }
 
-/// The scenario of the last time, and the folder of its data file; `None` if
-/// there is none or it cannot be read any more.
-pub fn remembered(storage: &dyn eframe::Storage) -> Option<(AnyScenario, PathBuf)> {
-    let scenario = AnyScenario::parse(&storage.get_string(SCENARIO_KEY)?).ok()?;
-    let folder = PathBuf::from(storage.get_string(FOLDER_KEY).unwrap_or_default());
-    Some((scenario, folder))
+/// What was open last; `None` if nothing was or it cannot be read any more.
+pub fn remembered(storage: &dyn eframe::Storage) -> Option<Last> {
+    let scenario = |key| AnyScenario::parse(&storage.get_string(key)?).ok();
+    Some(Last {
+        scenario: scenario(SCENARIO_KEY)?,
+        unchanged: scenario(UNCHANGED_KEY),
+        folder: storage.get_string(FOLDER_KEY).unwrap_or_default().into(),
+        path: storage.get_string(PATH_KEY).map(PathBuf::from),
+    })
+}
+
+/// The whole path of what is named from the folder where the program was started.
+fn from_here(path: &Path) -> PathBuf {
+    let path = if path.as_os_str().is_empty() { Path::new(".") } else { path };
+    std::path::absolute(path).unwrap_or_else(|_| path.to_owned())
 }
 
 fn moved<const D: usize>(mut scenario: Scenario<D>, from: &Path, to: &Path) -> Scenario<D> {

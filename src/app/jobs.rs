@@ -4,13 +4,13 @@ use super::App;
 use crate::document::AnyDocument;
 use crate::job::{Job, Poll};
 use crate::open::{open, open_built_in, open_scenario};
+use crate::save::Last;
 use crate::view::Dialog;
 use crate::{complaint, with_document};
 use anyhow::anyhow;
 use eframe::egui::Context;
 use octoscope_core::paper::{counterexample, find_other};
 use octoscope_core::progress::{Cancelled, Progress};
-use octoscope_core::scenario::AnyScenario;
 use octoscope_core::traverse::Variant;
 use std::path::{Path, PathBuf};
 
@@ -19,7 +19,7 @@ use std::path::{Path, PathBuf};
 pub(super) enum Purpose {
     /// It is shown instead of the present document.
     Open,
-    /// It is what was open last; if it cannot be opened any more, nothing is said.
+    /// It is what was open last.
     Restore,
     /// Its tree is taken into the present document.
     Rebuild,
@@ -36,18 +36,37 @@ impl App {
     }
 
     /// Opens what was open last, on another thread as well.
-    pub(super) fn restore(
-        &mut self,
-        context: &Context,
-        (scenario, folder): (AnyScenario, PathBuf),
-    ) {
+    pub(super) fn restore(&mut self, context: &Context, last: Last) {
         let title = self.look.text("job-restore");
+        self.unrestored = Some(last.clone());
         let work = move |progress: &Progress| {
+            let Last { scenario, unchanged, folder, path } = last;
             let mut document = open_scenario(scenario, &folder, progress)?;
-            with_document!(&mut document, document => document.folder = folder);
+            with_document!(&mut document, d => (d.folder, d.path) = (folder, path));
+            if let Some(unchanged) = unchanged {
+                document.opened_as(unchanged);
+            }
             Ok(document)
         };
         self.job = Some((Job::start(title, context, work), Purpose::Restore));
+    }
+
+    /// What the next start begins with. What was open last stays it as long as it is
+    /// not there and nothing else is made.
+    pub(super) fn last(&self) -> Last {
+        let is_coming = self.job.as_ref().is_some_and(|(_, purpose)| *purpose == Purpose::Restore);
+        if let Some(last) = &self.unrestored
+            && (is_coming || !self.is_changed())
+        {
+            return last.clone();
+        }
+        let unchanged = self.is_changed().then(|| self.document.unchanged(&self.saved));
+        with_document!(&self.document, d => Last {
+            scenario: self.scenario_to_keep(),
+            unchanged,
+            folder: d.folder.clone(),
+            path: d.path.clone(),
+        })
     }
 
     pub(super) fn open_scene(&mut self, context: &Context, id: &'static str) {
@@ -121,6 +140,13 @@ impl App {
         self.tracing = Some(Job::start(self.look.text("job-trace"), context, work));
     }
 
+    /// Cancels what is being opened or built, if there is anything.
+    pub fn give_up_opening(&self) {
+        if let Some((job, _)) = &self.job {
+            job.progress.cancel();
+        }
+    }
+
     /// Waits until what is being opened, built or traced is there; without work, not
     /// at all.
     pub fn finish_work(&mut self) {
@@ -187,13 +213,17 @@ impl App {
         };
         self.job = None;
         match (result, purpose) {
-            (Ok(document), Purpose::Open) => {
-                self.settle_now();
-                self.history.record(self.shown());
+            (Ok(document), Purpose::Open | Purpose::Restore) => {
                 let changed = self.is_changed().then(|| self.titled());
+                // A start is not undone, but for what was done meanwhile.
+                if purpose == Purpose::Open || changed.is_some() {
+                    self.settle_now();
+                    self.history.record(self.shown());
+                }
                 self.document = document;
                 self.tracing = None;
-                self.saved = self.document.clone();
+                self.unrestored = None;
+                self.saved = self.document.as_opened();
                 self.notice.clear();
                 if let Some(title) = changed {
                     let title = title.trim_end_matches(" *").to_owned();
@@ -203,14 +233,13 @@ impl App {
                 self.go_to_start();
                 self.settled = self.shown();
             }
-            (Ok(document), Purpose::Restore) => {
-                self.document = document;
-                self.tracing = None;
-                self.saved = self.document.clone();
-                self.go_to_start();
-                self.settled = self.shown();
+            (Err(error), Purpose::Restore) => {
+                if !error.root_cause().is::<Cancelled>() {
+                    let why = complaint::told(&self.look.texts, &error);
+                    let arguments = [("why", why.into())];
+                    self.notice.say(self.look.texts.format("status-not-restored", &arguments));
+                }
             }
-            (Err(_), Purpose::Restore) => {}
             (Ok(rebuilt), Purpose::Rebuild) => {
                 let step = self.document.adopt(&rebuilt, self.view.playback.step);
                 self.follow(step);
@@ -232,7 +261,7 @@ impl App {
                 if purpose == Purpose::Rebuild {
                     with_document!(&mut self.document, document => document.keep_tree());
                 }
-                if !error.root_cause().is::<octoscope_core::progress::Cancelled>() {
+                if !error.root_cause().is::<Cancelled>() {
                     self.view.dialog =
                         Some(Dialog::Error(complaint::told(&self.look.texts, &error)));
                 }

@@ -23,6 +23,17 @@ use octoscope_core::tree::Tree;
 use octoscope_figure::{Lens, Show, Theme};
 use std::path::{Path, PathBuf};
 
+/// Which keys are no commands, because something else takes them.
+#[derive(Clone, Copy, Default)]
+pub(super) struct Taken {
+    /// All, by a field for text or a dialog.
+    all: bool,
+    /// Escape, by what lies over the picture: it closes that first.
+    escape: bool,
+    /// Those by which a control is operated or left, as it is focused.
+    by_control: bool,
+}
+
 impl App {
     /// Remembers the state for undo once no gesture is going on.
     pub(super) fn settle(&mut self, context: &Context) {
@@ -52,18 +63,25 @@ impl App {
         }
     }
 
-    /// Commands whose keys were pressed.
+    /// Which keys are taken as the window is now.
+    pub(super) fn taken(&self, context: &Context) -> Taken {
+        Taken {
+            all: context.text_edit_focused() || self.view.dialog.is_some(),
+            escape: Popup::is_any_open(context) || self.view.blank || !self.notice.is_empty(),
+            by_control: context.memory(|memory| memory.focused().is_some()),
+        }
+    }
+
+    /// Commands whose keys were pressed in the frame that is being shown. What a click
+    /// in it has brought takes keys as well as what was there before: in a slow frame
+    /// both come together.
     pub(super) fn pressed(&self, context: &Context) -> Vec<Command> {
-        if context.text_edit_focused() {
+        let (before, now) = (self.taken, self.taken(context));
+        if before.all || now.all {
             return Vec::new();
         }
-        let focused = context.memory(|memory| memory.focused().is_some());
-        // Escape closes first what lies over the picture.
-        let is_covered = Popup::is_any_open(context)
-            || self.view.dialog.is_some()
-            || self.view.blank
-            || !self.notice.is_empty();
-        let escape_is_free = !is_covered && self.is_enabled(Command::BackToRay);
+        let focused = before.by_control || now.by_control;
+        let escape_is_free = !before.escape && !now.escape && self.is_enabled(Command::BackToRay);
         context.input_mut(|input| {
             let keys =
                 COMMANDS.iter().flat_map(|row| row.keys.iter().map(|key| (row.command, key)));
@@ -86,10 +104,15 @@ impl App {
     pub(super) fn is_enabled(&self, command: Command) -> bool {
         let (step, length) = (self.view.playback.step, self.document.n_events());
         match command {
-            Command::Undo => self.history.can_undo(),
+            // What is being changed right now is undone, too.
+            Command::Undo => {
+                self.history.can_undo() || !self.document.is_same_state(&self.settled.document)
+            }
             Command::Redo => self.history.can_redo(),
             Command::StepForward | Command::NextLeaf | Command::Last => step < length,
-            Command::StepBack | Command::PreviousLeaf | Command::First => step > 0,
+            Command::StepBack | Command::PreviousLeaf | Command::First => {
+                step > 0 || self.view.playback.playing
+            }
             Command::FirstWrong => self.first_wrong_step().is_some(),
             Command::ReverseRay | Command::SnapRay | Command::NextDegenerate => {
                 self.is_about_a_ray()
@@ -131,7 +154,11 @@ impl App {
         }
     }
 
+    /// Does what is asked for, if it can be done now.
     pub(super) fn obey(&mut self, context: &Context, command: Command) {
+        if !self.is_enabled(command) {
+            return;
+        }
         let length = self.document.n_events();
         let step = self.view.playback.step;
         match command {
@@ -161,34 +188,24 @@ impl App {
             Command::Faster => self.view.playback.change_speed(2.0),
             Command::Slower => self.view.playback.change_speed(0.5),
             Command::FrameAll => self.view.show_everything(),
-            Command::Stand(standpoint) if self.is_enabled(command) => {
-                self.view.standpoint = Some(standpoint);
-            }
-            Command::NextLens if self.is_enabled(command) => {
-                self.view.lens = following(&Lens::ALL, self.view.lens);
-            }
-            Command::Show(change) if self.is_enabled(command) => {
+            Command::Stand(standpoint) => self.view.standpoint = Some(standpoint),
+            Command::NextLens => self.view.lens = following(&Lens::ALL, self.view.lens),
+            Command::Show(change) => {
                 with_document!(&self.document, d => {
                     change.make(show_of(&mut self.view, &d.tree), d.tree.domain());
                 });
             }
-            Command::Stand(_) | Command::NextLens | Command::Show(_) => {}
             Command::ReducedMotion => self.view.reduced_motion = !self.view.reduced_motion,
             Command::Follow => self.view.follow = !self.view.follow,
             Command::ReverseRay => with_document!(&mut self.document, d => d.reverse_ray()),
-            Command::BackToRay => {
-                if self.is_enabled(command) {
-                    with_document!(&mut self.document, d => d.back_to_ray());
-                }
-            }
-            Command::SnapRay if self.is_enabled(command) => self.snap_ray(),
-            Command::NextDegenerate if self.is_enabled(command) => {
+            Command::BackToRay => with_document!(&mut self.document, d => d.back_to_ray()),
+            Command::SnapRay => self.snap_ray(),
+            Command::NextDegenerate => {
                 let first = Degenerate::ALL[0];
                 let dimension = self.dimension();
                 self.aim(self.degenerate.map_or(first, |last| last.following(dimension)));
             }
             Command::Degenerate(ray) => self.aim(ray),
-            Command::SnapRay | Command::NextDegenerate => {}
             Command::FullScreen => {
                 let full = context.input(|input| input.viewport().fullscreen.unwrap_or(false));
                 context.send_viewport_cmd(ViewportCommand::Fullscreen(!full));
@@ -331,7 +348,9 @@ impl App {
             if !shown.document.is_same_place(&self.document) {
                 self.view.forget_cameras();
             }
-            self.document = shown.document;
+            let mut document = shown.document;
+            document.keep_file(&self.document);
+            self.document = document;
             *self.show_of_document_mut() = shown.show;
             self.tracing = None;
             self.go_to(shown.step);

@@ -43,6 +43,43 @@ impl AnyDocument {
         scenario
     }
 
+    /// Takes `opened` for the scenario as it was opened, see [`Document`]; not if it
+    /// is of the other dimension.
+    pub fn opened_as(&mut self, opened: AnyScenario) {
+        match (self, opened) {
+            (Self::Plane(now), AnyScenario::Quadtree(opened)) => now.opened_as(opened),
+            (Self::Space(now), AnyScenario::Octree(opened)) => now.opened_as(opened),
+            (Self::Plane(_), AnyScenario::Octree(_))
+            | (Self::Space(_), AnyScenario::Quadtree(_)) => {}
+        }
+    }
+
+    /// The document as it was opened; its tree and trace are still those of now.
+    pub fn as_opened(&self) -> Self {
+        let mut document = self.clone();
+        with_document!(&mut document, document => document.ask_as_opened());
+        document
+    }
+
+    /// Takes the file of `other` over, if both are states of one opened scenario.
+    pub fn keep_file(&mut self, other: &Self) {
+        match (self, other) {
+            (Self::Plane(now), Self::Plane(other)) => now.keep_file(other),
+            (Self::Space(now), Self::Space(other)) => now.keep_file(other),
+            (Self::Plane(_), Self::Space(_)) | (Self::Space(_), Self::Plane(_)) => {}
+        }
+    }
+
+    /// The scenario without changes, where `saved` is what was saved last.
+    pub fn unchanged(&self, saved: &Self) -> AnyScenario {
+        match (self, saved) {
+            (Self::Plane(now), Self::Plane(saved)) => AnyScenario::Quadtree(now.unchanged(saved)),
+            (Self::Space(now), Self::Space(saved)) => AnyScenario::Octree(now.unchanged(saved)),
+            (Self::Plane(now), Self::Space(_)) => AnyScenario::Quadtree(now.opened().clone()),
+            (Self::Space(now), Self::Plane(_)) => AnyScenario::Octree(now.opened().clone()),
+        }
+    }
+
     /// Takes over the tree of `rebuilt` and the trace in it, see [`Document::adopt`].
     pub fn adopt(&mut self, rebuilt: &Self, step: usize) -> usize {
         match (self, rebuilt) {

@@ -39,7 +39,12 @@ pub fn ui<const D: usize>(ui: &mut Ui, look: &Look, document: &mut Document<D>) 
         (Kind::Neighbour, look.text("query-neighbour")),
     ];
     if segments(ui, &mut kind, &choices) {
-        document.scenario.query = starting_query(document, kind);
+        match kind {
+            Kind::Ray => document.back_to_ray(),
+            Kind::Point | Kind::Region | Kind::Neighbour => {
+                document.scenario.query = starting_query(document, kind);
+            }
+        }
     }
     let side = document.tree.domain().side();
     let max_level = document.tree.domain().root_level();

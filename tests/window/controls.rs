@@ -1,7 +1,7 @@
 //! What a screen reader finds, in both languages.
 
 use crate::desk::{Desk, spoken};
-use eframe::egui::{Key, Modifiers, accesskit::Role};
+use eframe::egui::{Event, Key, Modifiers, PointerButton, accesskit::Role};
 use egui_kittest::kittest::{NodeT, Queryable};
 use octoscope::command::Menu;
 use octoscope::text::texts;
@@ -162,4 +162,25 @@ fn another_depth_builds_another_tree_and_is_undone() {
     desk.state_mut().finish_work();
     desk.run();
     assert_eq!(desk.plane().tree.n_leaves(), leaves);
+}
+
+#[test]
+fn a_key_in_the_frame_of_a_click_belongs_to_the_field_that_is_clicked() {
+    let mut desk = Desk::new();
+    let (ray, preset) = (desk.plane().scenario.ray, desk.state().view.preset);
+    for (key, text) in [(Key::R, "r"), (Key::Num2, "2")] {
+        let pos = desk.get_by_role_and_label(Role::SpinButton, "direction x").rect().center();
+        desk.point_at(pos);
+        let (modifiers, button) = (Modifiers::NONE, PointerButton::Primary);
+        let button = |pressed| Event::PointerButton { pos, button, pressed, modifiers };
+        let key =
+            |pressed| Event::Key { key, physical_key: None, pressed, repeat: false, modifiers };
+        let text = Event::Text(text.to_owned());
+        let events = [button(true), button(false), key(true), text, key(false)];
+        desk.input_mut().events.extend(events);
+        desk.step();
+        desk.press(Key::Escape);
+        assert_eq!((desk.plane().scenario.ray, desk.state().view.preset), (ray, preset));
+        desk.press(Key::Escape);
+    }
 }

@@ -8,6 +8,7 @@ use octoscope::document::{AnyDocument, Document};
 use octoscope::space::{PageInWindow, interesting};
 use octoscope_core::scenario::AnyScenario;
 use octoscope_figure::{Camera, Page};
+use std::collections::HashMap;
 use std::ops::{Deref, DerefMut};
 use std::path::{Path, PathBuf};
 
@@ -47,6 +48,46 @@ impl Desk {
         let mut desk = Self::new();
         desk.open(path);
         desk
+    }
+
+    /// The window as it starts with what an earlier one has left in `storage`;
+    /// what was open last need not be there yet.
+    pub fn starting(storage: &Storage) -> Self {
+        Self::starting_with(storage, |_| ())
+    }
+
+    /// What is left by a window that is closed before its first frame.
+    pub fn left_at_once(storage: &Storage) -> Storage {
+        let mut left = Storage::default();
+        Self::starting_with(storage, |app| eframe::App::save(app, &mut left));
+        left
+    }
+
+    /// The window as it starts, after `meet` and then a few frames.
+    pub fn starting_with(storage: &Storage, meet: impl FnOnce(&mut App)) -> Self {
+        let storage: &'static Storage = Box::leak(Box::new(storage.clone()));
+        let builder = Harness::builder().with_size([1280.0, 800.0]).with_step_dt(1.0 / 60.0);
+        Self(builder.with_max_steps(60).build_eframe(|creation| {
+            creation.storage = Some(storage);
+            let mut app = App::new(creation, None);
+            meet(&mut app);
+            app
+        }))
+    }
+
+    /// The same once what was open last is there, or is known not to open.
+    pub fn started(storage: &Storage) -> Self {
+        let mut desk = Self::starting(storage);
+        desk.state_mut().finish_work();
+        desk.run();
+        desk
+    }
+
+    /// What is left for the next start.
+    pub fn left(&mut self) -> Storage {
+        let mut storage = Storage::default();
+        eframe::App::save(self.state_mut(), &mut storage);
+        storage
     }
 
     /// Opens a file and waits until it is there, or refused.
@@ -203,6 +244,26 @@ impl Desk {
     pub fn says(&self, text: &str) -> bool {
         self.texts().iter().any(|other| other.contains(text))
     }
+}
+
+/// Keeps texts from one start of the window to the next.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Storage(HashMap<String, String>);
+
+impl eframe::Storage for Storage {
+    fn get_string(&self, key: &str) -> Option<String> {
+        self.0.get(key).cloned()
+    }
+
+    fn set_string(&mut self, key: &str, value: String) {
+        self.0.insert(key.to_owned(), value);
+    }
+
+    fn remove_string(&mut self, key: &str) {
+        self.0.remove(key);
+    }
+
+    fn flush(&mut self) {}
 }
 
 enum Button {

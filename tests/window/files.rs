@@ -91,6 +91,39 @@ fn changes_that_no_file_has_are_marked_until_they_are_saved_or_taken_back() {
 }
 
 #[test]
+fn undo_leaves_what_the_scenario_is_saved_to() {
+    let folder = tempdir().unwrap();
+    let begin = format!("{}/", folder.path().display());
+    let [first, second] = ["first.octo", "second.octo"].map(|name| folder.path().join(name));
+    let mut desk = Desk::new();
+    type_path(&mut desk, Purpose::Save, &begin, "first");
+    desk.open(&first);
+    desk.press(Key::R);
+    type_path(&mut desk, Purpose::Save, &begin, "second");
+    let saved = [&first, &second].map(|path| fs::read(path).unwrap());
+    assert_ne!(saved[0], saved[1]);
+    desk.press(Key::R);
+    desk.press(Key::R);
+    for _ in 0..3 {
+        desk.press_with(Modifiers::COMMAND, Key::Z);
+    }
+    assert_eq!(desk.plane().path.as_ref(), Some(&second));
+    desk.press_with(Modifiers::COMMAND, Key::S);
+    assert_eq!(fs::read(&first).unwrap(), saved[0]);
+    assert_eq!(fs::read(&second).unwrap(), saved[0], "as the first was");
+}
+
+#[test]
+fn a_built_in_scene_that_was_saved_keeps_its_file_when_it_is_undone() {
+    let folder = tempdir().unwrap();
+    let mut desk = Desk::new();
+    desk.press(Key::R);
+    type_path(&mut desk, Purpose::Save, &format!("{}/", folder.path().display()), "scene");
+    desk.press_with(Modifiers::COMMAND, Key::Z);
+    assert_eq!(desk.plane().path, Some(folder.path().join("scene.octo")));
+}
+
+#[test]
 fn a_broken_file_is_one_message_and_the_old_scene_stays() {
     let folder = tempdir().unwrap();
     let picture = fs::read(sample("landscape.png")).unwrap();

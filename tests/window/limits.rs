@@ -76,3 +76,22 @@ fn a_long_trace_that_is_given_up_leaves_everything_as_it_was() {
     assert_eq!(desk.plane().scenario, before);
     assert!(desk.query_by_role_and_label(Role::Button, "Cancel").is_none());
 }
+
+#[test]
+fn a_way_back_to_the_ray_that_is_given_up_is_found_again() {
+    let mut desk = deep();
+    ask(&mut desk, Algorithm::Dda);
+    desk.step();
+    desk.state_mut().finish_work();
+    desk.run();
+    let asked = desk.plane().scenario.query;
+    desk.click(Role::Button, "Point");
+    desk.tap(Key::Escape);
+    assert!(desk.plane().needs_tracing());
+    desk.state().give_up_tracing();
+    desk.state_mut().finish_work();
+    desk.run();
+    assert!(matches!(desk.plane().scenario.query, Query::Point { .. }));
+    desk.tap(Key::Escape);
+    assert_eq!(desk.plane().scenario.query, asked);
+}

@@ -2,7 +2,10 @@
 
 use crate::desk::Desk;
 use eframe::egui::{Key, Modifiers, accesskit::Role};
-use octoscope_core::query::Query;
+use egui_kittest::kittest::Queryable;
+use octoscope::document::AnyDocument;
+use octoscope_core::query::{Arithmetic, Query};
+use octoscope_core::traverse::Algorithm;
 use octoscope_core::tree::Node;
 
 /// A leaf whose sides are far enough apart to be told apart by the mouse, away
@@ -137,4 +140,46 @@ fn escape_goes_back_to_the_ray_and_to_the_place_in_its_trace() {
     assert_eq!(desk.plane().scenario.query, before);
     desk.press_with(Modifiers::COMMAND, Key::Z);
     assert_eq!(desk.plane().scenario.query, still);
+}
+
+#[test]
+fn a_ray_that_is_not_shown_is_not_changed() {
+    let mut desk = Desk::new();
+    let ray = desk.plane().scenario.ray;
+    desk.click(Role::Button, "Point");
+    for key in [Key::R, Key::N, Key::G] {
+        desk.press(key);
+        assert_eq!(desk.plane().scenario.ray, ray, "{key:?}");
+    }
+}
+
+#[test]
+fn the_button_of_the_ray_goes_back_to_it_as_its_key_does() {
+    let mut desk = Desk::new();
+    let AnyDocument::Plane(document) = desk.state_mut().document_mut() else { panic!() };
+    let Query::Ray { algorithm, arithmetic, .. } = &mut document.scenario.query else { panic!() };
+    (*algorithm, *arithmetic) = (Algorithm::Codes, Arithmetic::Exact);
+    let asked = document.scenario.query;
+    desk.run();
+    desk.press(Key::Home);
+    desk.press(Key::ArrowRight);
+    desk.click(Role::Button, "Point");
+    let button = desk.get_all_by_role_and_label(Role::Button, "Ray").last();
+    button.expect("the menu bar has one of this name, too").click();
+    desk.run();
+    assert_eq!((desk.plane().scenario.query, desk.step_number()), (asked, 1));
+}
+
+#[test]
+fn escape_in_a_field_leaves_the_field_alone() {
+    let mut desk = Desk::new();
+    desk.click(Role::Button, "Point");
+    let asked = desk.plane().scenario.query;
+    let field = desk.get_all_by_role(Role::SpinButton).next();
+    field.expect("the coordinates of the point").click();
+    desk.run();
+    desk.press(Key::Escape);
+    assert_eq!(desk.plane().scenario.query, asked);
+    desk.press(Key::Escape);
+    assert_ne!(desk.plane().scenario.query, asked);
 }

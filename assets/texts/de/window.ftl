@@ -405,6 +405,7 @@ about-licence = Version { $version }, unter der MIT- oder der Apache-Lizenz 2.0.
 drop-here = Datei loslassen, um sie zu öffnen
 status-saved = Gespeichert als { $name }
 status-kept = „{ $title }“ hatte Änderungen, die in keiner Datei stehen: Strg+Z bringt es zurück.
+status-not-restored = Das zuletzt Geöffnete lässt sich jetzt nicht öffnen; der nächste Start versucht es wieder. { $why }
 status-exported = Exportiert als { $name }
 
 paper-none = Keine Regel dieses Verfahrens ist im Aufsatz falsch gedruckt.

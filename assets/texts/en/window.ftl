@@ -405,6 +405,7 @@ about-licence = Version { $version }, under the MIT or the Apache licence 2.0.
 drop-here = Drop the file to open it
 status-saved = Saved as { $name }
 status-kept = “{ $title }” had changes that no file has: Ctrl+Z brings it back.
+status-not-restored = What was open last cannot be opened now; the next start tries again. { $why }
 status-exported = Exported as { $name }
 
 paper-none = No rule of this algorithm is misprinted in the paper.

@@ -1,0 +1,120 @@
+//! What was open last, when the window is opened again.
+
+use crate::desk::{Desk, sample};
+use eframe::egui::{Key, Modifiers};
+use octoscope::document::AnyDocument;
+use std::fs;
+use std::path::Path;
+use tempfile::tempdir;
+
+/// The window on a copy of `name` in `folder`, with the picture that it may need.
+fn on_copy(folder: &Path, name: &str) -> Desk {
+    for name in ["landscape.png", name] {
+        fs::copy(sample(name), folder.join(name)).unwrap();
+    }
+    let desk = Desk::with_file(folder.join(name));
+    assert_eq!(desk.state().view.dialog, None);
+    desk
+}
+
+#[test]
+fn the_window_goes_on_where_it_was_left() {
+    let mut desk = Desk::with_file(sample("lecture.octo"));
+    desk.press(Key::End);
+    desk.press(Key::ArrowLeft);
+    let left = desk.left();
+    let again = Desk::started(&left);
+    assert_eq!(again.plane().scenario, desk.plane().scenario);
+    assert_eq!(again.step_number(), desk.step_number());
+    assert!(!again.state().is_changed());
+    assert_eq!(Desk::started(&left).left(), left);
+}
+
+#[test]
+fn changes_and_the_file_that_lacks_them_are_known_after_a_start() {
+    let folder = tempdir().unwrap();
+    let mut desk = on_copy(folder.path(), "lecture.octo");
+    let path = folder.path().join("lecture.octo");
+    desk.press(Key::R);
+    let mut again = Desk::started(&desk.left());
+    assert!(again.state().is_changed());
+    assert_eq!(again.plane().scenario, desk.plane().scenario);
+    assert_eq!(again.plane().path.as_ref(), Some(&path));
+
+    let before = fs::read(&path).unwrap();
+    again.press_with(Modifiers::COMMAND, Key::S);
+    assert_ne!(fs::read(&path).unwrap(), before);
+    assert!(!again.state().is_changed());
+    assert!(!Desk::started(&again.left()).state().is_changed());
+}
+
+#[test]
+fn what_has_no_file_yet_is_still_marked_after_a_start() {
+    let mut desk = Desk::new();
+    let opened = desk.plane().scenario;
+    desk.press(Key::R);
+    let mut again = Desk::started(&desk.left());
+    assert!(again.state().is_changed());
+    let AnyDocument::Plane(document) = again.state_mut().document_mut() else { panic!() };
+    document.scenario = opened;
+    again.run();
+    assert!(!again.state().is_changed());
+}
+
+#[test]
+fn what_cannot_be_opened_now_is_opened_when_it_is_there_again() {
+    let folder = tempdir().unwrap();
+    let left = on_copy(folder.path(), "knot.obj").left();
+    fs::remove_file(folder.path().join("knot.obj")).unwrap();
+    let mut without = Desk::started(&left);
+    assert!(without.says("knot.obj"), "{:?}", without.texts());
+    let left = without.left();
+    fs::copy(sample("knot.obj"), folder.path().join("knot.obj")).unwrap();
+    assert!(Desk::started(&left).space().tree.n_leaves() > 100);
+
+    // What is made instead is what is open last.
+    fs::remove_file(folder.path().join("knot.obj")).unwrap();
+    without.press(Key::R);
+    assert!(Desk::started(&without.left()).state().is_changed());
+}
+
+#[test]
+fn a_start_that_ends_at_once_forgets_nothing() {
+    let left = Desk::with_file(sample("knot.obj")).left();
+    assert_eq!(Desk::left_at_once(&left), left);
+}
+
+#[test]
+fn what_is_given_up_is_opened_by_the_next_start() {
+    // Cancelled or not: it may be there before.
+    let left = Desk::with_file(sample("knot.obj")).left();
+    let mut desk = Desk::starting(&left);
+    desk.state().give_up_opening();
+    desk.state_mut().finish_work();
+    desk.run();
+    assert_eq!(desk.state().view.dialog, None);
+    assert_eq!(desk.left(), left);
+}
+
+#[test]
+fn what_is_changed_before_it_is_there_can_be_brought_back() {
+    let left = Desk::with_file(sample("knot.obj")).left();
+    let mut changed = None;
+    let mut desk = Desk::starting_with(&left, |app| {
+        let AnyDocument::Plane(document) = app.document_mut() else { panic!() };
+        document.reverse_ray();
+        changed = Some(document.scenario);
+    });
+    desk.state_mut().finish_work();
+    desk.run();
+    assert!(desk.space().tree.n_leaves() > 100);
+    desk.press_with(Modifiers::COMMAND, Key::Z);
+    assert_eq!(Some(desk.plane().scenario), changed);
+}
+
+#[test]
+fn folders_are_remembered_whole() {
+    let mut desk = Desk::with_file("assets/scenes/knot.obj");
+    let last = octoscope::save::remembered(&desk.left()).unwrap();
+    assert!(last.folder.is_absolute(), "{last:?}");
+}
