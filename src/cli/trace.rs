@@ -36,8 +36,8 @@ pub struct Trace {
     #[arg(long, value_name = "ID")]
     algorithm: Option<Method>,
     /// Takes this ray: origin and direction, four numbers in 2-D and six in
-    /// 3-D, decimal or hexadecimal; or a degenerate one made for the tree, as
-    /// gallery:ID (see octoscope scenes).
+    /// 3-D, each a decimal, a fraction such as 1/3 or a hexadecimal float; or a
+    /// degenerate one made for the tree, as gallery:ID (see octoscope scenes).
     #[arg(long, value_name = "OX,OY,OZ,DX,DY,DZ|gallery:ID", allow_hyphen_values = true)]
     ray: Option<RayChoice>,
     /// Ends the ray at this parameter t.

@@ -5,7 +5,7 @@ use octoscope_import::hexadecimal;
 use std::ops::RangeInclusive;
 use std::str::FromStr;
 
-/// Finite numbers between commas or blanks, decimal or hexadecimal.
+/// Finite numbers between commas or blanks: decimals, fractions or hexadecimal floats.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Numbers(pub Vec<f64>);
 
@@ -23,18 +23,30 @@ impl FromStr for Numbers {
     }
 }
 
-/// A finite number, decimal or hexadecimal.
+/// A finite number: decimal, hexadecimal or a fraction of two such, rounded once.
 ///
 /// # Errors
 /// Names the word that is none.
 pub fn number(word: &str) -> Result<f64, String> {
+    const SUCH_AS: &str = "give numbers such as 0.5, -1e3, 1/3 or 0x1p-2";
     if word.is_empty() {
-        return Err("a number is missing; give numbers such as 0.5, -1e3 or 0x1p-2".to_owned());
+        return Err(format!("a number is missing; {SUCH_AS}"));
     }
-    let parsed = hexadecimal(word).or_else(|| word.parse().ok());
-    parsed.filter(|number| number.is_finite()).ok_or_else(|| {
-        format!("‘{word}’ is no finite number; give numbers such as 0.5, -1e3 or 0x1p-2")
-    })
+    let simple = |text: &str| hexadecimal(text).or_else(|| text.parse().ok());
+    let parsed = match word.split_once('/') {
+        Some((above, below)) => match (simple(above), simple(below)) {
+            (Some(_), Some(0.0)) => {
+                return Err(format!("‘{word}’ divides by 0; {SUCH_AS}"));
+            }
+            (Some(above), Some(below)) if above.is_finite() && below.is_finite() => {
+                Some(above / below)
+            }
+            (Some(_) | None, Some(_) | None) => None,
+        },
+        None => simple(word),
+    };
+    let finite = parsed.filter(|number| number.is_finite());
+    finite.ok_or_else(|| format!("‘{word}’ is no finite number; {SUCH_AS}"))
 }
 
 /// The whole number in `text`, which lies in `range`; `why` says where its
@@ -77,6 +89,20 @@ mod tests {
         check("-1,0.5,1e3", &[-1.0, 0.5, 1000.0]);
         check("-1, 0x1p-1 ,2", &[-1.0, 0.5, 2.0]);
         check("1 2  3", &[1.0, 2.0, 3.0]);
+    }
+
+    #[test]
+    fn fractions_are_divided_once() {
+        check("1/3,-3/4 0x1p-1/2", &[1.0 / 3.0, -0.75, 0.25]);
+        for (text, told) in [
+            ("1/0", "‘1/0’ divides by 0; give numbers such as 0.5, -1e3, 1/3 or 0x1p-2"),
+            ("0,0/-0", "‘0/-0’ divides by 0; give numbers such as 0.5, -1e3, 1/3 or 0x1p-2"),
+            ("1/2/3", "‘1/2/3’ is no finite number; give numbers such as 0.5, -1e3, 1/3 or 0x1p-2"),
+            ("1/inf", "‘1/inf’ is no finite number; give numbers such as 0.5, -1e3, 1/3 or 0x1p-2"),
+            ("1/", "‘1/’ is no finite number; give numbers such as 0.5, -1e3, 1/3 or 0x1p-2"),
+        ] {
+            assert_eq!(text.parse::<Numbers>(), Err(told.to_owned()));
+        }
     }
 
     #[test]

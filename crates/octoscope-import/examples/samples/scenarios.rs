@@ -22,7 +22,7 @@ pub fn lecture(picture: &RgbImage, file: &[u8]) -> AnyScenario {
 /// A ray through three turns of the knot; `file` is what `knot.obj` holds.
 pub fn knot(mesh: &Mesh, file: &[u8]) -> AnyScenario {
     let content = Content::Triangles(mesh.triangles());
-    let ray = Ray::new([-80.0, -30.0, -9.0], [8.0, 3.0, 1.0]).expect("finite and not zero");
+    let ray = Ray::new([-80.0, -30.0, -9.0], [160.0, 60.0, 20.0]).expect("finite and not zero");
     let scenario = Scenario::of(source("knot.obj", file), &content);
     AnyScenario::Octree(Scenario { ray, ..scenario })
 }
