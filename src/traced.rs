@@ -1,11 +1,10 @@
 //! The trace of a question, and what is folded from it: made at once where that is
 //! quick, else on another thread.
 
-use octoscope_core::explain::rounded_steps;
 use octoscope_core::geometry::Ray;
 use octoscope_core::progress::{Cancelled, Progress};
 use octoscope_core::query::Query;
-use octoscope_core::trace::{Counters, Trace, record_within};
+use octoscope_core::trace::{Counters, Trace, record_within, rounded_steps};
 use octoscope_core::traverse::Algorithm;
 use octoscope_core::tree::Tree;
 use std::sync::Arc;

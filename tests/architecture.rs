@@ -55,7 +55,24 @@ const RULES: &[Rule] = &[
     Rule {
         place: "crates/octoscope-core/src/traverse/",
         except: &[],
-        forbidden: &["trace", "explain", "scenario", "measure"],
+        forbidden: &["query", "trace", "explain", "gallery", "paper", "scenario", "measure"],
+    },
+    Rule {
+        place: "crates/octoscope-core/src/event/",
+        except: &[],
+        forbidden: &[
+            "locate", "traverse", "query", "trace", "explain", "gallery", "paper", "scenario",
+        ],
+    },
+    Rule {
+        place: "crates/octoscope-core/src/trace/",
+        except: &[],
+        forbidden: &["explain", "gallery", "paper", "scenario", "measure"],
+    },
+    Rule {
+        place: "crates/octoscope-core/src/gallery/",
+        except: &[],
+        forbidden: &["explain", "paper"],
     },
     Rule {
         place: "crates/octoscope-core/src/locate/",

@@ -92,6 +92,23 @@ fn rays_along_edges_and_beside_the_grid_are_in_or_out_by_their_slab() {
 }
 
 #[test]
+fn an_end_that_is_no_finite_number_ends_nothing() {
+    let tree = full(Domain::<2>::unit(2));
+    let ray = ray([-0.5, 0.125], [1.0, 0.25]);
+    for algorithm in Algorithm::ALL {
+        for arithmetic in [Arithmetic::Doubles, Arithmetic::Exact] {
+            let run = |segment_end| {
+                let options = Options { segment_end, ..Options::default() };
+                record(&tree, &ray, &Query::Ray { algorithm, options, arithmetic }).events
+            };
+            for end in [f64::INFINITY, f64::NEG_INFINITY, f64::NAN] {
+                assert_eq!(run(Some(end)), run(None), "{algorithm:?} {end}");
+            }
+        }
+    }
+}
+
+#[test]
 fn minus_zero_is_zero() {
     let tree = full(Domain::<2>::unit(2));
     for zero in [0.0, -0.0] {

@@ -2,14 +2,14 @@
 //! on it what the oracle finds.
 
 use octoscope_core::event::{End, Event};
-use octoscope_core::explain::{rounded_steps, sentence};
+use octoscope_core::explain::sentence;
 use octoscope_core::gallery::Degenerate;
 use octoscope_core::geometry::{Axes, Ray};
 use octoscope_core::progress::Progress;
 use octoscope_core::query::{Arithmetic, Query};
 use octoscope_core::random::Random;
 use octoscope_core::text::Language;
-use octoscope_core::trace::{Trace, record};
+use octoscope_core::trace::{Trace, record, rounded_steps};
 use octoscope_core::traverse::{Algorithm, Options, Slivers, doubles_suffice, first_difference};
 use octoscope_core::tree::{Child, Domain, NodeId, Split, Tree, grow};
 

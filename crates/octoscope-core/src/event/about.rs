@@ -4,6 +4,12 @@ use super::Event;
 use crate::tree::NodeId;
 
 impl<const D: usize> Event<D> {
+    /// The leaf that is visited, or the node that is found.
+    pub fn result_node(&self) -> Option<NodeId> {
+        let is_found = matches!(self, Self::Leaf { .. } | Self::Found { .. });
+        self.node().filter(|_| is_found)
+    }
+
     /// The node at which the algorithm looks or to which it goes, if it is one.
     pub fn node(&self) -> Option<NodeId> {
         match *self {

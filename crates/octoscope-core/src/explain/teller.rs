@@ -3,12 +3,11 @@
 use super::as_printed::with_printed_rules;
 use super::number::{approx, distinct};
 use super::rich::{on_axis, strong};
-use super::rounding::{Disagreement, double_would_differ};
 use super::words::{Decided, Words, chain, equation, point, signs, t, tuple, typographic};
 use crate::event::{End, Event};
 use crate::geometry::{AXIS_NAMES, Axes, Ray};
 use crate::query::Query;
-use crate::trace::{Frame, Moment, Trace};
+use crate::trace::{Disagreement, Frame, Moment, Trace, double_would_differ};
 use crate::traverse::{Algorithm, Variant};
 use crate::tree::NodeId;
 

@@ -1,11 +1,10 @@
 //! The degenerate rays of a tree.
 
 use super::Degenerate;
-use crate::explain::rounded_steps;
 use crate::geometry::Ray;
 use crate::query::{Arithmetic, Query};
 use crate::random::Random;
-use crate::trace::record;
+use crate::trace::{record, rounded_steps};
 use crate::traverse::{Algorithm, Options};
 use crate::tree::{NodeId, Tree};
 

@@ -43,8 +43,9 @@ pub fn verdict<const D: usize>(tree: &Tree<D>, ray: &Ray<D>, trace: &Trace<D>) -
         }
     };
     let right = record(tree, ray, &right);
-    let results =
-        |trace: &Trace<D>| -> Vec<NodeId> { trace.events.iter().filter_map(result).collect() };
+    let results = |trace: &Trace<D>| -> Vec<NodeId> {
+        trace.events.iter().filter_map(Event::result_node).collect()
+    };
     let (expected, found) = (results(&right), results(trace));
     let first_wrong_step = match trace.query {
         Query::Ray { options, .. } => {
@@ -86,7 +87,7 @@ fn corrected<const D: usize>(tree: &Tree<D>, ray: &Ray<D>, query: &Query<D>) -> 
 
 /// Number of events up to and with the report of `wrong`, or of all.
 fn step_of<const D: usize>(trace: &Trace<D>, wrong: Option<NodeId>) -> usize {
-    let is_wrong = |event: &Event<D>| wrong.is_some() && result(event) == wrong;
+    let is_wrong = |event: &Event<D>| wrong.is_some() && event.result_node() == wrong;
     let index = trace.events.iter().position(is_wrong);
     index.map_or(trace.events.len(), |index| index + 1)
 }
@@ -114,21 +115,12 @@ fn step_off_path<const D: usize>(trace: &Trace<D>, right: &Trace<D>) -> usize {
 
 /// The node that a query without a ray comes to, and whether it is its result.
 fn stop<const D: usize>(event: &Event<D>) -> Option<(NodeId, bool)> {
-    match *event {
-        Event::Begin { node }
-        | Event::Follow { node, .. }
-        | Event::Climb { node, .. }
-        | Event::Facing { node, .. } => Some((node, false)),
-        _ => result(event).map(|node| (node, true)),
-    }
-}
-
-/// The leaf that is visited, or the node that is found.
-fn result<const D: usize>(event: &Event<D>) -> Option<NodeId> {
-    match *event {
-        Event::Leaf { node, .. } | Event::Found { node } => Some(node),
-        _ => None,
-    }
+    let is_way = matches!(
+        event,
+        Event::Begin { .. } | Event::Follow { .. } | Event::Climb { .. } | Event::Facing { .. }
+    );
+    let on_the_way = event.node().filter(|_| is_way).map(|node| (node, false));
+    on_the_way.or_else(|| event.result_node().map(|node| (node, true)))
 }
 
 #[cfg(test)]

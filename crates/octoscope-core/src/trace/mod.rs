@@ -1,16 +1,18 @@
 //! The record of one run, the debugger's state at any point of it, what it has
-//! cost until then, and what has become of every node.
+//! cost until then, what has become of every node, and where doubles would err.
 
 mod counters;
 mod fate;
 mod moment;
 mod record;
+mod rounding;
 mod state;
 
 pub use counters::{Counter, Counters};
 pub use fate::{Crossing, Fate, ParentPlane, Reason, deciding_fate, fate};
 pub use moment::Moment;
 pub use record::{Trace, record, record_within};
+pub use rounding::{Disagreement, double_would_differ, rounded_steps};
 pub use state::{
     Codes, Cuts, Detour, Difference, Exits, Extent, Frame, GridCell, LeafOnRay, RootClip, Target,
 };

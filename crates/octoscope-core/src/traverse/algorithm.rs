@@ -55,7 +55,8 @@ pub enum Algorithm {
 pub struct Options {
     /// Where the traversal ends.
     pub stop_at: StopAt,
-    /// Parameter t at which the ray ends, if it does not go on for ever.
+    /// Parameter t at which the ray ends, if it does not go on for ever. What is no
+    /// finite number ends nothing.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub segment_end: Option<f64>,
     /// Rules in another form than the right one.

@@ -3,11 +3,10 @@
 use crate::rays::{Class, random_ray};
 use crate::trees::{domain, random_tree};
 use octoscope_core::event::Event;
-use octoscope_core::explain::{double_would_differ, rounded_steps};
 use octoscope_core::geometry::Ray;
 use octoscope_core::query::{Arithmetic, Query};
 use octoscope_core::random::Random;
-use octoscope_core::trace::{Moment, Trace, record};
+use octoscope_core::trace::{Moment, Trace, double_would_differ, record, rounded_steps};
 use octoscope_core::traverse::{Algorithm, Options, Variant, Variants, doubles_suffice};
 use octoscope_core::tree::Tree;
 

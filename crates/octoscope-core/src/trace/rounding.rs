@@ -3,10 +3,10 @@
 //! The events of an exact run hold the parameters as doubles and what was decided
 //! exactly. So every decision can be made once more, by the doubles.
 
+use super::{Extent, Frame, Moment, Trace};
 use crate::event::{Event, Halves};
 use crate::geometry::{Axes, Parameter, Ray};
 use crate::query::Query;
-use crate::trace::{Extent, Frame, Moment, Trace};
 use crate::traverse::{
     Algorithm, Exit, Options, Variant, clip, code_of_entry, halves, slabs, sorted, target_of,
 };
