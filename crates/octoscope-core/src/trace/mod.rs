@@ -12,5 +12,6 @@ pub use fate::{Crossing, Fate, ParentPlane, Reason, deciding_fate, fate};
 pub use moment::Moment;
 pub use record::{Trace, record, record_within};
 pub use state::{
-    Codes, Cuts, Detour, Difference, Exits, Extent, Frame, GridCell, LeafOnRay, RootClip, Target,
+    Codes, Cuts, Detour, Difference, Exits, Extent, Frame, GridCell, HalvingPlane, LeafOnRay,
+    RootClip, Target, Towards,
 };
