@@ -19,6 +19,7 @@ neighbour-outside = Outside the domain on { $axes }: there is nothing beyond.
 neighbour-ancestor = Climbed to level { $climbed } of { $level }.
 node-note = level { $level }, codes { $codes }
 t-rail-none = Shows the parameters t once the ray is clipped.
+t-rail-missed = The ray does not meet this leaf, so there are no parameters t.
 t-rail-enter = enter
 t-rail-exit = exit
 automaton-mask = a = { $mask }: state i is child i xor { $mask }
