@@ -12,9 +12,10 @@ use crate::view::{PanelKind, Preset, View};
 use crate::widgets::{Place, panel_heading};
 use eframe::egui::{Rect, Ui, UiBuilder, vec2};
 use octoscope_core::event::Event;
-use octoscope_core::explain::{label, listing as listing_of};
+use octoscope_core::explain::listing as listing_of;
 use octoscope_core::query::Query;
 use octoscope_core::trace::{Counters, Moment};
+use octoscope_core::traverse::Variant;
 use octoscope_core::tree::NodeId;
 use octoscope_figure::DiagramOf;
 use octoscope_figure::views::changed_variables;
@@ -144,7 +145,7 @@ fn body<const D: usize>(
         PanelKind::Automaton => automaton::ui(ui, look, moment, event),
         PanelKind::Listing => {
             let listing = listing_of(&trace.query, view.language);
-            let lit = listing::ui(ui, look, &listing, event.map(label));
+            let lit = listing::ui(ui, look, &listing, &listing.lit(past));
             let node = event.and_then(Event::node).or(moment.current);
             lit.into_iter().for_each(|rect| offer_if_pointed(ui, rect, node, view));
         }
@@ -163,7 +164,11 @@ fn body<const D: usize>(
             let ray = document.traced_ray();
             links::ui(ui, look, links::Net { tree: &tree, ray }, &trace, moment);
         }
-        PanelKind::Halves => halves::ui(ui, look, past),
+        PanelKind::Halves => {
+            let is_gem = trace.query.variants().has(Variant::Gem);
+            let form = if is_gem { halves::Form::Gem } else { halves::Form::Robust };
+            halves::ui(ui, look, form, past);
+        }
         PanelKind::Grid => grid::ui(ui, look, moment, past),
         PanelKind::Compare => comparison(ui, look, document),
         PanelKind::Paper => {

@@ -19,7 +19,7 @@ mod write;
 
 pub use fate::{Naming, fate_name, fate_numbers, fate_sentence};
 pub use latex::latex;
-pub use listing::{Line, Listing, label, listing};
+pub use listing::{Line, Listing, branch, label, listing};
 pub use names::{algorithm_name, counter_name, end_name, query_name, step_texts};
 pub use number::{approx, distinct, number};
 pub use rich::{RichText, Span};
