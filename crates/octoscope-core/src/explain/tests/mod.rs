@@ -1,6 +1,7 @@
 //! Laws and expectations of what is said.
 
 mod forms;
+mod formulas;
 mod listed;
 mod told;
 
