@@ -118,6 +118,45 @@ fn cells_of_the_plane_are_crisp_at_any_zoom() {
 }
 
 #[test]
+fn layers_larger_than_any_buffer_are_drawn_whole() {
+    with_gpu(|gpu| {
+        let grey = Color32::from_gray(90);
+        let at = |n: u32| [(n % 8) as f32 * 0.5, (n / 8) as f32 * 0.5, 1.0];
+        let triangles: Vec<_> = (0..64)
+            .map(|n| [at(n), [at(n)[0] + 0.3, at(n)[1], 1.0], [at(n)[0], at(n)[1] + 0.3, 1.0]])
+            .collect();
+        let code = |n: u32| [n % 4, n / 4 % 4, n / 16];
+        let cell = |n| Cell { level: 0, style: (n % 3 == 0).into(), code: code(n) };
+        let cells: Vec<Cell> = (0..64).map(cell).collect();
+        let style = |fill| BoxStyle { fill, edge: grey, width: 1.0 };
+        let styles = [style(ORANGE), style(Color32::TRANSPARENT)];
+        let spheres = (0..64).map(|n| [at(n)[0], at(n)[1], 1.0, 0.2]).collect();
+        let flat = |n: u32| {
+            let cell = Cell { level: 0, style: 0, code: [n % 4, n / 4, 0] };
+            (cell, if n % 3 == 0 { ORANGE } else { grey })
+        };
+        let flat: Vec<_> = (0..16).map(flat).collect();
+        let plane = View::Plane(Plane { centre: [2.0, 2.0], scale: 12.0 });
+        let pictures = [
+            picture(front(), vec![Layer::triangles(&triangles, grey)]),
+            picture(front(), vec![Layer::points((0..64).map(at).collect(), grey, 2.0)]),
+            picture(front(), vec![Layer::spheres(spheres, grey)]),
+            picture(front(), vec![Layer::boxes(GRID, &cells, &styles)]),
+            picture(plane, vec![Layer::cells(GRID, &flat, Color32::BLACK, 1.0)]),
+        ];
+        let whole = pictures.each_ref().map(|picture| drawn(gpu, picture));
+        let most_bytes = std::mem::replace(&mut gpu.renderer.most_bytes, 100);
+        for (picture, whole) in pictures.iter().zip(&whole) {
+            // Layers made anew are uploaded anew.
+            drawn(gpu, &Picture { layers: Vec::new(), ..picture.clone() });
+            assert_eq!(drawn(gpu, picture), *whole);
+            assert!(whole.pixels.iter().any(|&pixel| pixel != Color32::WHITE));
+        }
+        gpu.renderer.most_bytes = most_bytes;
+    });
+}
+
+#[test]
 fn a_picture_too_large_or_empty_is_refused() {
     with_gpu(|gpu| {
         for size in [[0, 5], [5, 1 << 20]] {
