@@ -49,6 +49,8 @@ pub struct App {
     unrestored: Option<Last>,
     /// The trace that is being made of a long run.
     tracing: Option<Job<Result<AnyDocument, Cancelled>>>,
+    /// What is being found out about the run.
+    judging: Option<Job<Result<AnyDocument, Cancelled>>>,
     exporting: Exporting,
     chosen: files::Answers,
     notice: Notice,
@@ -120,6 +122,7 @@ impl App {
             job: None,
             unrestored: None,
             tracing: None,
+            judging: None,
             exporting: Exporting::default(),
             chosen: files::Answers::default(),
             notice: Notice::default(),
@@ -216,6 +219,7 @@ impl eframe::App for App {
         let context = ui.ctx().clone();
         self.poll_job();
         self.poll_tracing();
+        self.poll_judging();
         self.take_answers(&context);
         self.open_dropped(&context);
         let mut commands = Vec::new();
@@ -265,6 +269,7 @@ impl eframe::App for App {
         self.follow(step_now);
         self.rebuild_if_needed(&context);
         self.trace_if_needed(&context);
+        self.judge_if_needed(&context);
         self.settle(&context);
         self.outdate_notice();
         self.name_window(&context);
@@ -273,7 +278,7 @@ impl eframe::App for App {
             context.request_repaint();
         }
 
-        if self.job.is_some() || self.tracing.is_some() {
+        if self.job.is_some() || self.tracing.is_some() || self.judging.is_some() {
             context.request_repaint_after(Duration::from_millis(30));
         }
         if let Some(secs) = self.view.playback.secs_to_next() {

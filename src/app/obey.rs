@@ -333,7 +333,7 @@ impl App {
             let mut document = shown.document;
             document.keep_file(&self.document);
             self.document = document;
-            self.tracing = None;
+            self.forget_work();
             self.go_to(shown.step);
             self.settled = self.shown();
         }
