@@ -1,6 +1,6 @@
 //! The panels that explain the step, each under its heading.
 
-use crate::document::Document;
+use crate::document::{Document, Found};
 use crate::look::Look;
 use crate::map::Maps;
 use crate::panels::{
@@ -10,7 +10,7 @@ use crate::panels::{
 use crate::sidebar::Wish;
 use crate::view::{PanelKind, Preset, View};
 use crate::widgets::{Place, panel_heading};
-use eframe::egui::{Rect, Ui, UiBuilder, vec2};
+use eframe::egui::{Rect, RichText, Ui, UiBuilder, vec2};
 use octoscope_core::event::Event;
 use octoscope_core::explain::listing as listing_of;
 use octoscope_core::query::Query;
@@ -174,7 +174,7 @@ fn body<const D: usize>(
         PanelKind::Paper => {
             let verdict = document.verdict();
             let query = &mut document.scenario.query;
-            return paper::ui(ui, look, query, verdict.as_deref());
+            return paper::ui(ui, look, query, &verdict);
         }
         PanelKind::Tree => {
             let of = diagram_of(document, moment);
@@ -246,8 +246,16 @@ fn comparison<const D: usize>(ui: &mut Ui, look: &Look, document: &mut Document<
         Query::Ray { algorithm, .. } => Some(algorithm),
         Query::Point { .. } | Query::Region { .. } | Query::Neighbour { .. } => None,
     };
-    let runs = if shown.is_some() { document.comparison() } else { Arc::default() };
-    let chosen = compare::ui(ui, look, &runs, shown);
+    let found = if shown.is_some() { document.comparison() } else { Found::Never };
+    let runs = match &found {
+        Found::Known(runs) | Found::Coming(Some(runs)) => runs.as_slice(),
+        Found::Never => &[],
+        Found::Coming(None) => {
+            ui.label(RichText::new(look.text("compare-coming")).color(look.palette.quiet));
+            return;
+        }
+    };
+    let chosen = compare::ui(ui, look, runs, shown);
     if let (Some(chosen), Query::Ray { algorithm, .. }) = (chosen, &mut document.scenario.query) {
         *algorithm = chosen;
     }

@@ -1,6 +1,8 @@
 //! The formula of every kind of event in every notation, as it is spoken: read
 //! `formulas.txt` from top to bottom and you have heard all of them.
 
+#![allow(clippy::unwrap_used, reason = "a test may panic")]
+
 use octoscope_core::event::Event;
 use octoscope_core::explain::{Notation, Statement, formulas, spoken};
 use octoscope_core::geometry::Ray;
