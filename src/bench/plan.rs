@@ -36,7 +36,7 @@ impl Default for Plan {
             methods: Self::all_but_the_oracle(),
             n_rays: 1000,
             seed: 0x5EED,
-            n_repeats: 5,
+            n_repeats: 9,
         }
     }
 }

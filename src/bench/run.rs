@@ -12,8 +12,12 @@ use octoscope_core::tree::{Merge, Recipe, Tree, build};
 use std::hint::black_box;
 use std::time::{Duration, Instant};
 
-/// Rays between two looks whether the work is still wanted.
-const RAYS_AT_ONCE: usize = 128;
+/// Rays that are timed together: so few that hardly any such piece is disturbed by
+/// another program, and so many that reading the clock is nothing beside them.
+const RAYS_AT_ONCE: usize = 16;
+
+/// Most pieces into which all rays are cut.
+const MOST_PIECES: usize = 4096;
 
 /// Measures everything that is planned; what was measured before it is cancelled is
 /// kept, scene by scene and depth by depth.
@@ -86,13 +90,16 @@ fn site_in<const D: usize>(
         rows.push(Row { method, times: Vec::new(), counted });
     }
     // Round after round all take their turn, so that all meet the same weather.
+    let mut passes: Vec<Vec<Vec<Duration>>> = vec![Vec::new(); rows.len()];
     for _ in 0..plan.n_repeats {
-        for row in &mut rows {
-            let time = pass(&tree, &rays, &query(row.method), progress)?;
-            row.times.push(time.as_nanos() as f64 / rays.len().max(1) as f64);
+        for (row, passes) in rows.iter().zip(&mut passes) {
+            passes.push(pass(&tree, &rays, &query(row.method), progress)?);
         }
     }
-    rows.iter_mut().for_each(|row| row.times.sort_by(f64::total_cmp));
+    for (row, passes) in rows.iter_mut().zip(passes) {
+        row.times =
+            ranked(passes).into_iter().map(|time| time / rays.len().max(1) as f64).collect();
+    }
     let disagreement = first_disagreement(&tree, &rays, &rows);
     let (n_leaves, n_rays) = (tree.n_leaves(), rays.len());
     Ok(Site { n_leaves, n_rays, rows, disagreement, ..Site::default() })
@@ -111,25 +118,42 @@ fn first_disagreement<const D: usize>(
     differing.map(|row| disagreement(tree, rays, reference, row.method)).find_map(|found| found)
 }
 
-/// Time of a query on all rays.
+/// Nanoseconds of all pieces together: in the fastest repetition of each, in the second
+/// fastest and so on. One that another program has disturbed comes late in the order of
+/// its own piece, and leaves the others alone.
+fn ranked(passes: Vec<Vec<Duration>>) -> Vec<f64> {
+    let n_pieces = passes.first().map_or(0, Vec::len);
+    let mut ranked = vec![0.0; passes.len()];
+    for piece in 0..n_pieces {
+        let mut times: Vec<Duration> = passes.iter().map(|pass| pass[piece]).collect();
+        times.sort_unstable();
+        for (sum, time) in ranked.iter_mut().zip(times) {
+            *sum += time.as_nanos() as f64;
+        }
+    }
+    ranked
+}
+
+/// Times of a query on all rays, piece by piece.
 fn pass<const D: usize>(
     tree: &Tree<D>,
     rays: &[Ray<D>],
     query: &Query<D>,
     progress: &Progress,
-) -> Result<Duration, Cancelled> {
-    let mut time = Duration::ZERO;
-    for some in rays.chunks(RAYS_AT_ONCE) {
+) -> Result<Vec<Duration>, Cancelled> {
+    let size = RAYS_AT_ONCE.max(rays.len().div_ceil(MOST_PIECES));
+    let mut times = Vec::with_capacity(rays.len().div_ceil(size));
+    for some in rays.chunks(size) {
         let mut tally = Tally::default();
         let start = Instant::now();
         for ray in some {
             black_box(query.run(tree, ray, &mut tally));
         }
         black_box(tally);
-        time += start.elapsed();
+        times.push(start.elapsed());
         progress.advance(some.len() as u64)?;
     }
-    Ok(time)
+    Ok(times)
 }
 
 #[cfg(test)]
@@ -165,6 +189,15 @@ mod tests {
             }
         }
         assert_eq!(progress.fraction(), Some(1.0));
+    }
+
+    #[test]
+    fn a_disturbed_piece_does_not_spoil_the_median() {
+        // Three repetitions of three pieces, each disturbed in another one.
+        let passes = [[10, 20, 900], [900, 20, 30], [10, 900, 30]];
+        let passes = passes.map(|pass| pass.map(Duration::from_nanos).to_vec()).to_vec();
+        assert_eq!(ranked(passes), [60.0, 60.0, 2700.0]);
+        assert_eq!(ranked(Vec::new()), [0.0; 0]);
     }
 
     #[test]

@@ -75,7 +75,7 @@ impl Default for Choice {
             algorithms: Self::OF_THE_PAPER,
             depths: [5, 7],
             n_rays: 500,
-            n_repeats: 5,
+            n_repeats: 9,
             seed: 0x5EED,
             tab: Tab::Scenes,
             cost: 0,

@@ -35,7 +35,8 @@ pub struct Site {
 pub struct Row {
     /// The algorithm.
     pub method: Method,
-    /// Nanoseconds a ray in every repetition, the shortest first.
+    /// Nanoseconds a ray in every repetition, the shortest first; whoever times some of
+    /// the rays at once sums up the shortest times of all, the second shortest and so on.
     pub times: Vec<f64>,
     /// What it did.
     pub counted: Counted,
