@@ -21,8 +21,11 @@ use std::time::Instant;
 const N_FRAMES: u32 = 30;
 const SIZE: [f32; 2] = [1280.0, 800.0];
 
+/// What happens to the window before the frame of this number.
+type Change = fn(&mut App, u32);
+
 /// What happens between two frames.
-const CHANGES: [(&str, fn(&mut App, u32)); 4] =
+const CHANGES: [(&str, Change); 4] =
     [("nothing", |_, _| ()), ("step", step), ("turn", turn), ("drag", drag)];
 
 fn main() {

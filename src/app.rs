@@ -54,6 +54,8 @@ pub struct App {
     unrestored: Option<Last>,
     /// The trace that is being made of a long run.
     tracing: Option<Job<Result<AnyDocument, Cancelled>>>,
+    /// What is being found out about the run.
+    judging: Option<Job<Result<AnyDocument, Cancelled>>>,
     exporting: Exporting,
     measuring: Measuring,
     chosen: files::Answers,
@@ -131,6 +133,7 @@ impl App {
             job: None,
             unrestored: None,
             tracing: None,
+            judging: None,
             exporting: Exporting::default(),
             measuring: Measuring::default(),
             chosen: files::Answers::default(),
@@ -256,6 +259,7 @@ impl eframe::App for App {
         let context = ui.ctx().clone();
         self.poll_job();
         self.poll_tracing();
+        self.poll_judging();
         self.take_answers(&context);
         self.open_dropped(&context);
         let mut commands = Vec::new();
@@ -305,6 +309,7 @@ impl eframe::App for App {
         self.follow(step_now);
         self.rebuild_if_needed(&context);
         self.trace_if_needed(&context);
+        self.judge_if_needed(&context);
         self.settle(&context);
         self.outdate_notice();
         self.name_window(&context);
@@ -313,7 +318,7 @@ impl eframe::App for App {
             context.request_repaint();
         }
 
-        if self.job.is_some() || self.tracing.is_some() {
+        if self.job.is_some() || self.tracing.is_some() || self.judging.is_some() {
             context.request_repaint_after(Duration::from_millis(30));
         }
         if let Some(secs) = self.view.playback.secs_to_next() {

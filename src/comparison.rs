@@ -2,6 +2,7 @@
 
 use crate::counted::{Counted, counted};
 use octoscope_core::geometry::Ray;
+use octoscope_core::progress::{Cancelled, Progress};
 use octoscope_core::query::{Arithmetic, Query};
 use octoscope_core::trace::Counters;
 use octoscope_core::traverse::{
@@ -56,17 +57,27 @@ pub fn is_quick<const D: usize>(algorithm: Algorithm, tree: &Tree<D>) -> bool {
 
 /// Runs every algorithm that is quick enough on `ray`, in doubles, with every rule
 /// in its right form.
-pub fn compare<const D: usize>(tree: &Tree<D>, ray: &Ray<D>, options: Options) -> Vec<Run> {
+///
+/// # Errors
+/// Stops with [`Cancelled`] when `progress` is cancelled.
+pub fn compare<const D: usize>(
+    tree: &Tree<D>,
+    ray: &Ray<D>,
+    options: Options,
+    progress: &Progress,
+) -> Result<Vec<Run>, Cancelled> {
     let options = Options { variants: Variants::NONE, ..options };
     let wanted = Algorithm::ALL.into_iter().filter(|&algorithm| is_quick(algorithm, tree));
-    let mut runs: Vec<Run> = wanted.map(|algorithm| run(tree, ray, algorithm, options)).collect();
+    let run = |algorithm, options| run(tree, ray, algorithm, options, progress);
+    let mut runs =
+        wanted.map(|algorithm| run(algorithm, options)).collect::<Result<Vec<Run>, Cancelled>>()?;
     let oracle = runs.iter().find(|run| run.algorithm == Algorithm::Exhaustive);
-    let Some(reference) = oracle.or(runs.first()) else { return runs };
+    let Some(reference) = oracle.or(runs.first()) else { return Ok(runs) };
     let expected = match options.stop_at {
         StopAt::End => reference.leaves.clone(),
         StopAt::FirstFull => {
             let whole = Options { stop_at: StopAt::End, ..options };
-            run(tree, ray, reference.algorithm, whole).leaves
+            run(reference.algorithm, whole)?.leaves
         }
     };
     for run in &mut runs {
@@ -75,7 +86,7 @@ pub fn compare<const D: usize>(tree: &Tree<D>, ray: &Ray<D>, options: Options) -
             first_difference_of_run(tree, ray, options, &expected, &run.leaves, slivers);
         run.agrees = difference.is_none();
     }
-    runs
+    Ok(runs)
 }
 
 fn run<const D: usize>(
@@ -83,16 +94,16 @@ fn run<const D: usize>(
     ray: &Ray<D>,
     algorithm: Algorithm,
     options: Options,
-) -> Run {
+    progress: &Progress,
+) -> Result<Run, Cancelled> {
     let query = Query::Ray { algorithm, options, arithmetic: Arithmetic::Doubles };
-    let Counted { n_steps, counters, leaves } = counted(tree, ray, &query);
-    Run { algorithm, n_steps, counters, leaves, agrees: false }
+    let Counted { n_steps, counters, leaves } = counted(tree, ray, &query, progress)?;
+    Ok(Run { algorithm, n_steps, counters, leaves, agrees: false })
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use octoscope_core::progress::Progress;
     use octoscope_core::tree::{Domain, Split, grow};
 
     #[test]
@@ -102,7 +113,7 @@ mod tests {
         });
         let tree = tree.unwrap();
         let ray = Ray::new([-1.0; 3], [1.0; 3]).unwrap();
-        let runs = compare(&tree, &ray, Options::default());
+        let runs = compare(&tree, &ray, Options::default(), &Progress::default()).unwrap();
         assert!(runs.iter().all(|run| run.agrees && run.leaves.len() == 2));
         assert_eq!(runs.len(), Algorithm::ALL.len());
     }

@@ -2,6 +2,7 @@
 
 use octoscope_core::event::{Event, Observer};
 use octoscope_core::geometry::Ray;
+use octoscope_core::progress::{Cancelled, Progress};
 use octoscope_core::query::Query;
 use octoscope_core::trace::Counters;
 use octoscope_core::tree::{NodeId, Tree};
@@ -20,23 +21,38 @@ pub struct Counted {
     pub leaves: Vec<NodeId>,
 }
 
-impl<const D: usize> Observer<D> for Counted {
+/// Runs a search on one ray.
+///
+/// # Errors
+/// Stops with [`Cancelled`] when `progress` is cancelled.
+pub fn counted<const D: usize>(
+    tree: &Tree<D>,
+    ray: &Ray<D>,
+    query: &Query<D>,
+    progress: &Progress,
+) -> Result<Counted, Cancelled> {
+    let mut counting = Counting { counted: Counted::default(), progress };
+    query.run(tree, ray, &mut counting);
+    progress.advance(0)?;
+    Ok(counting.counted)
+}
+
+/// Counts as long as the result is wanted.
+struct Counting<'a> {
+    counted: Counted,
+    progress: &'a Progress,
+}
+
+impl<const D: usize> Observer<D> for Counting<'_> {
     fn observe(&mut self, event: Event<D>) {
-        self.n_steps += 1;
-        self.counters.add(&event);
+        self.counted.n_steps += 1;
+        self.counted.counters.add(&event);
         if let Event::Leaf { node, .. } = event {
-            self.leaves.push(node);
+            self.counted.leaves.push(node);
         }
     }
 
     fn wants_more(&self) -> bool {
-        self.n_steps < MOST_STEPS
+        self.counted.n_steps < MOST_STEPS && self.progress.advance(0).is_ok()
     }
-}
-
-/// Runs a search on one ray.
-pub fn counted<const D: usize>(tree: &Tree<D>, ray: &Ray<D>, query: &Query<D>) -> Counted {
-    let mut counted = Counted::default();
-    query.run(tree, ray, &mut counted);
-    counted
 }

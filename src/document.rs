@@ -1,25 +1,27 @@
 //! The open scenario with all that is derived from it.
 
 mod any;
+mod judged;
 
-use crate::comparison::{MOST_LEAVES, Run, compare};
+use crate::comparison::Run;
 use crate::history::Shared;
 use crate::traced::{MOST_EVENTS, Traced};
 use octoscope_core::event::Event;
 use octoscope_core::geometry::Ray;
-use octoscope_core::paper::{Verdict, erratum_of, verdict};
+use octoscope_core::paper::Verdict;
 use octoscope_core::progress::{Cancelled, Progress};
 use octoscope_core::query::Query;
 use octoscope_core::scenario::{Scenario, Source};
 use octoscope_core::scene::{Content, Cube, leaf_colours};
 use octoscope_core::trace::{Counters, Moment, Trace};
-use octoscope_core::traverse::Options;
 use octoscope_core::tree::{BuildError, Recipe, Tree, build};
 use std::any::Any;
 use std::path::PathBuf;
 use std::sync::Arc;
 
 pub use any::AnyDocument;
+use judged::Finding;
+pub use judged::Found;
 
 /// What panels and handles change of a scenario.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -57,9 +59,9 @@ pub struct Document<const D: usize> {
     /// Steps of the trace, from 1, in which doubles would have decided otherwise.
     pub rounded: Arc<[usize]>,
     /// All algorithms on the ray, once they are asked for.
-    comparison: Option<Arc<Vec<Run>>>,
+    comparison: Finding<Vec<Run>>,
     /// Whether the run comes to the right result, once that is asked for.
-    verdict: Option<Arc<Verdict>>,
+    verdict: Finding<Verdict>,
     traced: (Ray<D>, Query<D>),
     /// The query along the ray before the present one, and the playhead in it.
     left_ray: Option<(Query<D>, usize)>,
@@ -97,8 +99,8 @@ impl<const D: usize> Document<D> {
             folder: PathBuf::new(),
             total,
             rounded,
-            comparison: None,
-            verdict: None,
+            comparison: Finding::default(),
+            verdict: Finding::default(),
             traced,
             left_ray: None,
             resumed: None,
@@ -272,8 +274,8 @@ impl<const D: usize> Document<D> {
         self.trace = trace;
         self.total = total;
         self.rounded = rounded;
-        self.comparison = None;
-        self.verdict = None;
+        self.comparison.outdate();
+        self.verdict.outdate();
         self.traced = (ray, query);
         match self.resumed.take().filter(|(resumed, _)| *resumed == query) {
             Some((_, left_at)) => left_at,
@@ -320,45 +322,6 @@ impl<const D: usize> Document<D> {
         if let Ok(reversed) = Ray::new(ray.at(1.0), back) {
             self.scenario.ray = reversed;
         }
-    }
-
-    /// Whether the run comes to the right result, computed once for every ray and
-    /// tree; `None` where the tree is too large to ask every leaf, or the run was too
-    /// long to be traced to its end.
-    pub fn verdict(&mut self) -> Option<Arc<Verdict>> {
-        if self.tree.n_leaves() > MOST_LEAVES || self.trace.is_cut() {
-            return None;
-        }
-        let (tree, ray, trace) = (&self.tree, &self.traced.0, &self.trace);
-        Some(Arc::clone(self.verdict.get_or_insert_with(|| Arc::new(verdict(tree, ray, trace)))))
-    }
-
-    /// The step at which a misprinted rule leads astray first, if one is followed,
-    /// and it does.
-    pub fn first_wrong_step(&mut self) -> Option<usize> {
-        let is_misprint = |variant| erratum_of(variant).is_some();
-        if !self.trace.query.variants().iter().any(is_misprint) {
-            return None;
-        }
-        self.verdict().and_then(|verdict| verdict.first_wrong_step)
-    }
-
-    /// The verdict, if it was asked for.
-    pub fn known_verdict(&self) -> Option<&Verdict> {
-        self.verdict.as_deref()
-    }
-
-    /// All algorithms on the ray; computed once for every ray and tree.
-    pub fn comparison(&mut self) -> Arc<Vec<Run>> {
-        let options = match self.traced.1 {
-            Query::Ray { options, .. } => options,
-            Query::Point { .. } | Query::Region { .. } | Query::Neighbour { .. } => {
-                Options::default()
-            }
-        };
-        let (tree, ray) = (&self.tree, &self.traced.0);
-        let runs = self.comparison.get_or_insert_with(|| Arc::new(compare(tree, ray, options)));
-        Arc::clone(runs)
     }
 
     /// Mean colours of the leaves by node number, if the tree is of a picture.

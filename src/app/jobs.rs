@@ -147,14 +147,60 @@ impl App {
         }
     }
 
-    /// Waits until what is being opened, built or traced is there; without work, not
-    /// at all.
+    /// Finds out on another thread what the panels have asked for about the run, if
+    /// that takes long. One after the other, as traces are made.
+    pub(super) fn judge_if_needed(&mut self, context: &Context) {
+        let wants = with_document!(&self.document, document => document.wants_judging());
+        if !wants || self.judging.is_some() {
+            return;
+        }
+        let mut document = self.document.clone();
+        let work = move |progress: &Progress| {
+            with_document!(&mut document, d => d.judge(progress))?;
+            Ok(document)
+        };
+        self.judging = Some(Job::start(String::new(), context, work));
+        // What is not quite as quick is awaited, so that nothing flickers.
+        self.poll_judging();
+    }
+
+    pub(super) fn poll_judging(&mut self) {
+        if let Some(job) = &self.judging {
+            self.conclude_judging(job.poll());
+        }
+    }
+
+    fn conclude_judging(&mut self, poll: Poll<Result<AnyDocument, Cancelled>>) {
+        match poll {
+            Poll::Running => return,
+            Poll::Done(Ok(judged)) => self.document.take_judged(&judged),
+            // Another document is open.
+            Poll::Done(Err(Cancelled)) => {}
+            Poll::Broken => {
+                with_document!(&mut self.document, document => document.give_up_judging());
+                self.view.dialog = Some(Dialog::Error(self.look.text("job-broken")));
+            }
+        }
+        self.judging = None;
+    }
+
+    /// Drops what is being made of the document that was open before.
+    pub(super) fn forget_work(&mut self) {
+        self.tracing = None;
+        self.judging = None;
+    }
+
+    /// Waits until what is being opened, built, traced or found out is there; without
+    /// work, not at all.
     pub fn finish_work(&mut self) {
         if let Some((job, purpose)) = &self.job {
             self.conclude(job.wait(), *purpose);
         }
         if let Some(job) = &self.tracing {
             self.conclude_tracing(job.wait());
+        }
+        if let Some(job) = &self.judging {
+            self.conclude_judging(job.wait());
         }
         self.maps.finish_work();
     }
@@ -221,7 +267,7 @@ impl App {
                     self.history.record(self.shown());
                 }
                 self.document = document;
-                self.tracing = None;
+                self.forget_work();
                 self.unrestored = None;
                 self.saved = self.document.as_opened();
                 self.notice.clear();
@@ -243,7 +289,7 @@ impl App {
             (Ok(rebuilt), Purpose::Rebuild) => {
                 let step = self.document.adopt(&rebuilt, self.view.playback.step);
                 self.follow(step);
-                self.tracing = None;
+                self.forget_work();
             }
             (Ok(aimed), Purpose::Aim) => match (&mut self.document, aimed) {
                 (AnyDocument::Plane(now), AnyDocument::Plane(aimed)) => {

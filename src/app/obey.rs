@@ -352,7 +352,7 @@ impl App {
             document.keep_file(&self.document);
             self.document = document;
             *self.show_of_document_mut() = shown.show;
-            self.tracing = None;
+            self.forget_work();
             self.go_to(shown.step);
             self.settled = self.shown();
         }

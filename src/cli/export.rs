@@ -6,7 +6,7 @@ use super::values::language;
 use super::{Answer, tell};
 use crate::document::Document;
 use crate::export::{Eye, Format, Order, Request, Size, Steps, parse_shown};
-use crate::figures::{Moments, take_exercise};
+use crate::figures::Moments;
 use crate::kept_show::kept_show;
 use crate::open::open;
 use crate::with_document;

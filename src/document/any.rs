@@ -98,6 +98,15 @@ impl AnyDocument {
         }
     }
 
+    /// Takes what was found out about `other`, see [`Document::take_judged`].
+    pub fn take_judged(&mut self, other: &Self) {
+        match (self, other) {
+            (Self::Plane(now), Self::Plane(other)) => now.take_judged(other),
+            (Self::Space(now), Self::Space(other)) => now.take_judged(other),
+            (Self::Plane(_), Self::Space(_)) | (Self::Space(_), Self::Plane(_)) => {}
+        }
+    }
+
     /// Number of events in the trace.
     pub fn n_events(&self) -> usize {
         with_document!(self, document => document.trace.events.len())

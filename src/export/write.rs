@@ -6,7 +6,7 @@ use anyhow::{Context, bail};
 use octoscope_core::explain::RichText;
 use octoscope_core::progress::Progress;
 use octoscope_figure::{
-    Apng, Extent, Figure, FileOptions, Gif, Page, Pdf, Pixels, Scale, Tikz, png, svg,
+    Apng, Extent, Figure, FileOptions, Gif, Page, Pdf, Pixels, Rasteriser, Scale, Tikz, png, svg,
 };
 use std::io::Write;
 use std::ops::RangeInclusive;
@@ -209,8 +209,9 @@ fn bytes(
         Format::Gif => {
             let (mut file, pause) = (Vec::new(), order.pause_secs);
             let mut gif = Gif::begin(&mut file, &samples(series, frames, &options)?, pause)?;
+            let mut rasteriser = Rasteriser::new(&options);
             for figure in figures {
-                gif.frame(Pixels::of(&figure?, &options)?)?;
+                gif.frame(rasteriser.pixels(&figure?)?)?;
             }
             gif.finish()?;
             Ok(file)
@@ -219,10 +220,11 @@ fn bytes(
             let Some(first) = figures.next() else { bail!("there is no step to draw") };
             let (mut file, pause) = (Vec::new(), order.pause_secs);
             let n_frames = u32::try_from(series.steps.clone().count())?;
-            let first = Pixels::of(&first?, &options)?;
+            let mut rasteriser = Rasteriser::new(&options);
+            let first = rasteriser.pixels(&first?)?;
             let mut apng = Apng::begin(&mut file, first, n_frames, pause, &options)?;
             for figure in figures {
-                apng.frame(Pixels::of(&figure?, &options)?)?;
+                apng.frame(rasteriser.pixels(&figure?)?)?;
             }
             apng.finish()?;
             Ok(file)

@@ -3,6 +3,7 @@
 use crate::bench::{csv, markdown};
 use crate::export::{self, Format, Order, Series};
 use crate::files;
+use octoscope_core::explain::RichText;
 use octoscope_core::measure::Results;
 use octoscope_core::progress::Progress;
 use octoscope_figure::{Figure, Theme};
@@ -35,7 +36,7 @@ pub fn write(
     let series = Series {
         steps: 0..=0,
         figure: &|_, _| Ok(chart.clone()),
-        title: &|_| title.to_owned(),
+        caption: &|_| RichText::parse(title),
         scenario: &|_| String::new(),
     };
     export::write(&order, &series, Some(path), &Progress::default())

@@ -124,7 +124,7 @@ fn raster<const D: usize>(asked: &Asked<D>, progress: &Progress) -> Result<Raste
                 return Ok(());
             }
             let range = first..(first + BLOCK).min(height);
-            let found = rows(asked, range.clone());
+            let found = rows(asked, range.clone(), progress)?;
             let mut values = values.lock().unwrap_or_else(PoisonError::into_inner);
             values[width * range.start..width * range.end].copy_from_slice(&found);
             drop(values);
@@ -147,11 +147,12 @@ mod tests {
     use super::super::asked::{Colouring, Rays};
     use super::super::measure::{NOTHING, RIGHT, WRONG};
     use super::*;
-    use crate::counted::counted;
+    use crate::counted::{Counted, counted};
     use octoscope_core::family::Family;
+    use octoscope_core::geometry::Ray;
     use octoscope_core::query::{Arithmetic, Query};
     use octoscope_core::traverse::{Algorithm, Options, Variant, Variants};
-    use octoscope_core::tree::{Domain, Split, Tree, grow};
+    use octoscope_core::tree::{Domain, NodeId, Split, Tree, grow};
 
     fn asked(colouring: Colouring, algorithm: Algorithm, variants: Variants) -> Asked<2> {
         let tree: Tree<2> = grow(Domain::unit(3), (), &Progress::default(), |cell, ()| {
@@ -169,6 +170,14 @@ mod tests {
         }
     }
 
+    fn count(asked: &Asked<2>, ray: &Ray<2>) -> Counted {
+        counted(&asked.tree, ray, &asked.query, &Progress::default()).unwrap()
+    }
+
+    fn leaves_of(asked: &Asked<2>, ray: &Ray<2>) -> Vec<NodeId> {
+        count(asked, ray).leaves
+    }
+
     #[test]
     fn every_value_is_that_of_its_ray() {
         let right = Variants::NONE;
@@ -180,9 +189,9 @@ mod tests {
             for column in 0..37 {
                 let at = row * 37 + column;
                 let ray = leaves.ray_of(column, row).unwrap();
-                let found = counted(&leaves.tree, &ray, &leaves.query).leaves.len();
+                let found = leaves_of(&leaves, &ray).len();
                 assert_eq!(n_leaves[at] as usize, found);
-                let made = counted(&steps.tree, &ray, &steps.query).n_steps;
+                let made = count(&steps, &ray).n_steps;
                 assert_eq!(n_steps[at] as usize, made);
             }
         }
@@ -206,7 +215,7 @@ mod tests {
         let mut names = std::collections::HashMap::new();
         for (at, &value) in values.iter().enumerate() {
             let ray = asked.ray_of(at % 37, at / 37).unwrap();
-            let leaves = counted(&asked.tree, &ray, &asked.query).leaves;
+            let leaves = leaves_of(&asked, &ray);
             assert_eq!(value == NOTHING, leaves.is_empty());
             assert_eq!(names.entry(value).or_insert_with(|| leaves.clone()), &leaves);
         }

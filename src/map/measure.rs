@@ -3,6 +3,7 @@
 use super::asked::{Asked, Colouring};
 use crate::counted::counted;
 use octoscope_core::geometry::Ray;
+use octoscope_core::progress::{Cancelled, Progress};
 use octoscope_core::query::Query;
 use octoscope_core::traverse::{
     Kernel, Leaf, Options, Slivers, StopAt, first_difference_of_run, visit_many,
@@ -24,7 +25,14 @@ fn options_of<const D: usize>(query: &Query<D>) -> Options {
 }
 
 /// The values of all cells in some rows, from left to right, row after row.
-pub fn rows<const D: usize>(asked: &Asked<D>, rows: std::ops::Range<usize>) -> Vec<u32> {
+///
+/// # Errors
+/// Stops with [`Cancelled`] when `progress` is cancelled.
+pub fn rows<const D: usize>(
+    asked: &Asked<D>,
+    rows: std::ops::Range<usize>,
+    progress: &Progress,
+) -> Result<Vec<u32>, Cancelled> {
     let width = asked.size[0];
     let mut values = vec![NOTHING; width * rows.len()];
     let places = rows.flat_map(|row| (0..width).map(move |column| (column, row)));
@@ -48,33 +56,38 @@ pub fn rows<const D: usize>(asked: &Asked<D>, rows: std::ops::Range<usize>) -> V
         Colouring::Steps | Colouring::Comparisons => {
             let is_steps = asked.colouring == Colouring::Steps;
             for (index, ray) in rays.iter().enumerate() {
-                let counted = counted(tree, ray, &asked.query);
+                let counted = counted(tree, ray, &asked.query, progress)?;
                 let comparisons = counted.counters.comparisons() as usize;
                 set(index, clamped(if is_steps { counted.n_steps } else { comparisons }));
             }
         }
         Colouring::Differences => {
             visit_many(tree, &rays, StopAt::End, Kernel::Vector, |index, leaves| {
-                set(index, verdict(asked, &rays[index], leaves));
+                // What is cancelled is thrown away below.
+                set(index, verdict(asked, &rays[index], leaves, progress).unwrap_or(NOTHING));
             });
         }
     }
-    values
+    progress.advance(0)?;
+    Ok(values)
 }
 
 /// Whether the search visits the leaves that it should.
-fn verdict<const D: usize>(asked: &Asked<D>, ray: &Ray<D>, expected: &[Leaf]) -> u32 {
-    let found = counted(&asked.tree, ray, &asked.query).leaves;
+fn verdict<const D: usize>(
+    asked: &Asked<D>,
+    ray: &Ray<D>,
+    expected: &[Leaf],
+    progress: &Progress,
+) -> Result<u32, Cancelled> {
+    let found = counted(&asked.tree, ray, &asked.query, progress)?.leaves;
     if found.is_empty() && expected.is_empty() {
-        return NOTHING;
+        return Ok(NOTHING);
     }
     let expected: Vec<NodeId> = expected.iter().map(|leaf| leaf.node()).collect();
     let options = options_of(&asked.query);
     let slivers = Slivers::Ignore;
-    match first_difference_of_run(&asked.tree, ray, options, &expected, &found, slivers) {
-        None => RIGHT,
-        Some(_) => WRONG,
-    }
+    let difference = first_difference_of_run(&asked.tree, ray, options, &expected, &found, slivers);
+    Ok(if difference.is_none() { RIGHT } else { WRONG })
 }
 
 /// A number that is the same for the same leaves in the same order, and nearly always

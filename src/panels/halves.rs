@@ -10,9 +10,19 @@ use octoscope_core::event::{Event, Halves};
 use octoscope_core::explain::approx;
 use octoscope_core::geometry::AXIS_NAMES;
 
+/// Form of the rule that decides.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Form {
+    /// Whatever the ray, only halves in which it has a length.
+    Robust,
+    /// As the gem compares.
+    Gem,
+}
+
 /// The last decision: axis and plane, where its parameter lies on the part's
-/// interval, and the halves that follow. `past` are the events so far.
-pub fn ui<const D: usize>(ui: &mut Ui, look: &Look, past: &[Event<D>]) {
+/// interval, and the halves that follow by the rule `form`. `past` are the events so
+/// far.
+pub fn ui<const D: usize>(ui: &mut Ui, look: &Look, form: Form, past: &[Event<D>]) {
     let last = past.iter().rev().find_map(|event| {
         if let &Event::Split { axis, plane, at, interval, halves, .. } = event {
             Some((usize::from(axis), plane, at, interval, halves))
@@ -25,10 +35,19 @@ pub fn ui<const D: usize>(ui: &mut Ui, look: &Look, past: &[Event<D>]) {
         return;
     };
     let color = look.palette.axes[axis];
-    let (decision, why) = match halves {
-        Halves::Near => (look.text("halves-near"), "halves-near-why"),
-        Halves::Far => (look.text("halves-far"), "halves-far-why"),
-        Halves::Both => (look.text("halves-both"), "halves-both-why"),
+    let decision = look.text(match halves {
+        Halves::Near => "halves-near",
+        Halves::Far => "halves-far",
+        Halves::Both => "halves-both",
+    });
+    let why = match (form, halves) {
+        (Form::Robust, Halves::Near) => "halves-near-why",
+        (Form::Robust, Halves::Far) => "halves-far-why",
+        (Form::Robust, Halves::Both) => "halves-both-why",
+        (Form::Gem, Halves::Near) => "halves-gem-near-why",
+        (Form::Gem, Halves::Far) => "halves-gem-far-why",
+        (Form::Gem, Halves::Both) if at.is_nan() => "halves-gem-nan-why",
+        (Form::Gem, Halves::Both) => "halves-gem-both-why",
     };
     ui.horizontal(|ui| {
         let text = format!("{} = {}", AXIS_NAMES[axis], approx(plane));

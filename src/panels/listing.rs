@@ -6,13 +6,12 @@ use eframe::egui::{
 };
 use octoscope_core::explain::Listing;
 
-/// The listing; the lines of `label`, those of the last step, are lit. Returns where
-/// these are.
-pub fn ui(ui: &mut Ui, look: &Look, listing: &Listing, label: Option<&str>) -> Vec<Rect> {
+/// The listing; of its lines those that are `lit`, in the order of the lines, were at
+/// work in the last step. Returns where these are.
+pub fn ui(ui: &mut Ui, look: &Look, listing: &Listing, lit: &[bool]) -> Vec<Rect> {
     let mut places = Vec::new();
     ui.spacing_mut().item_spacing.y = 0.0;
-    for line in &listing.lines {
-        let lit = label.is_some_and(|label| label == line.label);
+    for (line, &lit) in listing.lines.iter().zip(lit) {
         let fill = if lit { look.palette.current_fill } else { look.palette.panel };
         let frame = Frame::new().fill(fill).corner_radius(CornerRadius::same(3));
         let shown = frame.inner_margin(Margin::symmetric(4, 1)).show(ui, |ui| {

@@ -14,6 +14,7 @@ use eframe::egui::{
 use octoscope_core::explain::approx;
 use octoscope_core::family::Family;
 use octoscope_core::geometry::{Aabb, Ray};
+use octoscope_core::progress::Progress;
 use octoscope_core::query::Query;
 use octoscope_core::trace::Counter;
 use octoscope_core::tree::Tree;
@@ -218,7 +219,8 @@ fn pointed<const D: usize>(
 
 /// What a ray is, and what becomes of it.
 fn told<const D: usize>(look: &Look, asked: &Asked<D>, ray: &Ray<D>) -> String {
-    let counted = counted(&asked.tree, ray, &asked.query);
+    // Nobody cancels it.
+    let counted = counted(&asked.tree, ray, &asked.query, &Progress::default()).unwrap_or_default();
     look.texts.format(
         "map-ray",
         &[

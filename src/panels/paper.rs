@@ -1,5 +1,6 @@
 //! The paper lab: rules as printed against corrected.
 
+use crate::document::Found;
 use crate::look::Look;
 use crate::sidebar::Wish;
 use eframe::egui::{CollapsingHeader, Label, RichText, Ui};
@@ -8,13 +9,12 @@ use octoscope_core::query::Query;
 use octoscope_core::traverse::Variant;
 
 /// Switches for the misprints of what is asked, what they do, and the list of all
-/// errata. `verdict` is that of the present run, where the tree is not too large
-/// for one. Returns what is wished for.
+/// errata. `verdict` is that of the present run. Returns what is wished for.
 pub fn ui<const D: usize>(
     ui: &mut Ui,
     look: &Look,
     query: &mut Query<D>,
-    verdict: Option<&Verdict>,
+    verdict: &Found<Verdict>,
 ) -> Option<Wish> {
     let mut wish = None;
     let misprints = |variant: &Variant| erratum_of(*variant).is_some();
@@ -62,12 +62,19 @@ fn judged<const D: usize>(
     ui: &mut Ui,
     look: &Look,
     query: &Query<D>,
-    verdict: Option<&Verdict>,
+    verdict: &Found<Verdict>,
 ) -> Option<Wish> {
     let mut wish = None;
-    let Some(verdict) = verdict else {
-        ui.label(quiet(look, look.text("paper-too-large")));
-        return None;
+    let verdict = match verdict {
+        Found::Known(verdict) | Found::Coming(Some(verdict)) => verdict,
+        Found::Coming(None) => {
+            ui.label(quiet(look, look.text("paper-coming")));
+            return None;
+        }
+        Found::Never => {
+            ui.label(quiet(look, look.text("paper-too-large")));
+            return None;
+        }
     };
     match verdict.first_wrong_step {
         None => {

@@ -9,7 +9,8 @@ use octoscope_core::explain::{RichText, Span};
 const NARROW: f32 = 640.0;
 
 /// The sentence of `step`, in large type, before the first step with the key
-/// that begins; a screen reader is told when it changes.
+/// that begins; a screen reader is told when it changes. Pointing at it shows the
+/// numbers that it tells in short with all their digits.
 pub fn ui(ui: &mut Ui, look: &Look, mut sentence: RichText, step: usize) {
     if step == 0 {
         let text = format!(" {}", look.text("sentence-begin"));
@@ -17,9 +18,27 @@ pub fn ui(ui: &mut Ui, look: &Look, mut sentence: RichText, step: usize) {
     }
     let width = ui.available_width();
     let size = if width < NARROW { 18.0 } else { 22.0 };
-    let response = rich_label(ui, look, &sentence, size, width);
+    let mut response = rich_label(ui, look, &sentence, size, width);
+    let digits = digits(&sentence);
+    if !digits.is_empty() {
+        response = response.on_hover_text(digits.join("\n"));
+    }
     ui.ctx().accesskit_node_builder(response.id, |node| {
         node.set_live(eframe::egui::accesskit::Live::Polite);
         node.set_author_id("sentence");
     });
+}
+
+/// The numbers that are told in short, each once, with all their digits.
+fn digits(sentence: &RichText) -> Vec<String> {
+    let mut digits = Vec::new();
+    for span in &sentence.0 {
+        if let Some(whole) = &span.whole {
+            let line = format!("{} ≈ {whole}", span.text);
+            if !digits.contains(&line) {
+                digits.push(line);
+            }
+        }
+    }
+    digits
 }

@@ -1,15 +1,15 @@
 //! Parameters t of the planes of the current node, on one axis.
 
 use crate::look::Look;
-use crate::widgets::{node_note, paint_figure, room};
+use crate::widgets::{paint_figure, rich_label, room};
 use eframe::egui::{
     Align, Label, Layout, Pos2, RichText, Sense, Ui, UiBuilder, WidgetInfo, accesskit::Role, vec2,
 };
 use octoscope_core::event::Event;
-use octoscope_core::explain::approx;
+use octoscope_core::explain::{Span, approx, number};
 use octoscope_core::trace::{Moment, Trace};
 use octoscope_core::tree::{NodeId, Tree};
-use octoscope_figure::views::{rail_node, t_rail};
+use octoscope_figure::views::{RailFigure, place_note, rail_of, t_rail};
 
 /// One bar per axis from t0 to t1 with tm, in rows of height `row`; dragging goes to the leaf at that t.
 /// Returns what is pointed at.
@@ -25,7 +25,9 @@ pub fn ui<const D: usize>(
     let Some(rail) = t_rail(&look.texts, moment, [f64::from(width), f64::from(row)]) else {
         let size = vec2(width, row * D as f32 + 34.0);
         let (rect, response) = ui.allocate_exact_size(size, Sense::click_and_drag());
-        let hint = RichText::new(look.text("t-rail-none")).color(look.palette.quiet);
+        let misses = moment.current.is_some_and(|leaf| moment.missed.last() == Some(&leaf));
+        let hint = look.text(if misses { "t-rail-missed" } else { "t-rail-none" });
+        let hint = RichText::new(hint).color(look.palette.quiet);
         let middle = UiBuilder::new().max_rect(rect).layout(Layout::top_down(Align::Center));
         let mut middle = ui.new_child(middle);
         middle.add_space(rect.height() / 2.0 - 20.0);
@@ -44,6 +46,7 @@ pub fn ui<const D: usize>(
     );
     response.widget_info(|| WidgetInfo::labeled(Role::Slider, true, spoken.as_str()));
     paint_figure(ui, look, rect, &rail.figure);
+    let response = response.on_hover_ui(|ui| digits(ui, look, &rail));
     let t_at = |pointer: Pos2| rail.t_at(f64::from(pointer.x - rect.left()));
     Pointed {
         step: response.interact_pointer_pos().map(|pointer| step_at(trace, t_at(pointer))),
@@ -51,9 +54,22 @@ pub fn ui<const D: usize>(
     }
 }
 
-/// The node of which the rail tells.
+/// All parameters with all their digits.
+fn digits(ui: &mut Ui, look: &Look, rail: &RailFigure) {
+    for (name, t) in &rail.parameters {
+        let mut text = name.clone();
+        text.0.push(Span { text: format!(" = {}", number(*t)), ..Span::default() });
+        rich_label(ui, look, &text, 14.0, f32::INFINITY);
+    }
+    for (key, t) in ["t-rail-enter", "t-rail-exit"].into_iter().zip(rail.interval) {
+        ui.label(format!("{} = {}", look.text(key), number(t)));
+    }
+}
+
+/// The node or the cell of which the rail tells.
 pub fn note<const D: usize>(look: &Look, tree: &Tree<D>, moment: &Moment<D>) -> String {
-    node_note(look, tree, rail_node(moment))
+    let of = rail_of(moment);
+    of.map_or_else(String::new, |of| place_note(&look.texts, of.place(tree)))
 }
 
 /// What is pointed at on the rail.

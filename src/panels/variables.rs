@@ -22,6 +22,11 @@ pub fn ui(ui: &mut Ui, look: &Look, variables: &[Changed]) -> Option<NodeId> {
             let shown = frame.inner_margin(Margin::symmetric(5, 0)).show(ui, |ui| {
                 ui.add(Label::new(rich_job(&variable.value, look, 13.0, most_width)));
             });
+            let whole: Vec<&str> =
+                variable.value.0.iter().filter_map(|span| span.whole.as_deref()).collect();
+            if !whole.is_empty() {
+                shown.response.clone().on_hover_text(whole.join(", "));
+            }
             if ui.rect_contains_pointer(shown.response.rect) {
                 pointed = variable.node;
             }

@@ -13,7 +13,7 @@ use thiserror::Error;
 pub struct Gpu {
     device: wgpu::Device,
     queue: wgpu::Queue,
-    renderer: Renderer,
+    pub(super) renderer: Renderer,
 }
 
 /// Why there is no picture.

@@ -9,6 +9,7 @@ use eframe::egui::{Color32, Id};
 use eframe::wgpu::{self, util::DeviceExt};
 use std::collections::HashMap;
 use std::mem::size_of;
+use std::ops::Range;
 
 /// Room for a uniform: the largest alignment a device may ask for.
 const STRIDE: u64 = 256;
@@ -40,6 +41,8 @@ pub(super) struct Frame {
 #[derive(Debug)]
 pub(super) struct Renderer {
     pub stats: Stats,
+    /// Largest buffer that the device makes.
+    pub(super) most_bytes: u64,
     samples: u32,
     pipelines: Pipelines,
     blit: wgpu::RenderPipeline,
@@ -49,11 +52,20 @@ pub(super) struct Renderer {
     targets: HashMap<Id, Target>,
 }
 
-/// Buffers of a layer: `codes` and `colours`, `faces` and `edges`, or one.
+/// Buffers of a layer: `codes` and `colours`, `faces` and `edges`, or one; each in
+/// parts that the device can make. Parts of codes and of their colours match.
 #[derive(Debug)]
 struct Buffers {
-    first: Option<wgpu::Buffer>,
-    second: Option<wgpu::Buffer>,
+    first: Vec<Part>,
+    second: Vec<Part>,
+}
+
+/// Some of the instances or triangles of a layer.
+#[derive(Debug)]
+struct Part {
+    buffer: wgpu::Buffer,
+    /// Which of them, of all.
+    range: Range<u32>,
 }
 
 #[derive(Debug)]
@@ -71,6 +83,7 @@ impl Renderer {
         let sphere = mesh::sphere(SPHERE_ROUNDS);
         Self {
             stats: Stats::default(),
+            most_bytes: device.limits().max_buffer_size,
             samples,
             pipelines: Pipelines::new(device, samples),
             blit: pipelines::blit(device, format),
@@ -162,24 +175,25 @@ impl Renderer {
             if self.layers.contains_key(&layer.id()) {
                 continue;
             }
-            let (first, second): (&[u8], &[u8]) = match layer.data() {
-                Data::Boxes { edges, faces, .. } => {
-                    (bytemuck::cast_slice(&faces.packed), bytemuck::cast_slice(&edges.packed))
-                }
-                Data::Cells { cells, colours, .. } => {
-                    (bytemuck::cast_slice(&cells.packed), bytemuck::cast_slice(colours))
-                }
-                Data::Points { points, .. } => (bytemuck::cast_slice(points), &[]),
+            // Bytes, and bytes of an instance or triangle.
+            type List<'a> = (&'a [u8], usize);
+            const NONE: List<'static> = (&[], 1);
+            let (first, second): (List<'_>, List<'_>) = match layer.data() {
+                Data::Boxes { edges, faces, .. } => (list(&faces.packed), list(&edges.packed)),
+                Data::Cells { cells, colours, .. } => (list(&cells.packed), list(colours)),
+                Data::Points { points, .. } => (list(points), NONE),
                 Data::Triangles { corners, .. } => {
-                    (bytemuck::cast_slice(corners.as_flattened()), &[])
+                    ((bytemuck::cast_slice(corners), TRIANGLE), NONE)
                 }
-                Data::Spheres { spheres, .. } => (bytemuck::cast_slice(spheres), &[]),
+                Data::Spheres { spheres, .. } => (list(spheres), NONE),
                 // Sorted anew for every view.
-                Data::Marks(_) => (&[], &[]),
+                Data::Marks(_) => (NONE, NONE),
             };
-            self.stats.uploaded_bytes += (first.len() + second.len()) as u64;
-            let buffer = |bytes: &[u8]| (!bytes.is_empty()).then(|| vertices(device, bytes));
-            let buffers = Buffers { first: buffer(first), second: buffer(second) };
+            self.stats.uploaded_bytes += (first.0.len() + second.0.len()) as u64;
+            let largest = first.1.max(second.1) as u64;
+            let most = (self.most_bytes / largest).max(1) as usize;
+            let parts = |list| parts(device, list, most);
+            let buffers = Buffers { first: parts(first), second: parts(second) };
             self.layers.insert(layer.id(), buffers);
         }
     }
@@ -233,25 +247,51 @@ impl Renderer {
             let buffers = &self.layers[&frame.layers[call.layer].id()];
             pass.set_pipeline(self.pipelines.of(call.kind));
             pass.set_bind_group(0, &uniforms, &[(number as u64 * STRIDE) as u32]);
-            let (slots, n_vertices) = match call.kind {
-                Kind::Cells => ([buffers.first.as_ref(), buffers.second.as_ref()], 6),
-                Kind::OpaqueFaces | Kind::ClearFaces => ([buffers.first.as_ref(), None], 18),
-                Kind::Edges => ([buffers.second.as_ref(), None], 6),
-                Kind::Points => ([buffers.first.as_ref(), None], 6),
-                Kind::Triangles => {
-                    let buffer = buffers.first.as_ref();
-                    ([buffer, None], buffer.map_or(0, |b| (b.size() / 24) as u32))
+            let mut draw = |slots: [Option<&wgpu::Buffer>; 2], n_vertices, instances| {
+                for (slot, buffer) in (0..).zip(slots.into_iter().flatten()) {
+                    pass.set_vertex_buffer(slot, buffer.slice(..));
                 }
-                Kind::Spheres => {
-                    ([Some(&self.sphere), buffers.first.as_ref()], self.sphere_corners)
-                }
-                Kind::Marks => ([marks.as_ref().map(|(buffer, _)| buffer), None], 6),
+                pass.draw(0..n_vertices, instances);
             };
-            for (slot, buffer) in (0..).zip(slots.into_iter().flatten()) {
-                pass.set_vertex_buffer(slot, buffer.slice(..));
+            let parts = match call.kind {
+                Kind::Edges => &buffers.second,
+                Kind::Cells
+                | Kind::OpaqueFaces
+                | Kind::ClearFaces
+                | Kind::Points
+                | Kind::Triangles
+                | Kind::Spheres => &buffers.first,
+                Kind::Marks => {
+                    if let Some((buffer, n)) = marks {
+                        draw([Some(buffer), None], 6, 0..*n);
+                    }
+                    continue;
+                }
+            };
+            for (index, Part { buffer, range }) in parts.iter().enumerate() {
+                let begin = call.instances.start.max(range.start);
+                let end = call.instances.end.min(range.end);
+                if begin >= end && call.kind != Kind::Triangles {
+                    continue;
+                }
+                let instances = begin - range.start..end.saturating_sub(range.start);
+                match call.kind {
+                    // All of them, which are vertices.
+                    Kind::Triangles => draw([Some(buffer), None], 3 * range.len() as u32, 0..1),
+                    Kind::Cells => {
+                        let colours = buffers.second.get(index).map(|part| &part.buffer);
+                        draw([Some(buffer), colours], 6, instances);
+                    }
+                    Kind::OpaqueFaces | Kind::ClearFaces => {
+                        draw([Some(buffer), None], 18, instances);
+                    }
+                    Kind::Edges | Kind::Points => draw([Some(buffer), None], 6, instances),
+                    Kind::Spheres => {
+                        draw([Some(&self.sphere), Some(buffer)], self.sphere_corners, instances);
+                    }
+                    Kind::Marks => {}
+                }
             }
-            let instances = marks.as_ref().map_or(call.instances.clone(), |&(_, n)| 0..n);
-            pass.draw(0..n_vertices, instances);
         }
     }
 
@@ -297,6 +337,25 @@ impl Renderer {
         self.stats.uploaded_bytes += bytes.len() as u64;
         (!items.is_empty()).then(|| (vertices(device, bytes), items.len() as u32))
     }
+}
+
+/// Bytes of a triangle's three corners.
+const TRIANGLE: usize = 3 * size_of::<mesh::Corner>();
+
+/// Bytes of `items`, and of one of them.
+fn list<T: bytemuck::NoUninit>(items: &[T]) -> (&[u8], usize) {
+    (bytemuck::cast_slice(items), size_of::<T>())
+}
+
+/// Buffers of a list, at most `most` of its items in each.
+fn parts(device: &wgpu::Device, (bytes, item): (&[u8], usize), most: usize) -> Vec<Part> {
+    let mut start = 0;
+    let mut part = |bytes: &[u8]| {
+        let range = start..start + (bytes.len() / item) as u32;
+        start = range.end;
+        Part { buffer: vertices(device, bytes), range }
+    };
+    bytes.chunks(most * item).map(&mut part).collect()
 }
 
 fn vertices(device: &wgpu::Device, contents: &[u8]) -> wgpu::Buffer {

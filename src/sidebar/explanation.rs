@@ -1,6 +1,6 @@
 //! The panels that explain the step, each under its heading.
 
-use crate::document::Document;
+use crate::document::{Document, Found};
 use crate::look::Look;
 use crate::map::Maps;
 use crate::panels::{
@@ -10,11 +10,12 @@ use crate::panels::{
 use crate::sidebar::Wish;
 use crate::view::{PanelKind, Preset, View};
 use crate::widgets::{Place, panel_heading};
-use eframe::egui::{Rect, Ui, UiBuilder, vec2};
+use eframe::egui::{Rect, RichText, Ui, UiBuilder, vec2};
 use octoscope_core::event::Event;
-use octoscope_core::explain::{label, listing as listing_of};
+use octoscope_core::explain::listing as listing_of;
 use octoscope_core::query::Query;
 use octoscope_core::trace::{Counters, Moment};
+use octoscope_core::traverse::Variant;
 use octoscope_core::tree::NodeId;
 use octoscope_figure::DiagramOf;
 use octoscope_figure::views::changed_variables;
@@ -144,7 +145,7 @@ fn body<const D: usize>(
         PanelKind::Automaton => automaton::ui(ui, look, moment, event),
         PanelKind::Listing => {
             let listing = listing_of(&trace.query, view.language);
-            let lit = listing::ui(ui, look, &listing, event.map(label));
+            let lit = listing::ui(ui, look, &listing, &listing.lit(past));
             let node = event.and_then(Event::node).or(moment.current);
             lit.into_iter().for_each(|rect| offer_if_pointed(ui, rect, node, view));
         }
@@ -163,13 +164,17 @@ fn body<const D: usize>(
             let ray = document.traced_ray();
             links::ui(ui, look, links::Net { tree: &tree, ray }, &trace, moment);
         }
-        PanelKind::Halves => halves::ui(ui, look, past),
+        PanelKind::Halves => {
+            let is_gem = trace.query.variants().has(Variant::Gem);
+            let form = if is_gem { halves::Form::Gem } else { halves::Form::Robust };
+            halves::ui(ui, look, form, past);
+        }
         PanelKind::Grid => grid::ui(ui, look, moment, past),
         PanelKind::Compare => comparison(ui, look, document),
         PanelKind::Paper => {
             let verdict = document.verdict();
             let query = &mut document.scenario.query;
-            return paper::ui(ui, look, query, verdict.as_deref());
+            return paper::ui(ui, look, query, &verdict);
         }
         PanelKind::Tree => {
             let of = diagram_of(document, moment);
@@ -241,8 +246,16 @@ fn comparison<const D: usize>(ui: &mut Ui, look: &Look, document: &mut Document<
         Query::Ray { algorithm, .. } => Some(algorithm),
         Query::Point { .. } | Query::Region { .. } | Query::Neighbour { .. } => None,
     };
-    let runs = if shown.is_some() { document.comparison() } else { Arc::default() };
-    let chosen = compare::ui(ui, look, &runs, shown);
+    let found = if shown.is_some() { document.comparison() } else { Found::Never };
+    let runs = match &found {
+        Found::Known(runs) | Found::Coming(Some(runs)) => runs.as_slice(),
+        Found::Never => &[],
+        Found::Coming(None) => {
+            ui.label(RichText::new(look.text("compare-coming")).color(look.palette.quiet));
+            return;
+        }
+    };
+    let chosen = compare::ui(ui, look, runs, shown);
     if let (Some(chosen), Query::Ray { algorithm, .. }) = (chosen, &mut document.scenario.query) {
         *algorithm = chosen;
     }

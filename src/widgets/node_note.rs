@@ -2,11 +2,10 @@
 
 use crate::look::Look;
 use octoscope_core::tree::{NodeId, Tree};
+use octoscope_figure::views::place_note;
 
 /// Level and codes of a node; nothing without one.
 pub fn node_note<const D: usize>(look: &Look, tree: &Tree<D>, node: Option<NodeId>) -> String {
-    let Some(node) = node else { return String::new() };
-    let codes = tree.code(node).map(|c| c.to_string()).join(", ");
-    let arguments = [("level", tree.level(node).into()), ("codes", codes.into())];
-    look.texts.format("node-note", &arguments)
+    let place = node.map(|node| (tree.level(node), tree.code(node)));
+    place.map_or_else(String::new, |place| place_note(&look.texts, place))
 }

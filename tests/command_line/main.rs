@@ -9,5 +9,6 @@ mod desk;
 mod export;
 mod files;
 mod matrix;
+mod samples;
 mod scenario;
 mod visit;

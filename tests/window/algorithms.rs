@@ -152,3 +152,40 @@ fn the_tables_are_shown_for_all_directions() {
         assert!(desk.texts().iter().any(|text| text == signs), "{signs}");
     }
 }
+
+#[test]
+fn the_gem_is_explained_by_what_it_compares() {
+    let mut desk = Desk::new();
+    desk.choose_algorithm(Algorithm::Bsp, Language::English);
+    desk.click(Role::Button, "Rules");
+    desk.click(Role::CheckBox, "compare as in the gem");
+    desk.press(Key::Escape);
+    for (axis, origin, direction) in [("x", "0.5", "-1"), ("y", "0.3", "0")] {
+        desk.type_into(&format!("origin {axis}"), origin);
+        desk.type_into(&format!("direction {axis}"), direction);
+    }
+    let shows = |desk: &mut Desk, words: &str| {
+        desk.press(Key::Home);
+        (0..20).any(|_| {
+            desk.press(Key::ArrowRight);
+            desk.says(words)
+        })
+    };
+    // The plane of the origin has t = −0.
+    assert!(shows(&mut desk, "The gem: t is neither greater than the end"));
+    desk.type_into("direction y", "1");
+    desk.type_into("direction x", "0");
+    assert!(shows(&mut desk, "The gem: t is no number"));
+}
+
+#[test]
+fn the_rail_says_that_a_tested_leaf_is_missed() {
+    let mut desk = Desk::new();
+    desk.choose_algorithm(Algorithm::Exhaustive, Language::English);
+    desk.press(Key::Home);
+    let missed = (0..20).any(|_| {
+        desk.press(Key::ArrowRight);
+        desk.sentence().ends_with("is not met by the ray.")
+    });
+    assert!(missed && desk.says("The ray does not meet this leaf"));
+}

@@ -3,13 +3,16 @@
 use crate::desk::Desk;
 use eframe::egui::{Key, accesskit::Role};
 use egui_kittest::kittest::Queryable;
-use octoscope::document::AnyDocument;
+use octoscope::document::{AnyDocument, Found};
 use octoscope::traced::MOST_EVENTS;
 use octoscope_core::event::End;
 use octoscope_core::geometry::Ray;
+use octoscope_core::paper::verdict;
 use octoscope_core::query::Query;
-use octoscope_core::scenario::{AnyScenario, built_in};
-use octoscope_core::traverse::Algorithm;
+use octoscope_core::scenario::{AnyScenario, Source, built_in};
+use octoscope_core::scene::Content;
+use octoscope_core::traverse::{Algorithm, Variant, Variants};
+use octoscope_core::tree::Merge;
 
 /// The window on a quadtree with 2^16 cells along every axis, one of them full.
 fn deep() -> Desk {
@@ -75,6 +78,71 @@ fn a_long_trace_that_is_given_up_leaves_everything_as_it_was() {
     desk.run();
     assert_eq!(desk.plane().scenario, before);
     assert!(desk.query_by_role_and_label(Role::Button, "Cancel").is_none());
+}
+
+/// The window on a quadtree of so many leaves that not all of them are tested in one
+/// frame.
+fn wide(misprint: Variants) -> Desk {
+    let Some(AnyScenario::Quadtree(mut scenario)) = built_in("quadtree-82") else { panic!() };
+    let side = 64u32;
+    let cells = (0..side).flat_map(|y| (0..side).map(move |x| [2 * x, 2 * y + 1]));
+    scenario.source = Source::Inline(Content::Cells(cells.collect()));
+    (scenario.recipe.depth, scenario.recipe.merge) = (7, Merge::Kept);
+    scenario.query = scenario.query.with_variants(misprint);
+    let mut desk = Desk::new();
+    desk.open_scenario(&AnyScenario::Quadtree(scenario));
+    assert!(desk.plane().tree.n_leaves() > 4000);
+    desk
+}
+
+/// What is known of the present run without another look at it.
+fn steps_compared(desk: &mut Desk) -> Option<Vec<usize>> {
+    let AnyDocument::Plane(document) = desk.state_mut().document_mut() else { panic!() };
+    match document.comparison() {
+        Found::Known(runs) => Some(runs.iter().map(|run| run.n_steps).collect()),
+        Found::Coming(_) => None,
+        Found::Never => panic!("the tree is not too large"),
+    }
+}
+
+#[test]
+fn a_long_comparison_is_made_meanwhile_and_the_last_one_stays_in_sight() {
+    let mut desk = wide(Variants::NONE);
+    assert_eq!(steps_compared(&mut desk), None);
+    desk.press(Key::Num5);
+    desk.state_mut().finish_work();
+    desk.run();
+    let before = steps_compared(&mut desk).unwrap();
+    let rows = |desk: &Desk| desk.get_all_by_role(Role::RadioButton).count();
+    let n_rows = rows(&desk);
+    assert!(n_rows >= before.len());
+
+    let AnyDocument::Plane(document) = desk.state_mut().document_mut() else { panic!() };
+    document.scenario.ray = Ray::new([-0.25, 0.1], [1.0, 0.3]).unwrap();
+    desk.step();
+    assert_eq!(*desk.plane().traced_ray(), desk.plane().scenario.ray);
+    desk.step();
+    assert_eq!(rows(&desk), n_rows);
+    desk.state_mut().finish_work();
+    desk.run();
+    assert_ne!(steps_compared(&mut desk).unwrap(), before);
+}
+
+#[test]
+fn a_long_verdict_comes_later_and_is_of_the_present_run() {
+    let misprint = Variants::NONE.with(Variant::B7);
+    let mut desk = wide(misprint);
+    for ray in [[0.9, 0.1], [0.7, 0.3]] {
+        let AnyDocument::Plane(document) = desk.state_mut().document_mut() else { panic!() };
+        document.scenario.ray = Ray::new([-0.25, 0.1], ray).unwrap();
+        desk.step();
+        desk.step();
+        desk.state_mut().finish_work();
+        desk.run();
+        let document = desk.plane();
+        let expected = verdict(&document.tree, document.traced_ray(), &document.trace);
+        assert_eq!(document.known_verdict(), Some(&expected));
+    }
 }
 
 #[test]

@@ -3,7 +3,7 @@
 use crate::desk::{Desk, spoken};
 use eframe::egui::{Key, Modifiers, accesskit::Role, pos2};
 use egui_kittest::kittest::{NodeT, Queryable};
-use octoscope::document::AnyDocument;
+use octoscope::document::{AnyDocument, Found};
 use octoscope::view::View;
 use octoscope_core::explain::algorithm_name;
 use octoscope_core::text::Language;
@@ -189,7 +189,7 @@ fn a_click_on_a_head_orders_the_comparison() {
     };
     assert_eq!(order(&desk), Algorithm::ALL);
     let AnyDocument::Plane(document) = desk.state_mut().document_mut() else { panic!() };
-    let runs = document.comparison();
+    let Found::Known(runs) = document.comparison() else { panic!() };
     let steps = |algorithm: &Algorithm| {
         runs.iter().find(|run| run.algorithm == *algorithm).unwrap().n_steps
     };

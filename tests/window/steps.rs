@@ -2,7 +2,35 @@
 
 use crate::desk::Desk;
 use eframe::egui::{Key, accesskit::Role, vec2};
-use egui_kittest::kittest::Queryable;
+use egui_kittest::Node;
+use egui_kittest::kittest::{NodeT, Queryable};
+use octoscope_core::event::Event;
+use octoscope_core::explain::number;
+
+#[test]
+fn the_rail_and_the_sentence_tell_all_digits_when_pointed_at() {
+    let mut desk = Desk::new();
+    desk.type_into("origin x", "-1/3");
+    desk.press(Key::Home);
+    desk.press(Key::ArrowRight);
+    let name = desk.texts().into_iter().find(|text| text.starts_with("t-rail:")).unwrap();
+    let rail = desk.get_by_role_and_label(Role::Slider, &name).rect();
+    desk.point_at(rail.center());
+    (0..40).for_each(|_| desk.step());
+    let clip = match &desk.plane().trace.events[0] {
+        Event::Clip { near, .. } => near[0],
+        other => panic!("{other:?}"),
+    };
+    let digits = number(clip);
+    assert!(digits.len() > 10, "{digits}");
+    assert!(desk.texts().iter().any(|text| text == &format!("t_x0 = {digits}")), "{digits}");
+    let is_sentence = |node: &Node<'_>| node.accesskit_node().author_id() == Some("sentence");
+    let sentence = desk.nodes().into_iter().find(is_sentence).unwrap().rect();
+    desk.point_at(sentence.center());
+    (0..40).for_each(|_| desk.step());
+    let shown = desk.texts().iter().any(|text| text.contains(" ≈ "));
+    assert!(shown, "{:?}", desk.texts());
+}
 
 #[test]
 fn before_the_first_step_no_code_is_shown() {

@@ -66,9 +66,13 @@ halves-none = Zeigt die Ebene und ihren Parameter, sobald ein Teil halbiert wird
 halves-near = nur nahe Hälfte
 halves-far = nur ferne Hälfte
 halves-both = nahe, später ferne
-halves-near-why = Der Strahl trifft die Ebene erst nach dem Teil, hinter seinem Startpunkt oder nie.
-halves-far-why = Der Strahl hat die Ebene getroffen, bevor er in den Teil eintritt.
+halves-near-why = Der Strahl trifft die Ebene nicht zwischen seinem Startpunkt und dem Austritt aus dem Teil.
+halves-far-why = Der Strahl hat die Ebene spätestens getroffen, als er in den Teil eintrat.
 halves-both-why = Der Strahl trifft die Ebene im Teil: die ferne Hälfte wartet auf dem Stapel.
+halves-gem-near-why = Das Gem: t ist größer als das Ende des Teils oder kleiner als 0.
+halves-gem-far-why = Das Gem: t ist kleiner als der Anfang des Teils.
+halves-gem-both-why = Das Gem: t ist weder größer als das Ende des Teils noch kleiner als 0 oder sein Anfang. Die ferne Hälfte wartet auf dem Stapel.
+halves-gem-nan-why = Das Gem: t ist keine Zahl, sodass kein Vergleich zutrifft. Die ferne Hälfte wartet auf dem Stapel.
 
 grid-none = Zeigt die nächsten Ebenen, sobald die erste Zelle gefunden ist.
 grid-count = { $n ->

@@ -21,6 +21,7 @@ neighbour-outside = Randbit im Rahmen: außerhalb des Gebiets auf { $axes }, dah
 neighbour-ancestor = Aufgestiegen zu Ebene { $climbed } von { $level }.
 node-note = Ebene { $level }, Codes { $codes }
 t-rail-none = Zeigt die Parameter t, sobald der Strahl auf die Wurzel zugeschnitten ist.
+t-rail-missed = Der Strahl trifft dieses Blatt nicht, es gibt also keine Parameter t.
 t-rail-enter = Eintritt
 t-rail-exit = Austritt
 automaton-mask = a = { $mask }: Zustand i ist Kind i xor { $mask }

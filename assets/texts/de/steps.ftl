@@ -59,6 +59,7 @@ skip-behind = Der Knoten wird bei { $exit } < 0 verlassen; er liegt also hinter 
 skip-ahead = Der Knoten wird bei { $exit } ≥ 0 verlassen; er liegt also nicht hinter dem Startpunkt.
 halve = Der Strahl trifft die Mittelebenen des Knotens bei { $mid }.
 halve-mean = { " " }Das sind die Mittel der Parameter der nahen und fernen Ebenen.
+halve-unselected = { " " }Keiner ist der kleinere, und die gedruckte Regel, { $rule }, hat dafür keinen Zweig: Es wird kein Kind gewählt.
 halve-still = { " " }Entlang { $axes } bewegt er sich nicht: Dort heißt ∞ stets untere Hälfte, −∞ stets obere.
 first-one = { $comparisons }, also ist das { $axes }-Bit 1: Der Strahl { $inside ->
     [yes] beginnt
@@ -90,6 +91,7 @@ step-end-many = { $child } wird durch die Ebenen von { $axes } zugleich verlasse
 child = Kind { $state }
 state = Zustand { $state }
 up = Der Knoten ist erledigt: zurück hinauf zu { $node }.
+up-behind = Der Knoten wird bei { $exit } ≤ 0 verlassen; er liegt also hinter dem Startpunkt und wird übersprungen: zurück hinauf zu { $node }.
 up-none = Die Wurzel ist erledigt.
 
 enter = Der Strahl ist von t = { $enter } bis t = { $exit } in { $node }.
@@ -126,6 +128,7 @@ parent-holds = Kind { $child } liegt nicht an der Seite { $direction } seines El
 mirror = Gespiegelt wird Kind { $child } zu Kind { $mirrored }: hinab zu { $node }.
 facing = Kind { $child } liegt an dieser Seite: hinab zu { $node }.
 rope = Der Verweis durch die { $axis }-Seite führt zu { $node }.
+rope-spans = { " " }Dieser reicht auch über die { $axes }-Seite hinaus, deshalb wird dort keinem weiteren Verweis gefolgt.
 rope-border = Durch die { $axis }-Seite führt kein Verweis: Sie ist der Rand.
 push = Der Austrittspunkt { $from } wird entlang { $axis } nach { $to } verschoben.
 

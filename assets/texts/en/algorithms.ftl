@@ -66,9 +66,13 @@ halves-none = Shows the plane and its parameter once a part is halved.
 halves-near = near half only
 halves-far = far half only
 halves-both = near, later far
-halves-near-why = The ray meets the plane after the part, or behind its origin, or never.
-halves-far-why = The ray has met the plane before it enters the part.
+halves-near-why = The ray does not meet the plane between its origin and its exit from the part.
+halves-far-why = The ray has met the plane no later than it enters the part.
 halves-both-why = The ray meets the plane inside the part: the far half waits on the stack.
+halves-gem-near-why = The gem: t is greater than the end of the part, or less than 0.
+halves-gem-far-why = The gem: t is less than the start of the part.
+halves-gem-both-why = The gem: t is neither greater than the end of the part nor less than 0 or its start. The far half waits on the stack.
+halves-gem-nan-why = The gem: t is no number, so that no comparison holds. The far half waits on the stack.
 
 grid-none = Shows the planes ahead once the first cell is found.
 grid-count = { $n ->

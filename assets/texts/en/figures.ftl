@@ -21,6 +21,7 @@ neighbour-outside = Border bit framed: outside the domain on { $axes }, there is
 neighbour-ancestor = Climbed to level { $climbed } of { $level }.
 node-note = level { $level }, codes { $codes }
 t-rail-none = Shows the parameters t once the ray is clipped.
+t-rail-missed = The ray does not meet this leaf, so there are no parameters t.
 t-rail-enter = enter
 t-rail-exit = exit
 automaton-mask = a = { $mask }: state i is child i xor { $mask }

@@ -59,6 +59,7 @@ skip-behind = The node is left at { $exit } < 0, so it lies behind the origin an
 skip-ahead = The node is left at { $exit } ≥ 0, so it does not lie behind the origin.
 halve = The ray meets the mid planes of the node at { $mid }.
 halve-mean = { " " }These are the means of the parameters of the near and far planes.
+halve-unselected = { " " }Neither is the smaller one, and the printed rule, { $rule }, has no branch for that: no child is chosen.
 halve-still = { " " }It does not move along { $axes }: ∞ there means the lower half for good, −∞ the upper one.
 first-one = { $comparisons }, so the { $axes } bit is 1: the ray { $inside ->
     [yes] starts
@@ -81,6 +82,7 @@ step-end-many = { $child } is left through the { $axes } planes at once: { $exit
 child = Child { $state }
 state = State { $state }
 up = The node is done: back up to { $node }.
+up-behind = The node is left at { $exit } ≤ 0, so it lies behind the origin and is skipped: back up to { $node }.
 up-none = The root is done.
 
 enter = The ray is in { $node } from t = { $enter } to t = { $exit }.
@@ -117,6 +119,7 @@ parent-holds = Child { $child } does not lie on the side { $direction } of its p
 mirror = Mirrored, child { $child } becomes child { $mirrored }: down to { $node }.
 facing = Child { $child } lies on that side: down to { $node }.
 rope = The link through the { $axis } side leads to { $node }.
+rope-spans = { " " }It spans what lies beyond the { $axes } side as well, so no other link is followed there.
 rope-border = No link leads through the { $axis } side: it is the border.
 push = The exit point { $from } is pushed along { $axis }, to { $to }.
 

@@ -58,7 +58,7 @@ pub use options::{Background, FileOptions, Scale, Unit};
 pub use paint::Paint;
 pub use palette::{Colour, Palette, Theme, contrast, ramp};
 pub use pdf::{ATTACHMENT, Pdf, PdfError, pdf};
-pub use pixels::{Pixels, PixelsError};
+pub use pixels::{Pixels, PixelsError, Rasteriser};
 pub use png::{Apng, PngError, png, png_of_pixels};
 pub use role::Role;
 pub use show::{Levels, Rest, Show};

@@ -15,8 +15,8 @@ use octoscope_figure::views::{
     worksheet,
 };
 use octoscope_figure::{
-    Camera, Figure, FileOptions, Form, Page, Role, Scale, Show, Theme, TikzForm, Unit, axes,
-    leaves, marks, metrics, space_figure, svg, tikz,
+    Camera, Figure, FileOptions, Form, Page, Role, Scale, Show, Theme, TikzForm, Unit, axes, cells,
+    marks, metrics, space_figure, svg, tikz,
 };
 
 /// The views of a single moment.
@@ -332,7 +332,7 @@ fn picture(scene: &Scene<2>, step: usize, side: f64) -> Figure {
     let event = step.checked_sub(1).map(|last| &trace.events[last]);
     let show = Show::at_first::<2>();
     let Scenario { ray, query, .. } = &scene.scenario;
-    let mut all: Vec<_> = leaves(&scene.tree, &show).into_iter().collect();
+    let mut all: Vec<_> = cells(&scene.tree, &show, None).into_iter().collect();
     all.extend(axes(scene.tree.domain(), &show));
     all.extend(marks(&scene.tree, ray, query, &moment, event, &show));
     let page = Page { width: side, height: side };

@@ -1,24 +1,26 @@
 //! Sentences on steps that follow a misprinted rule.
 
-use super::number::approx;
 use super::rich::strong;
-use super::words::Words;
+use super::words::{Words, approx};
 use crate::event::Event;
 use crate::query::Query;
+use crate::trace::{Moment, Trace};
 use crate::traverse::Algorithm;
 use crate::variant::Variant::{
     self, B4, B5, B6, B7, B18, B19, B21, B24a, B24b, B24c, B25Leftmost, B25Rightmost, B28,
 };
 
-/// The sentence on a step of `query`: what `tell` says, unless the step follows
-/// a misprinted rule. Then the rule is named, and stands in place of reasons
-/// that would not be true.
+/// The sentence on a step of `trace`, known what was before: what `tell` says, unless
+/// the step follows a misprinted rule. Then the rule is named, and stands in place of
+/// reasons that would not be true.
 pub(super) fn with_printed_rules<const D: usize>(
     words: &Words<D>,
-    query: &Query<D>,
+    trace: &Trace<D>,
     event: &Event<D>,
+    before: &Moment<D>,
     tell: impl FnOnce() -> String,
 ) -> String {
+    let query = &trace.query;
     let variants = query.variants_at_work();
     if variants.is_empty() {
         return tell();
@@ -48,6 +50,12 @@ pub(super) fn with_printed_rules<const D: usize>(
             if let Some(rule) = at_work(if clamps && entry < 0.0 { &rules } else { &rules[..1] }) {
                 let state = strong(&state.0.to_string());
                 return words.say("first-printed", &[("state", state), ("rule", rule)]);
+            }
+        }
+        // No branch of the selection as printed is for equal parameters.
+        Event::Halve { mid, .. } if D == 2 && mid[0] == mid[1] => {
+            if let Some(rule) = at_work(&[Variant::B3]) {
+                return tell() + &words.say("halve-unselected", &[("rule", rule)]);
             }
         }
         // What a misprint reports need not be on the ray.
@@ -101,30 +109,48 @@ pub(super) fn with_printed_rules<const D: usize>(
         }
         _ => {}
     }
-    let Some(rule) = at_work(candidates(event, words.tree.domain().grid_size())) else {
+    let grid_size = words.tree.domain().grid_size();
+    let Some(rule) = at_work(&candidates(event, before, grid_size)) else {
         return tell();
     };
     tell() + &words.say("as-printed", &[("rule", rule)])
 }
 
 /// Rules that an event may follow without making its reasons untrue.
-fn candidates<const D: usize>(event: &Event<D>, grid_size: u32) -> &'static [Variant] {
+fn candidates<const D: usize>(
+    event: &Event<D>,
+    before: &Moment<D>,
+    grid_size: u32,
+) -> Vec<Variant> {
+    let has_no_number = |parameters: &[f64]| parameters.iter().any(|t| t.is_nan());
+    // Along mirrored axes all parameters are those of the mirrored origin.
+    let is_mirrored = match *event {
+        Event::Clip { mirror, .. } => !mirror.is_empty(),
+        _ => before.clip.is_some_and(|clip| !clip.mirror.is_empty()),
+    };
+    let mirrored = is_mirrored.then_some(B7);
+    let if_no_number = |parameters: &[f64], rules: &[Variant]| {
+        if has_no_number(parameters) { rules.to_vec() } else { Vec::new() }
+    };
+    let with_mirrored = |rules: Vec<Variant>| rules.into_iter().chain(mirrored).collect();
     match *event {
-        Event::Clip { near, far, mirror, .. } => {
-            let no_number = near.iter().chain(&far).any(|t| t.is_nan());
-            match (no_number, mirror.is_empty()) {
-                (true, true) => &[B5],
-                (true, false) => &[B5, B7],
-                (false, true) => &[],
-                (false, false) => &[B7],
-            }
+        Event::Clip { near, far, .. } => {
+            let planes: Vec<f64> = near.into_iter().chain(far).collect();
+            with_mirrored(if_no_number(&planes, &[B5]))
         }
-        Event::Halve { mid, .. } if mid.iter().any(|t| t.is_nan()) => &[B4, B5, B6],
-        Event::Halve { .. } => &[B4],
+        Event::Halve { mid, .. } => {
+            let rules = [vec![B4], if_no_number(&mid, &[B5, B6])].concat();
+            with_mirrored(rules)
+        }
+        Event::First { .. } => {
+            let mid = before.frame().and_then(|frame| frame.mid);
+            with_mirrored(mid.map_or_else(Vec::new, |mid| if_no_number(&mid, &[B5, B6])))
+        }
+        Event::Step { exits, .. } => with_mirrored(if_no_number(&exits, &[B5, B6])),
         // Only the code of an upper face is one by the printed rule.
-        Event::Encode { code, .. } if code.contains(&grid_size) => &[B21],
-        Event::Difference { .. } => &[B24a, B24b, B25Leftmost, B25Rightmost],
-        Event::Target { .. } => &[B28],
-        _ => &[],
+        Event::Encode { code, .. } if code.contains(&grid_size) => vec![B21],
+        Event::Difference { .. } => vec![B24a, B24b, B25Leftmost, B25Rightmost],
+        Event::Target { .. } => vec![B28],
+        _ => Vec::new(),
     }
 }

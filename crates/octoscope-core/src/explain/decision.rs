@@ -1,9 +1,8 @@
 //! Sentences on what is decided by comparing numbers.
 
-use super::number::distinct;
 use super::rich::{on_axis, strong};
 use super::teller::Teller;
-use super::words::{Decided, chain, equation, relation, t, typographic};
+use super::words::{Decided, chain, distinct, equation, relation, t, typographic};
 use crate::event::Halves;
 use crate::geometry::{AXIS_NAMES, Axes};
 use crate::query::Query;

@@ -1,10 +1,11 @@
 //! Pseudocode of the algorithms.
 
-use crate::event::{End, Event};
+use crate::event::{End, Event, Halves};
 use crate::locate::NeighbourMethod;
 use crate::query::{PointMethod, Query};
 use crate::text::Language;
 use crate::traverse::Algorithm;
+use crate::tree::NodeId;
 
 /// Pseudocode of one algorithm.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -18,12 +19,27 @@ pub struct Listing {
 pub struct Line {
     /// Which events are at work in it, by [`label`]; empty if none is.
     pub label: &'static str,
+    /// The only one of their branches in which it is reached, by [`branch`]; empty
+    /// if it is reached in all of them.
+    pub branch: &'static str,
     /// Depth of indentation.
     pub indent: u8,
     /// The code.
     pub code: &'static str,
     /// What it means; may be empty.
     pub comment: String,
+}
+
+impl Listing {
+    /// For each line whether the last one of the events so far was at work in it.
+    pub fn lit<const D: usize>(&self, past: &[Event<D>]) -> Vec<bool> {
+        let at_work = past.last().map(label);
+        let taken = branch(past);
+        let is_lit = |line: &Line| {
+            Some(line.label) == at_work && (line.branch.is_empty() || line.branch == taken)
+        };
+        self.lines.iter().map(is_lit).collect()
+    }
 }
 
 /// Listing of what `query` runs.
@@ -143,11 +159,57 @@ pub fn label<const D: usize>(event: &Event<D>) -> &'static str {
     }
 }
 
-/// Reads `label | code | English comment | German comment`.
+/// Branch that the last one of the events so far has taken; empty if there is
+/// only one.
+pub fn branch<const D: usize>(past: &[Event<D>]) -> &'static str {
+    let [before @ .., event] = past else {
+        return "";
+    };
+    let follows = |is_it: fn(&Event<D>) -> bool| before.last().is_some_and(is_it);
+    if let Event::Visit { state, .. } = event {
+        return if state.is_some() { "child" } else { "root" };
+    }
+    if let Event::Enter { node, .. } = event {
+        return if follows(|event| matches!(event, Event::Resume { .. })) {
+            "resumed"
+        } else if *node == NodeId::ROOT {
+            "root"
+        } else {
+            "child"
+        };
+    }
+    if let Event::Step { next, .. } = event {
+        return if next.is_some() { "on" } else { "leave" };
+    }
+    if let Event::Split { halves, .. } = event {
+        return match halves {
+            Halves::Near => "near",
+            Halves::Far => "far",
+            Halves::Both => "both",
+        };
+    }
+    if let Event::Encode { .. } = event {
+        return if follows(|event| matches!(event, Event::Clip { .. })) {
+            "first"
+        } else if follows(|event| matches!(event, Event::Push { .. })) {
+            "pushed"
+        } else {
+            "next"
+        };
+    }
+    if let Event::Cross { outside, .. } = event {
+        return if outside.is_empty() { "inside" } else { "outside" };
+    }
+    ""
+}
+
+/// Reads `label/branch | code | English comment | German comment`; the branch may
+/// be missing.
 fn read(line: &'static str, language: Language) -> Line {
     let mut fields = line.split('|');
     let mut field = || fields.next().unwrap_or("");
-    let (label, code, english, german) = (field(), field(), field(), field());
+    let (label, code, english, german) = (field().trim(), field(), field(), field());
+    let (label, branch) = label.split_once('/').unwrap_or((label, ""));
     let code = code.strip_prefix(' ').unwrap_or(code);
     let indent = (code.len() - code.trim_start().len()) / 2;
     let comment = match language {
@@ -155,7 +217,8 @@ fn read(line: &'static str, language: Language) -> Line {
         Language::German => german,
     };
     Line {
-        label: label.trim(),
+        label,
+        branch,
         indent: indent as u8,
         code: code.trim(),
         comment: comment.trim().to_owned(),

@@ -1,9 +1,10 @@
-//! What happens, in words: a sentence a step, the listing, the variables, and what
-//! becomes of every node.
+//! What happens, in words and formulas: a sentence a step, what it computes, the
+//! listing, the variables, and what becomes of every node.
 
 mod as_printed;
 mod decision;
 mod fate;
+mod formula;
 mod latex;
 mod listing;
 mod names;
@@ -18,8 +19,12 @@ mod words;
 mod write;
 
 pub use fate::{Naming, fate_name, fate_numbers, fate_sentence};
+pub use formula::{
+    Fence, Formula, Misprint, Notation, Room, Sign, Statement, UnknownNotation, formulas, math,
+    misprint_formula, spoken, spoken_formula,
+};
 pub use latex::latex;
-pub use listing::{Line, Listing, label, listing};
+pub use listing::{Line, Listing, branch, label, listing};
 pub use names::{algorithm_name, counter_name, end_name, query_name, step_texts};
 pub use number::{approx, distinct, number};
 pub use rich::{RichText, Span};

@@ -11,6 +11,9 @@ pub struct Span {
     pub strong: bool,
     /// Whether it is a subscript.
     pub sub: bool,
+    /// The number that the text tells in short, with all its digits; `None` if the
+    /// text tells all of them, or is no number.
+    pub whole: Option<String>,
 }
 
 /// Text of several looks.
@@ -32,6 +35,10 @@ impl<T: Into<String>> From<T> for RichText {
 const AXIS: u32 = 0xE000;
 const STRONG: char = '\u{E003}';
 const SUB: char = '\u{E004}';
+/// Begins a number in short.
+const SHORT: char = '\u{E005}';
+/// Between a number in short and the same with all its digits.
+const WHOLE: char = '\u{E006}';
 /// Ends what the marks before have begun.
 const END: char = '\u{E00F}';
 
@@ -54,6 +61,7 @@ impl RichText {
         let mut span = Span::default();
         for c in marked.chars() {
             match c {
+                WHOLE => span.whole = Some(String::new()),
                 '\u{E000}'..=END => {
                     let done = std::mem::take(&mut span);
                     if c != END {
@@ -64,6 +72,7 @@ impl RichText {
                         match c {
                             STRONG => span.strong = true,
                             SUB => span.sub = true,
+                            SHORT => {}
                             _ => span.axis = Some((u32::from(c) - AXIS) as usize),
                         }
                     }
@@ -71,7 +80,7 @@ impl RichText {
                         spans.push(done);
                     }
                 }
-                _ => span.text.push(c),
+                _ => span.whole.as_mut().unwrap_or(&mut span.text).push(c),
             }
         }
         if !span.text.is_empty() {
@@ -97,9 +106,25 @@ pub(super) fn strong(text: &str) -> String {
     format!("{STRONG}{text}{END}")
 }
 
+/// A number in short, with all its digits behind it, marked up.
+pub(super) fn shortened(short: &str, whole: &str) -> String {
+    format!("{SHORT}{short}{WHOLE}{whole}{END}")
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_number_in_short_has_its_digits_behind_it() {
+        let third = shortened("0.3333", "0.333333");
+        for marked in [format!("At t = {third}, so"), format!("At t = {}, so", strong(&third))] {
+            let text = RichText::parse(&marked);
+            assert_eq!(text.plain(), "At t = 0.3333, so");
+            let whole: Vec<_> = text.0.iter().map(|span| span.whole.as_deref()).collect();
+            assert_eq!(whole, [None, Some("0.333333"), None], "{text:?}");
+        }
+    }
 
     #[test]
     fn marks_become_spans() {

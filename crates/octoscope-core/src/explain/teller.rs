@@ -1,9 +1,10 @@
 //! Tells an event in a sentence.
 
 use super::as_printed::with_printed_rules;
-use super::number::{approx, distinct};
 use super::rich::{on_axis, strong};
-use super::words::{Decided, Words, chain, equation, point, signs, t, tuple, typographic};
+use super::words::{
+    Decided, Words, approx, chain, coordinate, distinct, equation, point, signs, t, tuple,
+};
 use crate::event::{End, Event};
 use crate::geometry::{AXIS_NAMES, Axes, Ray};
 use crate::query::Query;
@@ -23,7 +24,7 @@ impl<const D: usize> Teller<'_, D> {
     /// The event, and whether doubles would have decided otherwise.
     pub(super) fn tell_all(&self, event: &Event<D>) -> String {
         let Self { words, ray, trace, before } = *self;
-        let told = with_printed_rules(words, &trace.query, event, || self.tell(event));
+        let told = with_printed_rules(words, trace, event, before, || self.tell(event));
         if !trace.query.is_exact(words.tree.domain(), ray) {
             return told;
         }
@@ -106,7 +107,16 @@ impl<const D: usize> Teller<'_, D> {
                 self.first(entry, entry_axis, compared, state)
             }
             Event::Step { state, exits, axes, next } => self.step(state, exits, axes, next),
-            Event::Up { node: Some(node) } => words.say("up", &[("node", words.node(node))]),
+            Event::Up { node: Some(node) } => {
+                let to = ("node", words.node(node));
+                match self.left_behind() {
+                    Some((axis, exit)) => {
+                        let exit = equation(&t(axis, "1"), &approx(exit));
+                        words.say("up-behind", &[to, ("exit", exit)])
+                    }
+                    None => words.say("up", &[to]),
+                }
+            }
             Event::Up { node: None } => words.texts.get("up-none"),
             Event::Enter { node, interval: [enter, exit], .. } => {
                 self.interval("enter", words.node(node), enter, exit)
@@ -177,11 +187,27 @@ impl<const D: usize> Teller<'_, D> {
                     return words.say("rope-border", &arguments);
                 };
                 arguments.push(("node", words.node(node)));
-                words.say("rope", &arguments)
+                let spanned = self.spanned(node, axis);
+                let text = words.say("rope", &arguments);
+                if spanned.is_empty() {
+                    return text;
+                }
+                text + &words.say("rope-spans", &[("axes", words.axes(spanned))])
             }
             Event::Push { from, to, axis } => {
                 let axis = on_axis(usize::from(axis), AXIS_NAMES[usize::from(axis)]);
-                words.say("push", &[("from", point(from)), ("to", point(to)), ("axis", axis)])
+                // The push may be too short to be seen in few digits.
+                let told = |x: [f64; D], n: usize| {
+                    tuple::<D>(std::array::from_fn(|e| {
+                        let [at, pushed] = [from[e], to[e]];
+                        if at == pushed || coordinate(at) != coordinate(pushed) {
+                            return coordinate(x[e]);
+                        }
+                        distinct(&[at, pushed]).swap_remove(n)
+                    }))
+                };
+                let (from, to) = (told(from, 0), told(to, 1));
+                words.say("push", &[("from", from), ("to", to), ("axis", axis)])
             }
             Event::Begin { node } => {
                 let is_root = node == words.tree.root().id;
@@ -224,7 +250,7 @@ impl<const D: usize> Teller<'_, D> {
             Event::Exits { planes, exits, axes } => {
                 let planes = words.list(axes.iter().map(|e| {
                     let name = on_axis(e, AXIS_NAMES[e]);
-                    equation(&name, &typographic(planes[e]))
+                    equation(&name, &coordinate(planes[e]))
                 }));
                 let key = if axes.count() == 1 { "exits-one" } else { "exits-many" };
                 words.say(
@@ -318,6 +344,37 @@ impl<const D: usize> Teller<'_, D> {
                 }
             }
         }
+    }
+
+    /// The far plane by which the node at work lies behind the origin, if it is left
+    /// at once for that, without a step of its own that says so.
+    fn left_behind(&self) -> Option<(usize, f64)> {
+        let by_one_rule =
+            matches!(self.trace.query, Query::Ray { algorithm: Algorithm::Parametric, .. });
+        let frame = self.before.frame().filter(|frame| by_one_rule && frame.mid.is_none())?;
+        let leaf = self.before.leaves.last().is_some_and(|leaf| leaf.node == frame.node);
+        let touch = self.before.touches.last().is_some_and(|(node, _)| *node == frame.node);
+        let [_, far] = frame.planes().filter(|_| !leaf && !touch)?;
+        let exit = frame.exit();
+        far.iter().position(|&t| t == exit && exit <= 0.0).map(|axis| (axis, exit))
+    }
+
+    /// Axes after `axis` across whose planes no link is followed from `node`, as it
+    /// spans what lies beyond them already.
+    fn spanned(&self, node: NodeId, axis: usize) -> Axes<D> {
+        let (Some(exits), Some(leaf)) = (self.before.exits, self.before.leaves.last()) else {
+            return Axes::NONE;
+        };
+        let tree = self.words.tree;
+        let (size, low) = (1 << tree.level(leaf.node), tree.code(leaf.node));
+        let (level, code) = (tree.level(node), tree.code(node));
+        let later = exits.axes.iter().filter(|&e| e > axis);
+        let spans = |&e: &usize| {
+            let is_upper = self.ray.direction()[e] > 0.0;
+            let beyond = i64::from(low[e]) + if is_upper { size } else { -1 };
+            beyond >> level == i64::from(code[e] >> level)
+        };
+        later.take_while(spans).fold(Axes::NONE, |axes, e| Axes(axes.0 | Axes::<D>::one(e).0))
     }
 
     /// The sentence of `key` about a node that is found.

@@ -1,8 +1,8 @@
 //! Pieces of sentences, marked up.
 
 use super::names::step_texts;
-use super::number::{distinct, number};
-use super::rich::{on_axis, strong, with_sub};
+use super::number::{self, number};
+use super::rich::{on_axis, shortened, strong, with_sub};
 use crate::geometry::{AXIS_NAMES, Axes};
 use crate::text::{Language, Texts};
 use crate::tree::{Child, Code, NodeId, Tree};
@@ -100,7 +100,33 @@ pub(super) fn signs<const D: usize>(direction: [i8; D]) -> String {
 
 /// A point in the colours of the axes.
 pub(super) fn point<const D: usize>(x: [f64; D]) -> String {
-    tuple(x.map(typographic))
+    tuple(x.map(coordinate))
+}
+
+/// Coordinates of at most so many characters are told whole, as those of planes of
+/// the grid are.
+const SHORT_COORDINATE: usize = 9;
+
+/// A coordinate with all its digits, if these are few, or in short.
+pub(super) fn coordinate(x: f64) -> String {
+    let whole = typographic(x);
+    if whole.chars().count() <= SHORT_COORDINATE { whole } else { approx(x) }
+}
+
+/// `x` in short, with all its digits behind it.
+pub(super) fn approx(x: f64) -> String {
+    with_digits(number::approx(x), x)
+}
+
+/// Numbers as short as they can be told apart, with all their digits behind them.
+pub(super) fn distinct(numbers: &[f64]) -> Vec<String> {
+    let texts = number::distinct(numbers).into_iter();
+    texts.zip(numbers).map(|(text, &x)| with_digits(text, x)).collect()
+}
+
+fn with_digits(text: String, x: f64) -> String {
+    let whole = typographic(x);
+    if text == whole { text } else { shortened(&text, &whole) }
 }
 
 /// `code` in binary, `width` digits at least.

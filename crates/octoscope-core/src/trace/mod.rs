@@ -14,5 +14,6 @@ pub use moment::Moment;
 pub use record::{Trace, record, record_within};
 pub use rounding::{Disagreement, double_would_differ, rounded_steps};
 pub use state::{
-    Codes, Cuts, Detour, Difference, Exits, Extent, Frame, GridCell, LeafOnRay, RootClip, Target,
+    Codes, Cuts, Detour, Difference, Exits, Extent, Frame, GridCell, HalvingPlane, LeafOnRay,
+    RootClip, Target, Towards,
 };

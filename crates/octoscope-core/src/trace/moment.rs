@@ -1,7 +1,8 @@
 //! The debugger's state after some steps of a trace, folded from its events.
 
 use super::state::{
-    Codes, Cuts, Detour, Difference, Exits, Extent, Frame, GridCell, LeafOnRay, RootClip, Target,
+    Codes, Cuts, Detour, Difference, Exits, Extent, Frame, GridCell, HalvingPlane, LeafOnRay,
+    RootClip, Target, Towards,
 };
 use super::{Counters, Trace};
 use crate::event::{End, Event};
@@ -26,6 +27,8 @@ pub struct Moment<const D: usize> {
     /// Parameters between which the ray is in the current node, if that was tested
     /// last.
     pub tested: Option<[f64; 2]>,
+    /// Number of leaves that were tested by themselves and met the ray.
+    pub met: usize,
     /// Leaves that were tested by themselves and missed the ray.
     pub missed: Vec<NodeId>,
     /// Codes that are followed.
@@ -44,6 +47,8 @@ pub struct Moment<const D: usize> {
     pub part: Option<Part<D>>,
     /// Parameters between which the ray is in that part.
     pub part_interval: Option<[f64; 2]>,
+    /// The plane that halved the part before it, unless it came from the stack.
+    pub halving: Option<HalvingPlane>,
     /// Parts that wait on the stack of a binary space partition, its top last,
     /// with the parameters between which the ray is in them.
     pub pending: Vec<(Part<D>, [f64; 2])>,
@@ -51,6 +56,11 @@ pub struct Moment<const D: usize> {
     pub grid: Option<GridCell<D>>,
     /// The way to a neighbour through the tree.
     pub detour: Detour,
+    /// Where the neighbour is looked for, step by step: on the way up to be found
+    /// beyond the parents, on the way down mirrored.
+    pub towards: Option<Towards<D>>,
+    /// What is still to be mirrored on the way down, the next step last.
+    pub to_mirror: Vec<Towards<D>>,
     /// Exit point of a leaf and the point to which it was pushed.
     pub pushed: Option<[[f64; D]; 2]>,
     /// Node that a query has found.
@@ -102,9 +112,14 @@ impl<const D: usize> Moment<D> {
                 self.tested = interval;
                 if interval.is_none() {
                     self.missed.push(node);
+                } else if tree.node(node).is_leaf() {
+                    self.met += 1;
                 }
             }
-            Event::Sort { .. } => self.current = None,
+            Event::Sort { .. } => {
+                self.current = None;
+                self.tested = None;
+            }
             Event::Visit { node, state, near, far } => {
                 self.change_frame(|parent| parent.child_state = state);
                 self.push(node, state, Extent::Planes { near, far });
@@ -131,7 +146,8 @@ impl<const D: usize> Moment<D> {
             Event::Classify { child, .. } | Event::Flip { child, .. } => {
                 self.change_frame(|frame| frame.child = Some(child));
             }
-            Event::Split { taken, kept, at, interval: [enter, exit], .. } => {
+            Event::Split { axis, taken, kept, at, interval: [enter, exit], .. } => {
+                self.halving = Some(HalvingPlane { axis: usize::from(axis), at });
                 self.current = Some(taken.node);
                 self.part = Some(taken);
                 self.part_interval = Some([enter, if kept.is_some() { at } else { exit }]);
@@ -141,26 +157,36 @@ impl<const D: usize> Moment<D> {
                 self.current = Some(part.node);
                 self.part = Some(part);
                 self.part_interval = Some(interval);
+                self.halving = None;
                 self.pending.pop();
             }
             Event::Grid { cell, next, .. } => {
-                self.grid = Some(GridCell { cell: Some(cell), next, crossed: Axes::NONE });
+                let near = self.clip.map_or([0.0; D], |clip| clip.near);
+                let enter = near.into_iter().fold(0.0, f64::max);
+                self.grid = Some(GridCell { enter, cell: Some(cell), next, crossed: Axes::NONE });
             }
-            Event::Cross { axes, cell, ahead, .. } => {
+            Event::Cross { next, axes, cell, ahead, .. } => {
+                let enter = next.into_iter().fold(f64::INFINITY, f64::min);
                 let code = cell.map(|c| u32::try_from(c).unwrap_or(u32::MAX));
                 let inside = code.iter().all(|&c| c < tree.domain().grid_size());
                 let cell = inside.then_some(code);
-                self.grid = Some(GridCell { cell, next: ahead, crossed: axes });
+                self.grid = Some(GridCell { enter, cell, next: ahead, crossed: axes });
             }
-            Event::Parent { node, .. } => {
+            Event::Parent { node, child, direction, common, .. } => {
                 self.current = Some(node);
+                self.codes = None;
                 self.detour.up.push(node);
+                self.towards = Some(Towards { direction: common, child });
+                self.to_mirror.push(Towards { direction, child });
             }
             Event::Mirror { node, .. } | Event::Facing { node, .. } => {
                 self.current = Some(node);
+                self.codes = None;
                 self.detour.down.push(node);
+                self.towards = self.to_mirror.pop().or(self.towards);
             }
             Event::Rope { node, .. } => {
+                self.codes = None;
                 if let (Some(from), Some(to)) = (self.current, node) {
                     self.detour.links.push([from, to]);
                     self.current = Some(to);
@@ -178,6 +204,8 @@ impl<const D: usize> Moment<D> {
                 self.current = Some(node);
             }
             Event::Exits { planes, exits, axes } => {
+                self.towards = None;
+                self.to_mirror.clear();
                 self.exits = Some(Exits { planes, exits, axes });
             }
             Event::Target { level, from, to, axes, .. } => {
@@ -212,6 +240,8 @@ impl<const D: usize> Moment<D> {
                 self.current = Some(node);
                 self.exits = None;
                 self.pushed = None;
+                self.towards = None;
+                self.to_mirror.clear();
                 self.detour = Detour::default();
             }
             Event::Touch { node, at } => {

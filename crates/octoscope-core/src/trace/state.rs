@@ -78,6 +78,8 @@ impl<const D: usize> Frame<D> {
 /// A cell of the grid of smallest cells.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct GridCell<const D: usize> {
+    /// Parameter at which the ray comes into it.
+    pub enter: f64,
     /// Its code; `None` once the ray has left the domain.
     pub cell: Option<Code<D>>,
     /// Parameters of the planes ahead; +∞ along axes without motion.
@@ -95,6 +97,24 @@ pub struct Detour {
     pub down: Vec<NodeId>,
     /// Nodes that links lead to, with the node from which each does.
     pub links: Vec<[NodeId; 2]>,
+}
+
+/// The side on which the neighbour of a node is looked for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Towards<const D: usize> {
+    /// The direction to it; all 0 once a parent holds it.
+    pub direction: [i8; D],
+    /// The child at which the tables are read.
+    pub child: Child<D>,
+}
+
+/// The plane by which a part was halved.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct HalvingPlane {
+    /// Its axis.
+    pub axis: usize,
+    /// Its parameter; NaN or ±∞ if the ray does not move along the axis.
+    pub at: f64,
 }
 
 /// A visited leaf.

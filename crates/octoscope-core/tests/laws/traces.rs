@@ -279,3 +279,21 @@ fn folding_a_long_trace_takes_every_event_once() {
     let visits = once.iter().filter(|event| matches!(event, Event::Visit { .. })).count();
     assert_eq!(moment.counters.get(Counter::Calls) as usize, visits * repeats);
 }
+
+#[test]
+fn on_the_way_to_a_neighbour_through_the_tree_no_old_codes_are_followed() {
+    for_random_traces(|tree, _, _, trace| {
+        let mut moment = Moment::default();
+        for event in &trace.events {
+            moment.apply(tree, event);
+            let walks = matches!(
+                event,
+                Event::Parent { .. }
+                    | Event::Mirror { .. }
+                    | Event::Facing { .. }
+                    | Event::Rope { .. }
+            );
+            assert!(!walks || moment.codes.is_none(), "{event:?}");
+        }
+    });
+}

@@ -3,7 +3,7 @@
 use super::sheet::{Sheet, line_height};
 use super::subject::Subject;
 use crate::{Anchor, Figure, Role, metrics};
-use octoscope_core::explain::{Line, RichText, Variable, label, listing, variables};
+use octoscope_core::explain::{Line, RichText, Variable, listing, variables};
 use octoscope_core::trace::{Moment, Trace};
 use octoscope_core::tree::Tree;
 
@@ -22,9 +22,9 @@ pub fn changed_variables<const D: usize>(
     trace: &Trace<D>,
     moment: &Moment<D>,
 ) -> Vec<Changed> {
-    let now = variables(tree, moment);
+    let now = variables(tree, &trace.query, moment);
     let before = match moment.step.checked_sub(1) {
-        Some(step) => variables(tree, &Moment::after(tree, trace, step)),
+        Some(step) => variables(tree, &trace.query, &Moment::after(tree, trace, step)),
         None => now.clone(),
     };
     let is_changed = |variable: &Variable| {
@@ -40,7 +40,7 @@ pub fn changed_variables<const D: usize>(
 pub(super) fn view<const D: usize>(subject: &Subject<D>, width: f64) -> Figure {
     const GAP: f64 = 20.0;
     let listing = listing(subject.query(), subject.language());
-    let lit = subject.event().map(label);
+    let lit = listing.lit(subject.past());
     let variables = changed_variables(subject.tree, subject.trace, subject.moment);
     let code_width = listing.lines.iter().map(wide).fold(0.0, f64::max) + INSET + INDENT;
     let columns = Columns::of(&variables);
@@ -49,8 +49,7 @@ pub(super) fn view<const D: usize>(subject: &Subject<D>, width: f64) -> Figure {
     let own_width = own_width.min(code_width.max(0.6 * width));
     let mut sheet = Sheet::default();
     let mut bottom = 0.0;
-    for line in &listing.lines {
-        let is_lit = lit.is_some_and(|label| label == line.label);
+    for (line, is_lit) in listing.lines.iter().zip(lit) {
         bottom += code_line(&mut sheet, line, is_lit, bottom, own_width);
     }
     if is_beside {

@@ -32,17 +32,18 @@ pub use exercise::{Exercise, ExerciseError};
 pub use kind::{FigureView, UnknownView, ViewError};
 pub use listing::{Changed, changed_variables};
 pub use neighbour::{NeighbourTables, neighbour_tables};
+pub use rail::RailOf;
 pub use region::region_table;
 pub use storyboard::{Layout, Panel, common_extent, storyboard};
 pub use subject::Subject;
-pub use t_rail::{RailFigure, rail_node, t_rail};
+pub use t_rail::{RailFigure, rail_of, t_rail};
 pub use table::{Entry, Table, Tone};
 pub use worksheet::{Fields, worksheet};
 
 use crate::Figure;
-use octoscope_core::text::Language;
+use octoscope_core::text::{Language, Texts};
 use octoscope_core::trace::Moment;
-use octoscope_core::tree::NodeId;
+use octoscope_core::tree::{Code, NodeId};
 
 /// Source of the texts of all views in `language`.
 pub fn figure_texts(language: Language) -> &'static str {
@@ -109,7 +110,11 @@ fn drawn<const D: usize>(view: FigureView, subject: &Subject<D>, width: f64) -> 
 
 /// Level and codes of a node in words.
 pub fn node_note<const D: usize>(subject: &Subject<D>, node: NodeId) -> String {
-    let codes = subject.tree.code(node).map(|c| c.to_string()).join(", ");
-    let level = subject.tree.level(node);
-    subject.texts.format("node-note", &[("level", level.into()), ("codes", codes.into())])
+    place_note(subject.texts, (subject.tree.level(node), subject.tree.code(node)))
+}
+
+/// Level and codes in words.
+pub fn place_note<const D: usize>(texts: &Texts, (level, code): (u8, Code<D>)) -> String {
+    let codes = code.map(|c| c.to_string()).join(", ");
+    texts.format("node-note", &[("level", level.into()), ("codes", codes.into())])
 }

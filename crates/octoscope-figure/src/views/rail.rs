@@ -1,17 +1,38 @@
 //! What the rail shows: the parameters that the algorithm knows at a moment.
 
-use octoscope_core::trace::Moment;
-use octoscope_core::tree::NodeId;
+use octoscope_core::trace::{HalvingPlane, Moment};
+use octoscope_core::tree::{Code, NodeId, Tree};
+
+/// What the rail tells of.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum RailOf<const D: usize> {
+    /// A node.
+    Node(NodeId),
+    /// A cell of the finest grid.
+    Cell(Code<D>),
+}
+
+impl<const D: usize> RailOf<D> {
+    /// Level and codes.
+    pub fn place(self, tree: &Tree<D>) -> (u8, Code<D>) {
+        match self {
+            Self::Node(node) => (tree.level(node), tree.code(node)),
+            Self::Cell(code) => (0, code),
+        }
+    }
+}
 
 /// Parameters t of one node. What the algorithm has not computed is not there.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Rail<const D: usize> {
-    /// The node.
-    pub node: NodeId,
+    /// The node, or the cell.
+    pub of: RailOf<D>,
     /// Where the ray enters and leaves it, as far as is known.
     pub interval: [f64; 2],
     near: Option<[f64; D]>,
     mid: Option<[f64; D]>,
+    /// The one mid plane that is known where planes are met one by one.
+    halving: Option<HalvingPlane>,
     far: Option<[f64; D]>,
     /// How the far planes are called.
     far_name: &'static str,
@@ -41,15 +62,13 @@ impl<const D: usize> Rail<D> {
             }
         }
         if let (Some(part), Some(interval)) = (moment.part, moment.part_interval) {
-            return Some(Self::of_node(part.node, interval));
+            return Some(Self { halving: moment.halving, ..Self::of_node(part.node, interval) });
         }
-        if let Some(grid) = moment.grid {
-            let node = leaf.map_or(NodeId::ROOT, |leaf| leaf.node);
-            // From where the ray came into the leaf to the plane ahead.
+        if let Some((grid, cell)) = moment.grid.and_then(|grid| Some((grid, grid.cell?))) {
             let exit = grid.next.into_iter().fold(f64::INFINITY, f64::min);
-            let interval = [leaf.map_or_else(|| entered(moment), |leaf| leaf.enter), exit];
+            let rail = Self::of_node(NodeId::ROOT, [grid.enter, exit]);
             let far = Some(grid.next);
-            return Some(Self { far, far_name: "max", ..Self::of_node(node, interval) });
+            return Some(Self { of: RailOf::Cell(cell), far, far_name: "max", ..rail });
         }
         if let Some(leaf) = leaf {
             let rail = Self::of_node(leaf.node, [leaf.enter, leaf.exit]);
@@ -67,7 +86,15 @@ impl<const D: usize> Rail<D> {
 
     /// Of a node of which only the interval is known in which the ray is in it.
     fn of_node(node: NodeId, interval: [f64; 2]) -> Self {
-        Self { node, interval, near: None, mid: None, far: None, far_name: "1" }
+        Self {
+            of: RailOf::Node(node),
+            interval,
+            near: None,
+            mid: None,
+            halving: None,
+            far: None,
+            far_name: "1",
+        }
     }
 
     /// Parameters between which the ray is between both planes of an axis, the first
@@ -80,7 +107,9 @@ impl<const D: usize> Rail<D> {
     /// The parameters of an axis with the names of their planes.
     pub fn stops(&self, axis: usize) -> Vec<(f64, &'static str)> {
         let known = [(self.near, "0"), (self.mid, "m"), (self.far, self.far_name)];
-        known.into_iter().filter_map(|(t, name)| Some((t?[axis], name))).collect()
+        let all = known.into_iter().filter_map(|(t, name)| Some((t?[axis], name)));
+        let halving = self.halving.filter(|plane| plane.axis == axis);
+        all.chain(halving.map(|plane| (plane.at, "m"))).collect()
     }
 
     /// Range of t that is shown: all finite parameters, with a margin. Where all
@@ -93,7 +122,7 @@ impl<const D: usize> Rail<D> {
         let reach = NEAR * length;
         let is_near = |t: f64| !cuts || (enter - reach <= t && t <= exit + reach);
         let planes = [self.near, self.mid, self.far].into_iter().flatten().flatten();
-        let all = planes.chain(self.interval);
+        let all = planes.chain(self.halving.map(|plane| plane.at)).chain(self.interval);
         let finite: Vec<f64> = all.filter(|&t| t.is_finite() && is_near(t)).collect();
         let low = finite.iter().copied().fold(f64::INFINITY, f64::min);
         let high = finite.iter().copied().fold(f64::NEG_INFINITY, f64::max);
@@ -106,15 +135,11 @@ impl<const D: usize> Rail<D> {
     }
 }
 
-/// Where the ray comes into the root.
-fn entered<const D: usize>(moment: &Moment<D>) -> f64 {
-    let near = moment.clip.map_or([0.0; D], |clip| clip.near);
-    near.into_iter().fold(0.0, f64::max)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use octoscope_core::geometry::Axes;
+    use octoscope_core::trace::GridCell;
 
     fn slab(near: f64, far: f64) -> Rail<2> {
         let rail = Rail::of_node(NodeId::ROOT, [near, far]);
@@ -140,6 +165,23 @@ mod tests {
         assert!(low < 1.0 && 4.5 < high && high < 5.0, "{low} {high}");
         let [low, high] = Rail { mid: Some([-50.0, 1e9]), ..interval }.range();
         assert!(0.9 < low && low < 1.0 && 2.0 < high && high < 2.1, "{low} {high}");
+    }
+
+    #[test]
+    fn in_the_grid_the_rail_is_that_of_the_cell() {
+        let (cell, next, crossed) = (Some([4, 10]), [0.5, 0.75], Axes::NONE);
+        let grid = Some(GridCell { enter: 0.25, cell, next, crossed });
+        let rail = Rail::<2>::of(&Moment { grid, ..Moment::default() }).unwrap();
+        assert_eq!((rail.of, rail.interval), (RailOf::Cell([4, 10]), [0.25, 0.5]));
+        assert_eq!(rail.stops(1), [(0.75, "max")]);
+    }
+
+    #[test]
+    fn of_a_part_the_plane_that_halved_it_is_shown() {
+        let part = Rail::<2>::of_node(NodeId::ROOT, [1.0, 2.0]);
+        let rail = Rail { halving: Some(HalvingPlane { axis: 1, at: 3.0 }), ..part };
+        assert_eq!((rail.stops(0), rail.stops(1)), (vec![], vec![(3.0, "m")]));
+        assert!(rail.range()[1] > 3.0);
     }
 
     #[test]

@@ -1,6 +1,6 @@
 //! Parameters t of the planes of the current node, on one axis.
 
-use super::rail::Rail;
+use super::rail::{Rail, RailOf};
 use super::sheet::Sheet;
 use super::subject::Subject;
 use super::words::{joined, on_axis, parameter};
@@ -9,17 +9,16 @@ use octoscope_core::explain::{RichText, approx};
 use octoscope_core::geometry::AXIS_NAMES;
 use octoscope_core::text::Texts;
 use octoscope_core::trace::Moment;
-use octoscope_core::tree::NodeId;
 
 /// The rail of a node: what is drawn, and where a t lies in it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RailFigure {
     /// What is drawn.
     pub figure: Figure,
-    /// The node of which it tells.
-    pub node: NodeId,
     /// Where the ray enters and leaves the node.
     pub interval: [f64; 2],
+    /// The parameters of the planes, by their names, axis by axis.
+    pub parameters: Vec<(RichText, f64)>,
     /// The t at both ends of the common axis.
     range: [f64; 2],
     /// Where that axis begins and ends on the page.
@@ -47,13 +46,16 @@ pub fn t_rail<const D: usize>(
     let mut sheet = Sheet::default();
     drawing.draw(&mut sheet, texts);
     let figure = sheet.figure([width, row * D as f64 + BELOW]);
-    let Rail { node, interval, .. } = rail;
-    Some(RailFigure { figure, node, interval, range, track })
+    let interval = rail.interval;
+    let of_axis = |axis| rail.stops(axis).into_iter().map(move |(t, plane)| (axis, plane, t));
+    let parameters = (0..D).flat_map(of_axis).map(|(axis, plane, t)| (parameter(axis, plane), t));
+    let parameters = parameters.collect();
+    Some(RailFigure { figure, interval, parameters, range, track })
 }
 
-/// The node of which the rail tells; `None` as long as no parameter is known.
-pub fn rail_node<const D: usize>(moment: &Moment<D>) -> Option<NodeId> {
-    Rail::of(moment).map(|rail| rail.node)
+/// What the rail tells of; `None` as long as no parameter is known.
+pub fn rail_of<const D: usize>(moment: &Moment<D>) -> Option<RailOf<D>> {
+    Rail::of(moment).map(|rail| rail.of)
 }
 
 /// The rail with the node above it, as a figure of this width.
@@ -62,7 +64,8 @@ pub(super) fn view<const D: usize>(subject: &Subject<D>, width: f64) -> Option<F
     const HEAD: f64 = 20.0;
     let rail = t_rail(subject.texts, subject.moment, [width, ROW])?;
     let mut sheet = Sheet::default();
-    let text = super::node_note(subject, rail.node);
+    let of = rail_of(subject.moment)?;
+    let text = super::place_note(subject.texts, of.place(subject.tree));
     sheet.text(Role::Note, [0.0, 8.0], Anchor::Start, text);
     sheet.place(rail.figure.drawn, [0.0, HEAD]);
     Some(sheet.figure([width, rail.figure.page.height + HEAD]))

@@ -202,3 +202,44 @@ fn steps_by_a_printed_rule_say_so() {
         assert!(printed(variant).iter().any(|text| text.contains(&named)), "{named}");
     }
 }
+
+#[test]
+fn a_child_behind_the_origin_is_left_with_a_reason() {
+    let ray = Ray::new([0.75, 0.25, -1.0], [0.0625, 0.0625, 1.0]).unwrap();
+    let options = Options { variants: Variants::NONE.with(Variant::B2), ..Options::default() };
+    let query =
+        Query::Ray { algorithm: Algorithm::Parametric, options, arithmetic: Arithmetic::Doubles };
+    check_words(
+        &ray,
+        &query,
+        [
+            "The node is left at t_x1 = −4 ≤ 0, so it lies behind the origin and is skipped: back up to the node (0, 0, 0) of level 3.",
+            "Der Knoten wird bei t_x1 = −4 ≤ 0 verlassen; er liegt also hinter dem Startpunkt und wird übersprungen: zurück hinauf zu Knoten (0, 0, 0) auf Ebene 3.",
+        ],
+    );
+}
+
+#[test]
+fn a_printed_rule_is_named_at_every_step_that_it_decides() {
+    // The rule, and how many sentences of its counterexample are of these kinds.
+    for variant in [Variant::B5, Variant::B6, Variant::B7] {
+        let named = format!("printed rule, {}", variant.id());
+        let sentences = printed(variant);
+        let told = sentences.iter().filter(|text| text.contains(&named));
+        let leaves = told.clone().filter(|text| text.contains("is reported, from"));
+        assert!(told.count() - leaves.count() >= 3, "{sentences:#?}");
+    }
+}
+
+#[test]
+fn without_a_branch_for_equal_planes_no_child_is_chosen() {
+    let ray = Ray::new([-1.0, -1.0], [1.0, 1.0]).unwrap();
+    check_words(
+        &ray,
+        &with(Algorithm::Parametric, Variant::B3),
+        [
+            "The ray meets the mid planes of the node at t_xm = 1.5 and t_ym = 1.5. Neither is the smaller one, and the printed rule, B-3, has no branch for that: no child is chosen.",
+            "Der Strahl trifft die Mittelebenen des Knotens bei t_xm = 1.5 und t_ym = 1.5. Keiner ist der kleinere, und die gedruckte Regel, B-3, hat dafür keinen Zweig: Es wird kein Kind gewählt.",
+        ],
+    );
+}

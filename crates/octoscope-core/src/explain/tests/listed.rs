@@ -22,6 +22,91 @@ fn every_event_has_a_line_and_every_line_an_event() {
 }
 
 #[test]
+fn of_the_branches_of_a_step_only_the_one_taken_is_lit() {
+    let mut lit_once: BTreeMap<String, BTreeSet<&str>> = BTreeMap::new();
+    fn run<const D: usize>(lit_once: &mut BTreeMap<String, BTreeSet<&'static str>>) {
+        for_all_runs::<D>(|tree, ray, name, query| {
+            let listing = listing(query, Language::English);
+            let events = record(tree, ray, query).events;
+            let reached = lit_once.entry(name.to_owned()).or_default();
+            for step in 1..=events.len() {
+                let lit = listing.lit(&events[..step]);
+                let lines = listing.lines.iter().zip(&lit).filter(|(_, lit)| **lit);
+                let lines: Vec<&Line> = lines.map(|(line, _)| line).collect();
+                let is_cut = label(&events[step - 1]) == "cut";
+                assert!(is_cut || !lines.is_empty(), "{name}: {:?}", events[step - 1]);
+                let branches: BTreeSet<&str> =
+                    lines.iter().map(|line| line.branch).filter(|b| !b.is_empty()).collect();
+                assert!(branches.len() <= 1, "{name}: {branches:?}");
+                reached.extend(lines.iter().map(|line| line.code));
+            }
+        });
+    }
+    run::<2>(&mut lit_once);
+    run::<3>(&mut lit_once);
+    for (name, query) in queries::<2>() {
+        for line in listing(&query, Language::English).lines {
+            let is_reached = line.label.is_empty() || lit_once[name].contains(line.code);
+            assert!(is_reached, "{name}: {}", line.code);
+        }
+    }
+}
+
+#[test]
+fn the_listing_of_a_partition_tells_which_halves_are_taken() {
+    let query = along(Algorithm::Bsp);
+    let ray = Ray::new([-0.25, 0.3], [1.0, 0.1]).unwrap();
+    let listing = listing(&query, Language::English);
+    let events = record(&tree(3), &ray, &query).events;
+    let mut told = BTreeMap::new();
+    for step in 1..=events.len() {
+        if let Event::Split { halves, .. } = events[step - 1] {
+            let lit = listing.lit(&events[..step]);
+            let lit = listing.lines.iter().zip(lit).filter(|(_, lit)| *lit);
+            let codes: Vec<&str> = lit.map(|(line, _)| line.code).collect();
+            told.insert(format!("{halves:?}"), codes);
+        }
+    }
+    assert_eq!(told["Near"], ["tm ← its next mid plane", "tm ≤ 0 or tm ≥ hi: near half"]);
+    assert_eq!(told["Both"], ["tm ← its next mid plane", "else: near half, push(far half)"]);
+}
+
+/// Names that the lines of a listing give a value to, in the forms of the variables.
+fn assigned<const D: usize>(query: &Query<D>) -> BTreeSet<String> {
+    let lines = listing(query, Language::English).lines;
+    let left = lines.iter().filter_map(|line| line.code.split_once(" ← "));
+    let names = left.flat_map(|(names, _)| names.split(", "));
+    // The axes x of a step are told in its sentence.
+    names.filter(|name| !["x", "tMax of x", "up"].contains(name)).map(str::to_owned).collect()
+}
+
+fn check_names<const D: usize>() {
+    let mut shown: BTreeMap<&str, BTreeSet<String>> = BTreeMap::new();
+    for_all_runs::<D>(|tree, ray, name, query| {
+        let trace = record(tree, ray, query);
+        for step in 0..=trace.events.len() {
+            let variables = variables(tree, query, &Moment::after(tree, &trace, step));
+            for variable in variables {
+                // One parameter an axis: t_x0 for t0.
+                let name_of = variable.name.plain();
+                let short = name_of.replace("_x", "").replace("_y", "").replace("_z", "");
+                shown.entry(name).or_default().insert(short);
+            }
+        }
+    });
+    for (name, query) in queries::<D>() {
+        let missing: Vec<String> = assigned(&query).difference(&shown[name]).cloned().collect();
+        assert!(missing.is_empty(), "{name}: {missing:?} of {:?}", shown[name]);
+    }
+}
+
+#[test]
+fn every_name_that_a_listing_gives_a_value_is_shown_with_it() {
+    check_names::<2>();
+    check_names::<3>();
+}
+
+#[test]
 fn listings_fit_their_panel_and_are_commented_in_both_languages() {
     for (name, query) in queries::<2>() {
         let [english, german] = Language::ALL.map(|language| listing(&query, language).lines);

@@ -1,6 +1,7 @@
 //! Laws and expectations of what is said.
 
 mod forms;
+mod formulas;
 mod listed;
 mod told;
 
@@ -132,7 +133,7 @@ fn sets<const D: usize>(query: &Query<D>) -> Vec<Variants> {
 }
 
 /// Calls `check` for every run of every query on sample trees.
-fn for_all_runs<const D: usize>(mut check: impl FnMut(&Tree<D>, &Ray<D>, &str, &Query<D>)) {
+fn for_all_runs<const D: usize>(mut check: impl FnMut(&Tree<D>, &Ray<D>, &'static str, &Query<D>)) {
     for levels in [0, 1, 3] {
         let tree = tree(levels);
         for (name, query) in queries() {
@@ -221,7 +222,7 @@ fn check_variables<const D: usize>() {
     for_all_runs::<D>(|tree, ray, _, query| {
         let trace = record(tree, ray, query);
         for step in 0..=trace.events.len() {
-            let variables = variables(tree, &Moment::after(tree, &trace, step));
+            let variables = variables(tree, query, &Moment::after(tree, &trace, step));
             let names: BTreeSet<String> = variables.iter().map(|v| v.name.plain()).collect();
             assert_eq!(names.len(), variables.len(), "{query:?}, step {step}: {variables:?}");
             assert!(variables.iter().all(|v| !v.value.plain().is_empty()));

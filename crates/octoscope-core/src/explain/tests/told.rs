@@ -266,3 +266,29 @@ fn the_end_of_a_search_names_what_was_found() {
         ],
     );
 }
+
+#[test]
+fn a_point_is_told_in_short_with_its_digits_behind_it() {
+    let third = 1.0 / 3.0;
+    let ray = Ray::new([-0.25, third], [1.0, 0.0]).unwrap();
+    let trace = record(&tree(3), &ray, &along(Algorithm::Codes));
+    let told = sentence::sentences(&tree(3), &ray, &trace, Language::English);
+    let encoded = told.iter().find(|text| text.plain().contains("near (")).unwrap();
+    assert!(encoded.plain().contains("near (0, 0.3333), the ray"), "{}", encoded.plain());
+    let whole: Vec<_> = encoded.0.iter().filter_map(|span| span.whole.clone()).collect();
+    assert_eq!(whole, ["0.3333333333333333"]);
+}
+
+#[test]
+fn a_cell_that_spans_the_next_side_is_told_to_need_no_link() {
+    // Through the corner (0.5, 0.25), beyond which a large cell lies.
+    let ray = Ray::new([0.375, 0.125], [0.25, 0.25]).unwrap();
+    check_words(
+        &ray,
+        &along(Algorithm::SametNet),
+        [
+            "The link through the x side leads to the node (4, 0) of level 2. It spans what lies beyond the y side as well, so no other link is followed there.",
+            "Der Verweis durch die x-Seite führt zu Knoten (4, 0) auf Ebene 2. Dieser reicht auch über die y-Seite hinaus, deshalb wird dort keinem weiteren Verweis gefolgt.",
+        ],
+    );
+}
