@@ -30,7 +30,7 @@ impl Random {
         (self.bits() >> 11) as f64 / (1u64 << 53) as f64
     }
 
-    /// Uniform in [`low`, `high`).
+    /// Uniform in [`low`, `high`]; `high` itself only by rounding.
     pub fn between(&mut self, low: f64, high: f64) -> f64 {
         low + (high - low) * self.unit()
     }

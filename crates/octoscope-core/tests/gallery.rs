@@ -87,7 +87,11 @@ fn check_kind<const D: usize>(tree: &Tree<D>, kind: Degenerate, ray: &Ray<D>) {
         Degenerate::Tiny => {
             direction[1] > 0.0 && direction[1] == 1e-7 * direction[0] && n_on_planes == 1
         }
-        Degenerate::OnFace => n_on_planes == 1 && bounds.owns(origin) && n_leaves > 0,
+        Degenerate::OnFace => {
+            // The ray moves down along x: its first leaf lies below the plane.
+            let first = oracle.leaves().next().map(|(leaf, _)| tree.node_box(leaf).max[0]);
+            n_on_planes == 1 && bounds.owns(origin) && first == Some(origin[0])
+        }
         Degenerate::OnCorner => n_on_planes == D && bounds.owns(origin) && n_leaves > 0,
         Degenerate::Inside => n_on_planes == 0 && bounds.owns(origin) && n_leaves > 0,
         Degenerate::Behind => {
@@ -98,7 +102,10 @@ fn check_kind<const D: usize>(tree: &Tree<D>, kind: Degenerate, ray: &Ray<D>) {
         Degenerate::Leaving => missed && n_touches > 0 && bounds.owns(origin),
         Degenerate::Grazing => missed && n_touches > 0 && !bounds.owns(origin),
         Degenerate::Miss => missed && n_touches == 0 && n_moving == D,
-        Degenerate::Lattice => largest_tie(&parametric) == 2 && n_moving == D && n_touches > 0,
+        Degenerate::Lattice => {
+            let opposed = direction[0] > 0.0 && direction[1] < 0.0;
+            largest_tie(&parametric) == 2 && n_moving == D && n_touches > 0 && opposed
+        }
         Degenerate::LatticeSpace => largest_tie(&parametric) == 3 && n_touches > 0,
         Degenerate::Thirds => {
             let parted = !rounded_steps(tree, ray, &parametric).is_empty();

@@ -34,7 +34,13 @@ pub fn ray<const D: usize>(kind: Degenerate, tree: &Tree<D>) -> Ray<D> {
             (with(before, 1, corner[1]), axes(|e| if e == 0 { side } else { -0.0 }))
         }
         Degenerate::Tiny => (with(before, 1, corner[1]), scaled([1.0, 1e-7, -1e-7])),
-        Degenerate::OnFace => (with(free, 0, corner[0]), scaled([-1.0, 0.4, 0.3])),
+        Degenerate::OnFace => {
+            // Beside the corner the plane lies between two of the smallest leaves;
+            // elsewhere a larger one may reach across it.
+            let side_of_leaf = domain.cell_side(smallest(tree).map_or(0, |id| tree.level(id)));
+            let beside = axes(|e| corner[e] + 0.3 * side_of_leaf);
+            (with(beside, 0, corner[0]), scaled([-1.0, 0.4, 0.3]))
+        }
         Degenerate::OnCorner => (corner, scaled([-1.0, 0.5, -0.25])),
         Degenerate::Inside => (free, scaled([1.0, 0.6, -0.4])),
         Degenerate::Behind => {
