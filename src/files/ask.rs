@@ -1,18 +1,14 @@
 //! The system's file dialogs, which are asked on another thread.
 
 use eframe::egui::Context;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::mpsc::{Receiver, Sender, channel};
 
 /// What the user has chosen in a dialog.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Chosen {
-    /// Open this file.
-    Open(PathBuf),
-    /// Save the scenario here.
-    Save(PathBuf),
-    /// Export the view here.
-    Export(PathBuf),
+    /// This path, as it was chosen or typed.
+    Path(Purpose, PathBuf),
     /// There is no dialog on this system: a path has to be typed.
     NoDialog(Purpose),
 }
@@ -26,6 +22,28 @@ pub enum Purpose {
     Save,
     /// To hold the view, in the format of this file ending.
     Export(&'static str),
+}
+
+impl Purpose {
+    /// `path` with an ending by which the program knows the file again: the scenario's
+    /// own, or, of a figure, any.
+    pub fn named(self, path: &Path) -> PathBuf {
+        let (ending, is_named) = match self {
+            Self::Open => return path.to_owned(),
+            Self::Save => {
+                let own = path.extension();
+                ("octo", own.is_some_and(|own| own.eq_ignore_ascii_case("octo")))
+            }
+            Self::Export(ending) => (ending, path.extension().is_some()),
+        };
+        if is_named {
+            return path.to_owned();
+        }
+        let mut named = path.as_os_str().to_owned();
+        named.push(".");
+        named.push(ending);
+        named.into()
+    }
 }
 
 /// Answers of dialogs that have been opened.
@@ -56,7 +74,7 @@ impl Answers {
     /// Asks which file to open.
     pub fn ask_open(&self, context: &Context) {
         let dialog = rfd::AsyncFileDialog::new().add_filter("Octoscope", &OPENED);
-        self.ask(context, Purpose::Open, async move { dialog.pick_file().await }, Chosen::Open);
+        self.ask(context, Purpose::Open, async move { dialog.pick_file().await });
     }
 
     /// Asks where to save the scenario.
@@ -64,7 +82,7 @@ impl Answers {
         let dialog = rfd::AsyncFileDialog::new()
             .add_filter("Octoscope", &["octo"])
             .set_file_name("scenario.octo");
-        self.ask(context, Purpose::Save, async move { dialog.save_file().await }, Chosen::Save);
+        self.ask(context, Purpose::Save, async move { dialog.save_file().await });
     }
 
     /// Asks where to export to, in the format of this file ending.
@@ -72,12 +90,8 @@ impl Answers {
         let dialog = rfd::AsyncFileDialog::new()
             .add_filter(ending.to_uppercase(), &[ending])
             .set_file_name(format!("octoscope.{ending}"));
-        let named = move |path: PathBuf| {
-            let has_ending = path.extension().is_some();
-            Chosen::Export(if has_ending { path } else { path.with_extension(ending) })
-        };
         let purpose = Purpose::Export(ending);
-        self.ask(context, purpose, async move { dialog.save_file().await }, named);
+        self.ask(context, purpose, async move { dialog.save_file().await });
     }
 
     fn ask(
@@ -85,7 +99,6 @@ impl Answers {
         context: &Context,
         purpose: Purpose,
         answer: impl Future<Output = Option<rfd::FileHandle>> + Send + 'static,
-        chosen: impl FnOnce(PathBuf) -> Chosen + Send + 'static,
     ) {
         if !has_dialogs() {
             // The window goes on; nobody else holds the sender's other end.
@@ -95,7 +108,7 @@ impl Answers {
         let (sender, context) = (self.sender.clone(), context.clone());
         std::thread::spawn(move || {
             if let Some(file) = pollster::block_on(answer) {
-                let _ = sender.send(chosen(file.path().to_owned()));
+                let _ = sender.send(Chosen::Path(purpose, file.path().to_owned()));
                 context.request_repaint();
             }
         });
@@ -111,4 +124,23 @@ fn has_dialogs() -> bool {
     let bus = std::env::var_os("DBUS_SESSION_BUS_ADDRESS").is_some();
     let folders = std::env::var_os("PATH").unwrap_or_default();
     bus || std::env::split_paths(&folders).any(|folder| folder.join("zenity").is_file())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn files_get_an_ending_by_which_they_are_known_again() {
+        let check = |purpose: Purpose, path: &str, named: &str| {
+            assert_eq!(purpose.named(Path::new(path)), Path::new(named));
+        };
+        check(Purpose::Save, "a/scene", "a/scene.octo");
+        check(Purpose::Save, "scene.OCTO", "scene.OCTO");
+        check(Purpose::Save, "version 1.2", "version 1.2.octo");
+        check(Purpose::Save, "scene.txt", "scene.txt.octo");
+        check(Purpose::Export("svg"), "a.b/figure", "a.b/figure.svg");
+        check(Purpose::Export("svg"), "figure.png", "figure.png");
+        check(Purpose::Open, "scene", "scene");
+    }
 }
