@@ -59,7 +59,7 @@ fn is_quick<const D: usize>(algorithm: Algorithm, tree: &Tree<D>) -> bool {
 /// in its right form.
 ///
 /// # Errors
-/// Stops with [`Cancelled`] when `progress` is cancelled.
+/// Stops with [`Cancelled`] between two of them when `progress` is cancelled.
 pub fn compare<const D: usize>(
     tree: &Tree<D>,
     ray: &Ray<D>,
@@ -67,17 +67,18 @@ pub fn compare<const D: usize>(
     progress: &Progress,
 ) -> Result<Vec<Run>, Cancelled> {
     let options = Options { variants: Variants::NONE, ..options };
-    let wanted = Algorithm::ALL.into_iter().filter(|&algorithm| is_quick(algorithm, tree));
-    let run = |algorithm, options| run(tree, ray, algorithm, options, progress);
-    let mut runs =
-        wanted.map(|algorithm| run(algorithm, options)).collect::<Result<Vec<Run>, Cancelled>>()?;
+    let mut runs = Vec::new();
+    for algorithm in Algorithm::ALL.into_iter().filter(|&algorithm| is_quick(algorithm, tree)) {
+        progress.advance(0)?;
+        runs.push(run(tree, ray, algorithm, options));
+    }
     let oracle = runs.iter().find(|run| run.algorithm == Algorithm::Exhaustive);
     let Some(reference) = oracle.or(runs.first()) else { return Ok(runs) };
     let expected = match options.stop_at {
         StopAt::End => reference.leaves.clone(),
         StopAt::FirstFull => {
             let whole = Options { stop_at: StopAt::End, ..options };
-            run(reference.algorithm, whole)?.leaves
+            run(tree, ray, reference.algorithm, whole).leaves
         }
     };
     for run in &mut runs {
@@ -94,36 +95,29 @@ fn run<const D: usize>(
     ray: &Ray<D>,
     algorithm: Algorithm,
     options: Options,
-    progress: &Progress,
-) -> Result<Run, Cancelled> {
-    let (n_steps, counters, leaves) = Default::default();
-    let mut tally = Tally { n_steps, counters, leaves, progress };
+) -> Run {
+    let mut tally = Tally::default();
     let query = Query::Ray { algorithm, options, arithmetic: Arithmetic::Doubles };
     query.run(tree, ray, &mut tally);
-    let Tally { n_steps, counters, leaves, .. } = tally;
-    progress.advance(0)?;
-    Ok(Run { algorithm, n_steps, counters, leaves, agrees: false })
+    let Tally { n_steps, counters, leaves } = tally;
+    Run { algorithm, n_steps, counters, leaves, agrees: false }
 }
 
 /// Counts events and keeps the visited leaves.
-struct Tally<'a> {
+#[derive(Default)]
+struct Tally {
     n_steps: usize,
     counters: Counters,
     leaves: Vec<NodeId>,
-    progress: &'a Progress,
 }
 
-impl<const D: usize> Observer<D> for Tally<'_> {
+impl<const D: usize> Observer<D> for Tally {
     fn observe(&mut self, event: Event<D>) {
         self.n_steps += 1;
         self.counters.add(&event);
         if let Event::Leaf { node, .. } = event {
             self.leaves.push(node);
         }
-    }
-
-    fn wants_more(&self) -> bool {
-        self.progress.advance(0).is_ok()
     }
 }
 

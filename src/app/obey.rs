@@ -330,10 +330,11 @@ impl App {
             if !shown.document.is_same_place(&self.document) {
                 self.view.forget_cameras();
             }
+            self.judging = None;
             let mut document = shown.document;
             document.keep_file(&self.document);
             self.document = document;
-            self.forget_work();
+            self.tracing = None;
             self.go_to(shown.step);
             self.settled = self.shown();
         }

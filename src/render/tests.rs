@@ -126,14 +126,14 @@ fn layers_larger_than_any_buffer_are_drawn_whole() {
             .map(|n| [at(n), [at(n)[0] + 0.3, at(n)[1], 1.0], [at(n)[0], at(n)[1] + 0.3, 1.0]])
             .collect();
         let code = |n: u32| [n % 4, n / 4 % 4, n / 16];
-        let cell = |n| Cell { level: 0, style: (n % 3 == 0).into(), code: code(n) };
+        let cell = |n: u32| Cell { level: 0, style: n.is_multiple_of(3).into(), code: code(n) };
         let cells: Vec<Cell> = (0..64).map(cell).collect();
         let style = |fill| BoxStyle { fill, edge: grey, width: 1.0 };
         let styles = [style(ORANGE), style(Color32::TRANSPARENT)];
         let spheres = (0..64).map(|n| [at(n)[0], at(n)[1], 1.0, 0.2]).collect();
         let flat = |n: u32| {
             let cell = Cell { level: 0, style: 0, code: [n % 4, n / 4, 0] };
-            (cell, if n % 3 == 0 { ORANGE } else { grey })
+            (cell, if n.is_multiple_of(3) { ORANGE } else { grey })
         };
         let flat: Vec<_> = (0..16).map(flat).collect();
         let plane = View::Plane(Plane { centre: [2.0, 2.0], scale: 12.0 });
