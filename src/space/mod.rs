@@ -6,6 +6,7 @@ mod gesture;
 mod hover;
 pub(crate) mod paint;
 mod pick;
+mod run;
 mod standpoint;
 mod why;
 
@@ -19,10 +20,10 @@ use octoscope_core::paper::erratum_of;
 use octoscope_core::trace::Moment;
 use octoscope_core::tree::NodeId;
 use octoscope_figure::{
-    Camera, DiagramOf, Mark, Page, Role as MarkRole, Shape, axes, content, leaves, marks,
-    space_figure,
+    Camera, Mark, Page, Role as MarkRole, Shape, axes, content, leaves, space_figure,
 };
 pub use paint::figure as paint_figure;
+use run::run_marks;
 pub use standpoint::Standpoint;
 
 /// What the view shows and changes.
@@ -73,10 +74,7 @@ pub fn ui<const D: usize>(ui: &mut Ui, look: &Look, space: Space<'_, D>) {
         view.set_camera(camera);
     }
 
-    let event = moment.step.checked_sub(1).and_then(|index| document.trace.events.get(index));
-    let scenario = &document.scenario;
-    let marks =
-        marks(&document.tree, &scenario.ray, &scenario.query, moment, event, view.show::<D>());
+    let marks = run_marks(document, moment, view.show::<D>());
     let painter = ui.painter_at(rect);
     painter.rect_filled(rect, 0.0, look.palette.background);
     let mut painted = axes(document.tree.domain(), view.show::<D>());
@@ -102,8 +100,7 @@ pub fn ui<const D: usize>(ui: &mut Ui, look: &Look, space: Space<'_, D>) {
         view.pointed = Some(moment.step);
     }
     let hint = under.filter(|_| view.pointed == Some(moment.step));
-    let (ray, query) = (&document.scenario.ray, &document.trace.query);
-    let of = DiagramOf { tree: &tree, ray, query, moment, event };
+    let of = document.shown(moment);
     if let Some(why) = hovered.and_then(|node| why::why(&of, node, view.language)) {
         why::label(ui, look, (rect, frame), &why, hint.as_ref());
     }
