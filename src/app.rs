@@ -332,4 +332,8 @@ impl eframe::App for App {
         }
         save::remember(storage, &self.last());
     }
+
+    fn on_exit(&mut self) {
+        self.give_up_export();
+    }
 }

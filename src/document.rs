@@ -15,6 +15,7 @@ use octoscope_core::scenario::{Scenario, Source};
 use octoscope_core::scene::{Content, Cube, leaf_colours};
 use octoscope_core::trace::{Counters, Moment, Trace};
 use octoscope_core::tree::{BuildError, Recipe, Tree, build};
+use octoscope_figure::DiagramOf;
 use std::any::Any;
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -235,12 +236,32 @@ impl<const D: usize> Document<D> {
 
     /// Runs the query of now and keeps the whole trace, however long it is.
     pub fn trace_whole(&mut self) {
+        self.trace_whole_within(&Progress::default()).expect("nobody cancels it");
+    }
+
+    /// The same, until `progress` is cancelled.
+    ///
+    /// # Errors
+    /// Stops with [`Cancelled`] then; the document stays as it was.
+    pub fn trace_whole_within(&mut self, progress: &Progress) -> Result<(), Cancelled> {
         let (ray, query) = (self.scenario.ray, self.scenario.query);
-        if !self.needs_tracing() && !self.trace.is_cut() {
-            return;
+        if self.needs_tracing() || self.trace.is_cut() {
+            let whole = Traced::within(usize::MAX, &self.tree, ray, query, progress)?;
+            self.take(whole, 0);
         }
-        let whole = Traced::within(usize::MAX, &self.tree, ray, query, &Progress::default());
-        self.take(whole.expect("nobody cancels it"), 0);
+        Ok(())
+    }
+
+    /// What the pictures of the run show at `moment`: the ray and the query that were
+    /// traced, also while those of now are not traced yet.
+    pub fn shown<'a>(&'a self, moment: &'a Moment<D>) -> DiagramOf<'a, D> {
+        DiagramOf {
+            tree: &self.tree,
+            ray: &self.traced.0,
+            query: &self.trace.query,
+            moment,
+            event: moment.step.checked_sub(1).and_then(|index| self.trace.events.get(index)),
+        }
     }
 
     /// Takes over the trace of `other`, made meanwhile from an earlier state of this
@@ -356,7 +377,7 @@ mod tests {
     use crate::open::open_built_in;
     use crate::with_document;
     use octoscope_core::scenario::{AnyScenario, BUILT_IN, built_in};
-    use octoscope_core::traverse::Algorithm;
+    use octoscope_core::traverse::{Algorithm, Variants};
 
     #[test]
     fn a_tree_that_cannot_be_built_is_not_wanted_any_more() {
@@ -399,6 +420,33 @@ mod tests {
         assert!(document.trace.is_cut());
         document.trace_whole();
         assert!(!document.trace.is_cut() && document.trace.events.len() > MOST_EVENTS);
+    }
+
+    #[test]
+    fn a_whole_trace_can_be_given_up() {
+        let Some(AnyScenario::Quadtree(scenario)) = built_in("quadtree-82") else { panic!() };
+        let content = Arc::new(scenario.source.content().unwrap());
+        let mut document = Document::new(scenario, content, &Progress::default()).unwrap();
+        document.reverse_ray();
+        let progress = Progress::default();
+        progress.cancel();
+        assert_eq!(document.trace_whole_within(&progress), Err(Cancelled));
+        assert!(document.needs_tracing());
+    }
+
+    #[test]
+    fn a_run_is_shown_with_its_own_ray_and_query() {
+        let Some(AnyScenario::Quadtree(scenario)) = built_in("quadtree-82") else { panic!() };
+        let content = Arc::new(scenario.source.content().unwrap());
+        let mut document = Document::new(scenario, content, &Progress::default()).unwrap();
+        let Question { ray, query, .. } = document.scenario;
+        document.reverse_ray();
+        document.scenario.query =
+            Query::Point { at: [0.5; 2], method: Default::default(), variants: Variants::NONE };
+        let moment = document.moment(3);
+        let shown = document.shown(&moment);
+        assert_eq!((*shown.ray, *shown.query), (ray, query));
+        assert_eq!(shown.event, document.trace.events.get(2));
     }
 
     #[test]

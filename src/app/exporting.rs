@@ -119,6 +119,10 @@ impl App {
     /// Writes what is chosen to `path`, on another thread. The ending of the name
     /// tells the format, if it is one.
     pub(super) fn export_to(&mut self, context: &Context, path: &Path) {
+        if self.exporting.writing.is_some() {
+            self.notice.say(self.look.text("status-still-exporting"));
+            return;
+        }
         let ending = path.extension().unwrap_or_default().to_string_lossy().into_owned();
         let told = Format::of_ending(&ending);
         // What moves as PNG does is called so, too.
@@ -133,7 +137,7 @@ impl App {
         let title = self.look.texts.format("job-export", &[("name", name.as_str().into())]);
         let work = move |progress: &Progress| {
             // The window may keep less of a long run, or nothing of it yet.
-            with_document!(&mut document, d => d.trace_whole());
+            with_document!(&mut document, d => d.trace_whole_within(progress))?;
             request.run(&document, Some(&path), progress).map(|()| name)
         };
         self.exporting.writing = Some(Job::start(title, context, work));
@@ -144,6 +148,15 @@ impl App {
         let Some(job) = self.exporting.writing.take() else { return };
         let poll = job.wait();
         self.exported(poll);
+    }
+
+    /// Gives up the file that is being written, which leaves nothing of it behind.
+    pub fn give_up_export(&mut self) {
+        if let Some(job) = self.exporting.writing.take() {
+            job.progress.cancel();
+            // It takes its unfinished file away.
+            job.wait();
+        }
     }
 
     /// Looks whether a file is written, and shows how far it is.

@@ -23,7 +23,7 @@ impl App {
         let n_steps = self.document.n_events();
         let notes = with_document!(&self.document, d => {
             let told = |step| {
-                sentence(&d.tree, &d.scenario.ray, &d.trace, step, self.view.language)
+                sentence(&d.tree, d.traced_ray(), &d.trace, step, self.view.language)
             };
             let next = (step < n_steps).then(|| told(step + 1));
             Notes { now: told(step), next, step: [step, n_steps], secs }

@@ -184,23 +184,17 @@ impl App {
         self.judging = None;
     }
 
-    /// Drops what is being made of the document that was open before.
-    pub(super) fn forget_work(&mut self) {
-        self.tracing = None;
-        self.judging = None;
-    }
-
     /// Waits until what is being opened, built, traced or found out is there; without
     /// work, not at all.
     pub fn finish_work(&mut self) {
+        if let Some(job) = &self.judging {
+            self.conclude_judging(job.wait());
+        }
         if let Some((job, purpose)) = &self.job {
             self.conclude(job.wait(), *purpose);
         }
         if let Some(job) = &self.tracing {
             self.conclude_tracing(job.wait());
-        }
-        if let Some(job) = &self.judging {
-            self.conclude_judging(job.wait());
         }
         self.maps.finish_work();
     }
@@ -267,7 +261,7 @@ impl App {
                     self.history.record(self.shown());
                 }
                 self.document = document;
-                self.forget_work();
+                (self.tracing, self.judging) = (None, None);
                 self.unrestored = None;
                 self.saved = self.document.as_opened();
                 self.notice.clear();
@@ -289,7 +283,7 @@ impl App {
             (Ok(rebuilt), Purpose::Rebuild) => {
                 let step = self.document.adopt(&rebuilt, self.view.playback.step);
                 self.follow(step);
-                self.forget_work();
+                (self.tracing, self.judging) = (None, None);
             }
             (Ok(aimed), Purpose::Aim) => match (&mut self.document, aimed) {
                 (AnyDocument::Plane(now), AnyDocument::Plane(aimed)) => {

@@ -348,11 +348,12 @@ impl App {
             if !shown.document.is_same_place(&self.document) {
                 self.view.forget_cameras();
             }
+            self.judging = None;
             let mut document = shown.document;
             document.keep_file(&self.document);
             self.document = document;
             *self.show_of_document_mut() = shown.show;
-            self.forget_work();
+            self.tracing = None;
             self.go_to(shown.step);
             self.settled = self.shown();
         }
@@ -394,16 +395,24 @@ impl App {
     }
 
     pub(super) fn take_answers(&mut self, context: &Context) {
-        match self.chosen.take() {
-            None => {}
-            Some(Chosen::Open(path)) => self.open(context, path),
-            Some(Chosen::Save(path)) => self.save_to(&path),
-            Some(Chosen::Export(path)) => {
-                self.view.dialog = None;
-                self.export_to(context, &path);
+        if let Some(chosen) = self.chosen.take() {
+            self.take_chosen(context, chosen);
+        }
+    }
+
+    /// Does what a file was chosen for.
+    pub fn take_chosen(&mut self, context: &Context, chosen: Chosen) {
+        match chosen {
+            Chosen::Path(purpose, path) => {
+                if matches!(purpose, Purpose::Export(_)) {
+                    self.view.dialog = None;
+                }
+                // The dialog has asked about the name as it was chosen.
+                let named = purpose.named(&path);
+                let asked = if named == path { Replacing::Agreed } else { Replacing::Asks };
+                self.use_path(context, purpose, named, asked);
             }
-            Some(Chosen::Lab(path)) => self.save_lab(&path),
-            Some(Chosen::NoDialog(purpose)) => {
+            Chosen::NoDialog(purpose) => {
                 let path = self.suggested(purpose).to_string_lossy().into_owned();
                 // What is typed from now on is the path.
                 context.memory_mut(|memory| {
@@ -432,23 +441,23 @@ impl App {
 
     /// Does what a path was typed for; asks once before a file is replaced.
     pub(super) fn take_path(&mut self, context: &Context, typed: Typed) {
-        let path = PathBuf::from(typed.path.trim());
-        let named = |ending| match path.extension() {
-            Some(_) => path.clone(),
-            None => path.with_extension(ending),
+        let path = typed.purpose.named(Path::new(typed.path.trim()));
+        let asked = if typed.replaces { Replacing::Agreed } else { Replacing::Asks };
+        self.use_path(context, typed.purpose, path, asked);
+    }
+
+    fn use_path(&mut self, context: &Context, purpose: Purpose, path: PathBuf, asked: Replacing) {
+        let is_written = match purpose {
+            Purpose::Open => false,
+            Purpose::Save | Purpose::Export(_) | Purpose::Lab(_) => true,
         };
-        let path = match typed.purpose {
-            Purpose::Open => return self.open(context, path),
-            Purpose::Save => named("octo"),
-            Purpose::Export(ending) | Purpose::Lab(ending) => named(ending),
-        };
-        if files::is_there(&path) && !typed.replaces {
+        if is_written && asked == Replacing::Asks && files::is_there(&path) {
             let path = path.to_string_lossy().into_owned();
-            self.view.dialog = Some(Dialog::Path(Typed { path, replaces: true, ..typed }));
+            self.view.dialog = Some(Dialog::Path(Typed { purpose, path, replaces: true }));
             return;
         }
-        match typed.purpose {
-            Purpose::Open => {}
+        match purpose {
+            Purpose::Open => self.open(context, path),
             Purpose::Save => self.save_to(&path),
             Purpose::Export(_) => self.export_to(context, &path),
             Purpose::Lab(_) => self.save_lab(&path),
@@ -459,6 +468,15 @@ impl App {
 /// What the picture shows of trees of the dimension of `tree`.
 fn show_of<'a, const D: usize>(view: &'a mut View, _tree: &Tree<D>) -> &'a mut Show {
     view.show_mut::<D>()
+}
+
+/// Whether a file may be replaced.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Replacing {
+    /// The user is asked.
+    Asks,
+    /// The user has agreed.
+    Agreed,
 }
 
 /// The element after `present`, round and round.

@@ -1,20 +1,14 @@
 //! The system's file dialogs, which are asked on another thread.
 
 use eframe::egui::Context;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::mpsc::{Receiver, Sender, channel};
 
 /// What the user has chosen in a dialog.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Chosen {
-    /// Open this file.
-    Open(PathBuf),
-    /// Save the scenario here.
-    Save(PathBuf),
-    /// Export the view here.
-    Export(PathBuf),
-    /// Save what the bench lab shows here.
-    Lab(PathBuf),
+    /// This path, as it was chosen or typed.
+    Path(Purpose, PathBuf),
     /// There is no dialog on this system: a path has to be typed.
     NoDialog(Purpose),
 }
@@ -30,6 +24,28 @@ pub enum Purpose {
     Export(&'static str),
     /// To hold what the bench lab shows, in the format of this file ending.
     Lab(&'static str),
+}
+
+impl Purpose {
+    /// `path` with an ending by which the program knows the file again: the scenario's
+    /// own, or, of a figure, any.
+    pub fn named(self, path: &Path) -> PathBuf {
+        let (ending, is_named) = match self {
+            Self::Open => return path.to_owned(),
+            Self::Save => {
+                let own = path.extension();
+                ("octo", own.is_some_and(|own| own.eq_ignore_ascii_case("octo")))
+            }
+            Self::Export(ending) | Self::Lab(ending) => (ending, path.extension().is_some()),
+        };
+        if is_named {
+            return path.to_owned();
+        }
+        let mut named = path.as_os_str().to_owned();
+        named.push(".");
+        named.push(ending);
+        named.into()
+    }
 }
 
 /// Answers of dialogs that have been opened.
@@ -60,7 +76,7 @@ impl Answers {
     /// Asks which file to open.
     pub fn ask_open(&self, context: &Context) {
         let dialog = rfd::AsyncFileDialog::new().add_filter("Octoscope", &OPENED);
-        self.ask(context, Purpose::Open, async move { dialog.pick_file().await }, Chosen::Open);
+        self.ask(context, Purpose::Open, async move { dialog.pick_file().await });
     }
 
     /// Asks where to save the scenario.
@@ -68,35 +84,25 @@ impl Answers {
         let dialog = rfd::AsyncFileDialog::new()
             .add_filter("Octoscope", &["octo"])
             .set_file_name("scenario.octo");
-        self.ask(context, Purpose::Save, async move { dialog.save_file().await }, Chosen::Save);
+        self.ask(context, Purpose::Save, async move { dialog.save_file().await });
     }
 
     /// Asks where to export to, in the format of this file ending.
     pub fn ask_export(&self, context: &Context, ending: &'static str) {
-        self.ask_named(context, Purpose::Export(ending), ("octoscope", ending), Chosen::Export);
+        self.ask_named(context, Purpose::Export(ending), "octoscope", ending);
     }
 
     /// Asks where to save what the bench lab shows, in the format of this file ending.
     pub fn ask_lab(&self, context: &Context, ending: &'static str) {
-        self.ask_named(context, Purpose::Lab(ending), ("bench", ending), Chosen::Lab);
+        self.ask_named(context, Purpose::Lab(ending), "bench", ending);
     }
 
     /// Asks for the name of a file, which gets this ending if it has none.
-    fn ask_named(
-        &self,
-        context: &Context,
-        purpose: Purpose,
-        (name, ending): (&str, &'static str),
-        chosen: fn(PathBuf) -> Chosen,
-    ) {
+    fn ask_named(&self, context: &Context, purpose: Purpose, name: &str, ending: &'static str) {
         let dialog = rfd::AsyncFileDialog::new()
             .add_filter(ending.to_uppercase(), &[ending])
             .set_file_name(format!("{name}.{ending}"));
-        let named = move |path: PathBuf| {
-            let has_ending = path.extension().is_some();
-            chosen(if has_ending { path } else { path.with_extension(ending) })
-        };
-        self.ask(context, purpose, async move { dialog.save_file().await }, named);
+        self.ask(context, purpose, async move { dialog.save_file().await });
     }
 
     fn ask(
@@ -104,7 +110,6 @@ impl Answers {
         context: &Context,
         purpose: Purpose,
         answer: impl Future<Output = Option<rfd::FileHandle>> + Send + 'static,
-        chosen: impl FnOnce(PathBuf) -> Chosen + Send + 'static,
     ) {
         if !has_dialogs() {
             // The window goes on; nobody else holds the sender's other end.
@@ -114,7 +119,7 @@ impl Answers {
         let (sender, context) = (self.sender.clone(), context.clone());
         std::thread::spawn(move || {
             if let Some(file) = pollster::block_on(answer) {
-                let _ = sender.send(chosen(file.path().to_owned()));
+                let _ = sender.send(Chosen::Path(purpose, file.path().to_owned()));
                 context.request_repaint();
             }
         });
@@ -130,4 +135,23 @@ fn has_dialogs() -> bool {
     let bus = std::env::var_os("DBUS_SESSION_BUS_ADDRESS").is_some();
     let folders = std::env::var_os("PATH").unwrap_or_default();
     bus || std::env::split_paths(&folders).any(|folder| folder.join("zenity").is_file())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn files_get_an_ending_by_which_they_are_known_again() {
+        let check = |purpose: Purpose, path: &str, named: &str| {
+            assert_eq!(purpose.named(Path::new(path)), Path::new(named));
+        };
+        check(Purpose::Save, "a/scene", "a/scene.octo");
+        check(Purpose::Save, "scene.OCTO", "scene.OCTO");
+        check(Purpose::Save, "version 1.2", "version 1.2.octo");
+        check(Purpose::Save, "scene.txt", "scene.txt.octo");
+        check(Purpose::Export("svg"), "a.b/figure", "a.b/figure.svg");
+        check(Purpose::Export("svg"), "figure.png", "figure.png");
+        check(Purpose::Open, "scene", "scene");
+    }
 }

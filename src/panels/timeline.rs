@@ -4,6 +4,7 @@ use crate::command::Command;
 use crate::look::Look;
 use crate::playback::Playback;
 use crate::shortcut;
+use crate::widgets::step_slider;
 use eframe::egui::{
     Color32, FontId, Painter, Pos2, Rect, Response, RichText, Sense, Shape, Stroke, Ui, WidgetInfo,
     accesskit::Role, lerp, pos2, remap_clamp, vec2,
@@ -97,6 +98,10 @@ fn ruler<const D: usize>(
         info.value = Some(playback.step as f64);
         info
     });
+    if let Some(step) = step_slider(ui, &response, playback.step, length) {
+        playback.playing = false;
+        playback.go_to(step, length);
+    }
     let painter = ui.painter_at(rect.expand(2.0));
     painter.hline(track.x_range(), track.center().y, Stroke::new(1.0, look.palette.grid));
     paint_ticks(&painter, look, trace, playback.step, track);

@@ -126,7 +126,7 @@ fn layers_larger_than_any_buffer_are_drawn_whole() {
             .map(|n| [at(n), [at(n)[0] + 0.3, at(n)[1], 1.0], [at(n)[0], at(n)[1] + 0.3, 1.0]])
             .collect();
         let code = |n: u32| [n % 4, n / 4 % 4, n / 16];
-        let cell = |n| Cell { level: 0, style: (n % 3 == 0).into(), code: code(n) };
+        let cell = |n: u32| Cell { level: 0, style: n.is_multiple_of(3).into(), code: code(n) };
         let cells: Vec<Cell> = (0..64).map(cell).collect();
         let style = |fill| BoxStyle { fill, edge: grey, width: 1.0 };
         let styles = [style(ORANGE), style(Color32::TRANSPARENT)];

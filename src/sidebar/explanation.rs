@@ -17,7 +17,6 @@ use octoscope_core::query::Query;
 use octoscope_core::trace::{Counters, Moment};
 use octoscope_core::traverse::Variant;
 use octoscope_core::tree::NodeId;
-use octoscope_figure::DiagramOf;
 use octoscope_figure::views::changed_variables;
 use std::sync::Arc;
 
@@ -93,8 +92,8 @@ fn note<const D: usize>(
         PanelKind::Stack => stack::note(moment),
         PanelKind::WayDown => way_down::note(look, moment),
         PanelKind::Grid => grid::note(look, moment),
-        PanelKind::Tree => tree::note(look, &diagram_of(document, moment)),
-        PanelKind::WhyNot => why_not::note(look, &diagram_of(document, moment)),
+        PanelKind::Tree => tree::note(look, &document.shown(moment)),
+        PanelKind::WhyNot => why_not::note(look, &document.shown(moment)),
         PanelKind::Cuts
         | PanelKind::Children
         | PanelKind::Links
@@ -177,7 +176,7 @@ fn body<const D: usize>(
             return paper::ui(ui, look, query, &verdict);
         }
         PanelKind::Tree => {
-            let of = diagram_of(document, moment);
+            let of = document.shown(moment);
             let (theme, language) = (view.theme, view.language);
             let wanted = if view.preset == Preset::Tree { TREE } else { SMALL_TREE };
             // In a low window all of it is seen at once.
@@ -187,7 +186,7 @@ fn body<const D: usize>(
             return step.map(Wish::Step);
         }
         PanelKind::WhyNot => {
-            let of = diagram_of(document, moment);
+            let of = document.shown(moment);
             why_not::ui(ui, look, &of, view.language, &mut view.hover);
         }
         PanelKind::Map => {
@@ -225,19 +224,6 @@ fn offer_if_pointed(ui: &Ui, rect: Rect, node: Option<NodeId>, view: &mut View) 
         && ui.rect_contains_pointer(rect)
     {
         view.hover.offer(node);
-    }
-}
-
-fn diagram_of<'a, const D: usize>(
-    document: &'a Document<D>,
-    moment: &'a Moment<D>,
-) -> DiagramOf<'a, D> {
-    DiagramOf {
-        tree: &document.tree,
-        ray: &document.scenario.ray,
-        query: &document.trace.query,
-        moment,
-        event: moment.step.checked_sub(1).and_then(|n| document.trace.events.get(n)),
     }
 }
 

@@ -7,6 +7,7 @@ mod gesture;
 mod hover;
 pub(crate) mod paint;
 mod pick;
+mod run;
 mod section;
 mod standpoint;
 mod why;
@@ -22,10 +23,10 @@ use octoscope_core::paper::erratum_of;
 use octoscope_core::trace::Moment;
 use octoscope_core::tree::NodeId;
 use octoscope_figure::{
-    Camera, DiagramOf, Mark, Page, Role as MarkRole, Shape, Show, axes, cells, content, marks,
-    space_figure,
+    Camera, Mark, Page, Role as MarkRole, Shape, Show, axes, cells, content, space_figure,
 };
 pub use paint::figure as paint_figure;
+use run::run_marks;
 pub use standpoint::Standpoint;
 
 /// What the view shows and changes.
@@ -88,9 +89,7 @@ pub fn ui<const D: usize>(ui: &mut Ui, look: &Look, space: Space<'_, D>) {
     let show = shown_now(ui, view, *view.show::<D>());
     let show = &show;
 
-    let event = moment.step.checked_sub(1).and_then(|index| document.trace.events.get(index));
-    let scenario = &document.scenario;
-    let marks = marks(&document.tree, &scenario.ray, &scenario.query, moment, event, show);
+    let marks = run_marks(document, moment, show);
     let painter = ui.painter_at(rect);
     painter.rect_filled(rect, 0.0, look.palette.background);
     let mut painted = axes(document.tree.domain(), show);
@@ -117,8 +116,7 @@ pub fn ui<const D: usize>(ui: &mut Ui, look: &Look, space: Space<'_, D>) {
         view.pointed = Some(moment.step);
     }
     let hint = under.filter(|_| view.pointed == Some(moment.step));
-    let (ray, query) = (&document.scenario.ray, &document.trace.query);
-    let of = DiagramOf { tree: &tree, ray, query, moment, event };
+    let of = document.shown(moment);
     if let Some(why) = hovered.and_then(|node| why::why(&of, node, view.language)) {
         why::label(ui, look, (rect, frame), &why, hint.as_ref());
     }

@@ -11,6 +11,7 @@ mod number_field;
 mod panel_heading;
 mod rich;
 mod segments;
+mod step_slider;
 mod table;
 mod tick;
 
@@ -25,5 +26,6 @@ pub use number_field::{number_field, refused_number};
 pub use panel_heading::{Place, panel_heading};
 pub use rich::{rich_job, rich_label};
 pub use segments::{explained_segments, segments};
+pub use step_slider::step_slider;
 pub use table::{Setting, table};
 pub use tick::tick;

@@ -2,7 +2,7 @@
 
 use crate::desk::{Desk, sample};
 use eframe::egui::{self, Key, Modifiers};
-use octoscope::files::Purpose;
+use octoscope::files::{Chosen, Purpose};
 use octoscope::view::{Dialog, Typed};
 use octoscope_core::scene::Content;
 use std::fs;
@@ -183,6 +183,36 @@ fn a_typed_path_is_saved_to_and_a_file_replaced_only_when_confirmed() {
     desk.press(Key::Enter);
     assert_eq!(desk.state().view.dialog, None);
     assert_ne!(fs::read(&path).unwrap(), before);
+}
+
+#[test]
+fn a_chosen_name_gets_its_ending_and_replaces_nothing_unasked() {
+    let folder = tempdir().unwrap();
+    let chosen = |purpose, name: &str| Chosen::Path(purpose, folder.path().join(name));
+    let mut desk = Desk::new();
+    let context = desk.ctx.clone();
+    desk.state_mut().take_chosen(&context, chosen(Purpose::Save, "version 1.2"));
+    desk.run();
+    let path = folder.path().join("version 1.2.octo");
+    let saved = fs::read(&path).unwrap();
+    assert_eq!(desk.plane().path.as_ref(), Some(&path));
+
+    desk.press(Key::R);
+    desk.state_mut().take_chosen(&context, chosen(Purpose::Save, "version 1.2"));
+    desk.run();
+    assert!(desk.says("Replace it?"));
+    assert_eq!(fs::read(&path).unwrap(), saved);
+    desk.press(Key::Escape);
+    // The system's dialog has asked about this name.
+    desk.state_mut().take_chosen(&context, chosen(Purpose::Save, "version 1.2.octo"));
+    assert_ne!(fs::read(&path).unwrap(), saved);
+
+    let figure = folder.path().join("figure.svg");
+    fs::write(&figure, "old").unwrap();
+    desk.state_mut().take_chosen(&context, chosen(Purpose::Export("svg"), "figure"));
+    desk.run();
+    assert!(desk.says("Replace it?"));
+    assert_eq!(fs::read(&figure).unwrap(), b"old");
 }
 
 #[test]

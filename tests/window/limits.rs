@@ -4,6 +4,7 @@ use crate::desk::Desk;
 use eframe::egui::{Key, accesskit::Role};
 use egui_kittest::kittest::Queryable;
 use octoscope::document::{AnyDocument, Found};
+use octoscope::files::{Chosen, Purpose};
 use octoscope::traced::MOST_EVENTS;
 use octoscope_core::event::End;
 use octoscope_core::geometry::Ray;
@@ -13,6 +14,8 @@ use octoscope_core::scenario::{AnyScenario, Source, built_in};
 use octoscope_core::scene::Content;
 use octoscope_core::traverse::{Algorithm, Variant, Variants};
 use octoscope_core::tree::Merge;
+use std::fs;
+use tempfile::tempdir;
 
 /// The window on a quadtree with 2^16 cells along every axis, one of them full.
 fn deep() -> Desk {
@@ -143,6 +146,24 @@ fn a_long_verdict_comes_later_and_is_of_the_present_run() {
         let expected = verdict(&document.tree, document.traced_ray(), &document.trace);
         assert_eq!(document.known_verdict(), Some(&expected));
     }
+}
+
+#[test]
+fn an_export_goes_on_when_another_one_is_asked_for() {
+    let folder = tempdir().unwrap();
+    let export = |name: &str| Chosen::Path(Purpose::Export("svg"), folder.path().join(name));
+    let mut desk = deep();
+    ask(&mut desk, Algorithm::Dda);
+    let context = desk.ctx.clone();
+    desk.state_mut().take_chosen(&context, export("first.svg"));
+    desk.state_mut().take_chosen(&context, export("second.svg"));
+    desk.state_mut().finish_export();
+    let written = || fs::read_dir(folder.path()).unwrap().map(|file| file.unwrap().file_name());
+    assert_eq!(written().collect::<Vec<_>>(), ["first.svg"]);
+
+    desk.state_mut().take_chosen(&context, export("third.svg"));
+    eframe::App::on_exit(desk.state_mut());
+    assert_eq!(written().collect::<Vec<_>>(), ["first.svg"]);
 }
 
 #[test]

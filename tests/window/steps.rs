@@ -1,6 +1,6 @@
 //! Stepping, playing and the presenter's keys.
 
-use crate::desk::Desk;
+use crate::desk::{Desk, spoken};
 use eframe::egui::{Key, accesskit::Role, vec2};
 use egui_kittest::Node;
 use egui_kittest::kittest::{NodeT, Queryable};
@@ -39,6 +39,44 @@ fn before_the_first_step_no_code_is_shown() {
     assert!(!desk.says("Morton code") && !desk.says("0 = 0"));
     desk.press(Key::ArrowDown);
     assert!(desk.says("Morton code"));
+}
+
+#[test]
+fn a_focused_slider_is_moved_by_keys_and_by_screen_readers() {
+    let mut desk = Desk::new();
+    desk.press(Key::Num2);
+    desk.press(Key::Home);
+    desk.press(Key::ArrowDown);
+    let (start, length) = (desk.step_number(), desk.plane().trace.events.len());
+    for begins in ["Step of the trace", "t-rail:"] {
+        let slider = |desk: &Desk| -> usize {
+            let mut all = desk.get_all_by_role(Role::Slider);
+            all.position(|node| spoken(&node).starts_with(begins)).unwrap()
+        };
+        let nth = slider(&desk);
+        desk.get_all_by_role(Role::Slider).nth(nth).unwrap().focus();
+        desk.run();
+        for (key, step) in [
+            (Key::ArrowRight, start + 1),
+            (Key::ArrowRight, start + 2),
+            (Key::ArrowLeft, start + 1),
+            (Key::ArrowLeft, start),
+        ] {
+            desk.press(key);
+            assert_eq!(desk.step_number(), step, "{begins}");
+        }
+        desk.get_all_by_role(Role::Slider).nth(nth).unwrap().increment_accesskit();
+        desk.run();
+        assert_eq!(desk.step_number(), start + 1, "{begins}");
+        desk.get_all_by_role(Role::Slider).nth(nth).unwrap().set_value_accesskit(start as f64);
+        desk.run();
+        let node = desk.get_all_by_role(Role::Slider).nth(nth).unwrap();
+        let node = node.accesskit_node();
+        let values = [node.numeric_value(), node.min_numeric_value(), node.max_numeric_value()];
+        assert_eq!(values, [start, 0, length].map(|step| Some(step as f64)), "{begins}");
+    }
+    desk.press(Key::Home);
+    assert_eq!(desk.step_number(), 0);
 }
 
 #[test]

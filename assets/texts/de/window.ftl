@@ -407,6 +407,7 @@ drop-here = Datei loslassen, um sie zu öffnen
 status-saved = Gespeichert als { $name }
 status-kept = „{ $title }“ hatte Änderungen, die in keiner Datei stehen: Strg+Z bringt es zurück.
 status-not-restored = Das zuletzt Geöffnete lässt sich jetzt nicht öffnen; der nächste Start versucht es wieder. { $why }
+status-still-exporting = Ein Export wird noch geschrieben. Warten Sie sein Ende ab oder brechen Sie ihn ab.
 status-exported = Exportiert als { $name }
 
 paper-none = Keine Regel dieses Verfahrens ist im Aufsatz falsch gedruckt.

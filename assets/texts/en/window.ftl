@@ -407,6 +407,7 @@ drop-here = Drop the file to open it
 status-saved = Saved as { $name }
 status-kept = “{ $title }” had changes that no file has: Ctrl+Z brings it back.
 status-not-restored = What was open last cannot be opened now; the next start tries again. { $why }
+status-still-exporting = An export is still being written. Wait for its end, or cancel it.
 status-exported = Exported as { $name }
 
 paper-none = No rule of this algorithm is misprinted in the paper.
