@@ -292,7 +292,7 @@ pub const COMMANDS: &[Row] = &[
     row(Command::Blank, "command-blank", Menu::View, &[key(Key::B), key(Key::Period)]),
     row(Command::Spotlight, "command-spotlight", Menu::View, &[key(Key::S)]),
     row(Command::Notes, "command-notes", Menu::View, &[key(Key::P)]),
-    row(Command::Lab, "command-lab", Menu::View, &[key(Key::M)]),
+    row(Command::Lab, "command-lab", Menu::View, &[ctrl(Key::B)]),
     row(Command::ReverseRay, "command-reverse-ray", Menu::Ray, &[key(Key::R)]),
     row(Command::SnapRay, "command-snap-ray", Menu::Ray, &[key(Key::N)]),
     row(Command::NextDegenerate, "command-next-degenerate", Menu::Ray, &[key(Key::G)]),

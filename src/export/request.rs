@@ -68,7 +68,12 @@ impl Request {
     ) -> anyhow::Result<Pixels> {
         let (figure, _) = self.figure_of(document, step, progress)?;
         let page = [figure.page.width, figure.page.height];
-        let factor = (most[0] / page[0]).min(most[1] / page[1]);
+        // A page like a thread is shown in the middle of a wider one.
+        let least = 0.01 * page[0].max(page[1]);
+        let [width, height] = page.map(|side| side.max(least));
+        let corner = [0.5 * (width - page[0]), 0.5 * (height - page[1])];
+        let figure = figure.on_page(Page { width, height }, corner);
+        let factor = (most[0] / width).min(most[1] / height);
         Ok(self.pixels(&figure, factor)?)
     }
 

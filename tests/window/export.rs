@@ -259,6 +259,25 @@ fn a_view_that_a_scenario_lacks_is_remembered_for_the_next_one() {
 }
 
 #[test]
+fn a_page_like_a_thread_has_a_preview() {
+    let mut desk = Desk::new();
+    desk.state_mut().view.export = Choice {
+        extent: Extent::Sized,
+        sides: [1.0, 1e9],
+        unit: Unit::Pixel,
+        ..choice(Format::Svg)
+    };
+    desk.key_press_modifiers(Modifiers::COMMAND, Key::E);
+    desk.step();
+    desk.step();
+    let context = desk.ctx.clone();
+    desk.state_mut().finish_preview(&context);
+    desk.run();
+    assert!(shown_command(&desk).contains("--size=1x16384px"));
+    assert!(!desk.texts().iter().any(|text| text.contains("not possible")));
+}
+
+#[test]
 fn a_path_that_cannot_be_written_is_one_message() {
     let mut desk = Desk::new();
     desk.state_mut().view.export.file = "no/such/folder/a.svg".to_owned();

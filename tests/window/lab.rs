@@ -10,7 +10,7 @@ use octoscope_core::text::Language;
 /// The lab, about to measure a little.
 fn lab() -> Desk {
     let mut desk = Desk::new();
-    desk.press(Key::M);
+    desk.press_with(Modifiers::COMMAND, Key::B);
     assert_eq!(desk.state().view.dialog, Some(Dialog::Lab));
     let choice = &mut desk.state_mut().view.lab;
     (choice.depths, choice.n_rays, choice.n_repeats) = ([3, 4], 20, 2);
@@ -56,7 +56,7 @@ fn what_was_measured_stays_when_the_lab_is_closed() {
     let before = told(&desk);
     desk.press(Key::Escape);
     assert_eq!(desk.state().view.dialog, None);
-    desk.press(Key::M);
+    desk.press_with(Modifiers::COMMAND, Key::B);
     assert_eq!(told(&desk), before);
     desk.click(Role::Button, "Close");
     assert_eq!(desk.state().view.dialog, None);

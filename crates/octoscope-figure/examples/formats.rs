@@ -7,8 +7,8 @@ use octoscope_core::geometry::Aabb;
 use octoscope_core::progress::Progress;
 use octoscope_core::tree::{Cell, Domain, Split, Tree, grow};
 use octoscope_figure::{
-    Apng, Camera, Figure, FileOptions, Gif, Mark, Page, Pixels, Role, Shape, Show, TikzForm, cells,
-    pdf, png, space_figure, svg, tikz,
+    Apng, Camera, Figure, FileOptions, Gif, Mark, Page, Pixels, Rasteriser, Role, Shape, Show,
+    TikzForm, cells, pdf, png, space_figure, svg, tikz,
 };
 use std::error::Error;
 use std::time::Instant;
@@ -24,8 +24,12 @@ fn main() -> Result<(), Box<dyn Error>> {
     timed("tikz", || Ok(tikz(&figure, TikzForm::Standalone, &options).into_bytes()))?;
     timed("png", || Ok(png(&figure, &options)?))?;
 
-    let frame = |step: usize| -> Result<Pixels, Box<dyn Error>> {
-        Ok(Pixels::of(&many_marks(200 + step)?, &options)?)
+    // Leaves and marks of all steps, and one mark more from step to step.
+    let all = many_marks(1000)?;
+    let mut rasteriser = Rasteriser::new(&options);
+    let mut frame = |step: usize| -> Result<Pixels, Box<dyn Error>> {
+        let drawn = all.drawn[..all.drawn.len() - 200 + step].to_vec();
+        Ok(rasteriser.pixels(&Figure { drawn, ..all })?)
     };
     timed("gif, 200 steps", || {
         let mut file = Vec::new();
