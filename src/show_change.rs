@@ -54,7 +54,7 @@ pub enum ShownPart {
 }
 
 impl ShownPart {
-    /// All parts, in the order of the panel.
+    /// All parts.
     pub const ALL: [Self; 9] = [
         Self::OrderNumbers,
         Self::Content,

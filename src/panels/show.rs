@@ -5,7 +5,7 @@ mod cells;
 use crate::look::Look;
 use crate::show_change::ShownPart;
 use crate::widgets::heading;
-use eframe::egui::{FontId, Grid, RichText, Ui};
+use eframe::egui::{CollapsingHeader, FontId, Grid, RichText, Ui};
 use octoscope_core::tree::Tree;
 use octoscope_figure::Show;
 
@@ -28,12 +28,27 @@ impl Of {
     }
 }
 
-/// One box to tick for every part, in two columns where there is room, and below them
-/// which cells off the path are shown, and how.
+/// The parts that have a box in the panel itself.
+const PARTS: [ShownPart; 8] = [
+    ShownPart::OrderNumbers,
+    ShownPart::Content,
+    ShownPart::EmptyLeaves,
+    ShownPart::Ancestors,
+    ShownPart::MirroredRay,
+    ShownPart::Children,
+    ShownPart::HalfOpenSides,
+    ShownPart::Codes,
+];
+
+/// One box to tick for every part, in two columns where there is room, and below them,
+/// folded at first, which cells off the path are shown, and how.
 pub fn ui(ui: &mut Ui, look: &Look, show: &mut Show, of: Of) {
     heading(ui, look, &look.text("panel-show"), "");
     let font = FontId::proportional(SIZE);
-    let names = ShownPart::ALL.map(|part| look.text(part.id()));
+    // In space, what is asked for more rarely is folded as well.
+    let is_beside = |part: &ShownPart| of.dimension == 2 || *part != ShownPart::HalfOpenSides;
+    let parts: Vec<ShownPart> = PARTS.into_iter().filter(is_beside).collect();
+    let names: Vec<String> = parts.iter().map(|part| look.text(part.id())).collect();
     let width = |name: &String| {
         ui.painter().layout_no_wrap(name.clone(), font.clone(), look.palette.ink).size().x
     };
@@ -41,15 +56,28 @@ pub fn ui(ui: &mut Ui, look: &Look, show: &mut Show, of: Of) {
     let widest = |first: usize| widths.iter().skip(first).step_by(2).copied().fold(0.0, f32::max);
     let gap = 8.0;
     let n_columns = if widest(0) + gap + widest(1) <= ui.available_width() { 2 } else { 1 };
+    // Low rows, for the sake of low windows.
+    ui.spacing_mut().interact_size.y = 22.0;
     let grid = Grid::new("show").num_columns(n_columns).spacing([gap, 0.0]);
     grid.show(ui, |ui| {
-        for (n, (part, name)) in ShownPart::ALL.into_iter().zip(names).enumerate() {
-            let why = look.text(&format!("{}-why", part.id()));
-            ui.checkbox(part.of(show), RichText::new(name).size(SIZE)).on_hover_text(why);
+        for (n, (part, name)) in parts.into_iter().zip(names).enumerate() {
+            part_box(ui, look, show, part, name);
             if (n + 1) % n_columns == 0 {
                 ui.end_row();
             }
         }
     });
-    cells::ui(ui, look, show, of);
+    ui.spacing_mut().item_spacing.y = 2.0;
+    ui.spacing_mut().interact_size.y = 18.0;
+    let more = RichText::new(look.text("show-more")).size(SIZE);
+    CollapsingHeader::new(more).id_salt("show-more").show_unindented(ui, |ui| {
+        ui.spacing_mut().interact_size.y = 24.0;
+        cells::ui(ui, look, show, of);
+    });
+}
+
+/// A box to tick for a part.
+fn part_box(ui: &mut Ui, look: &Look, show: &mut Show, part: ShownPart, name: String) {
+    let why = look.text(&format!("{}-why", part.id()));
+    ui.checkbox(part.of(show), RichText::new(name).size(SIZE)).on_hover_text(why);
 }

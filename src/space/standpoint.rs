@@ -23,7 +23,7 @@ pub enum Standpoint {
 }
 
 /// How much of the view's height the current node takes.
-const NODE_SHARE: f64 = 0.25;
+const NODE_SHARE: f64 = 0.45;
 
 /// Moves the camera to what is asked for in `view`, and behind the current node
 /// where it is to be followed: once a node, so that the mouse can look elsewhere.

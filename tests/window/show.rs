@@ -45,7 +45,9 @@ fn an_octree_is_cut_open_by_keyboard() {
     desk.press(Key::K);
     desk.press(Key::K);
     assert_eq!(space(&desk).slice.unwrap().axis, 2);
+    desk.click(Role::DisclosureTriangle, "cells, cut, distance");
     assert!(desk.query_by_role_and_label(Role::Slider, "place of the cut").is_some());
+    desk.press(Key::Escape);
     desk.press(Key::K);
     assert_eq!(space(&desk).slice, None);
     // In the plane there is nothing to be cut.
@@ -105,7 +107,8 @@ fn what_is_shown_is_saved_with_the_scenario() {
 
 #[test]
 fn every_choice_has_a_name_in_the_accessibility_tree() {
-    let desk = Desk::with_file(sample("knot.octo"));
+    let mut desk = Desk::with_file(sample("knot.octo"));
+    desk.click(Role::DisclosureTriangle, "cells, cut, distance");
     for name in ["smallest level shown", "largest level shown"] {
         assert!(desk.query_by_role_and_label(Role::SpinButton, name).is_some(), "{name}");
     }

@@ -240,6 +240,7 @@ show-content-why = Punkte, Bild oder Körper, aus denen der Baum gebaut ist
 show-empty-leaves-why = Blätter, in denen nichts liegt
 show-ancestors-why = Knoten von der Wurzel bis zum aktuellen
 show-children-why = Kinder des aktuellen Knotens, nicht gewählte gestrichelt
+show-more = Zellen, Schnitt, Abstand
 show-inner-nodes = innere Knoten
 show-inner-nodes-why = Auch innere Knoten abseits des Wegs, nicht nur Blätter
 show-levels = Ebenen

@@ -240,6 +240,7 @@ show-content-why = The points, the picture or the solids from which the tree is 
 show-empty-leaves-why = Leaves that hold nothing
 show-ancestors-why = Nodes from the root to the current one
 show-children-why = Children of the current node, those not taken dashed
+show-more = cells, cut, distance
 show-inner-nodes = inner nodes
 show-inner-nodes-why = Inner nodes off the path too, not leaves alone
 show-levels = levels

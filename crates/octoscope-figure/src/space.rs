@@ -22,6 +22,10 @@ pub fn space_figure<const D: usize>(marks: &[Mark<D>], camera: &Camera<D>, page:
         page,
         chord,
         is_apart: marks.iter().any(|mark| is_apart(mark.role)),
+        shaft: marks.iter().find_map(|mark| match (mark.role, mark.shape) {
+            (Role::Ray, Shape::Arrow(ends)) => camera.visible_segment(page, ends),
+            _ => None,
+        }),
         drawn: vec![],
         in_space: vec![],
         arrows: vec![],
@@ -128,6 +132,8 @@ struct Canvas<'a, const D: usize> {
     chord: f64,
     /// Whether children are moved apart: they would hide the ray.
     is_apart: bool,
+    /// The ray on the page.
+    shaft: Option<[[f64; 2]; 2]>,
     drawn: Vec<(f64, Drawn)>,
     /// What is drawn in the order of its depth.
     in_space: Vec<InSpace<D>>,

@@ -130,8 +130,9 @@ impl Style {
                 )
             }
             Role::Tie => Self { dash: Dash::Dotted, ..line(p.current_outline, 1.2) },
+            // Many lie over each other: a projector shows their outlines alone.
             Role::MirroredNode => Self {
-                fill: Some(p.ray.faded(0.07)),
+                fill: (theme.weakest_fill() == 0.0).then_some(p.ray.faded(0.07)),
                 dash: Dash::Dashed,
                 ..line(p.ray.faded(0.6), 1.0)
             },

@@ -1,8 +1,8 @@
 //! Which cells off the path are shown, and how; and the children moved apart.
 
-use super::{Of, SIZE};
+use super::{Of, SIZE, part_box};
 use crate::look::Look;
-use crate::show_change::set_levels;
+use crate::show_change::{ShownPart, set_levels};
 use crate::widgets::explained_segments;
 use eframe::egui::{DragValue, Grid, Response, RichText, Slider, Ui, WidgetInfo};
 use octoscope_core::geometry::AXIS_NAMES;
@@ -12,7 +12,11 @@ use octoscope_figure::{Rest, Show, Slice};
 pub(super) fn ui(ui: &mut Ui, look: &Look, show: &mut Show, of: Of) {
     Grid::new("show-cells").num_columns(2).spacing([8.0, 2.0]).show(ui, |ui| {
         name(ui, look, "show-levels");
-        ui.horizontal(|ui| levels(ui, look, show, of.root_level));
+        ui.horizontal(|ui| {
+            levels(ui, look, show, of.root_level);
+            let inner = ShownPart::InnerNodes;
+            part_box(ui, look, show, inner, look.text(inner.id()));
+        });
         ui.end_row();
 
         name(ui, look, "show-rest");
@@ -34,6 +38,10 @@ pub(super) fn ui(ui: &mut Ui, look: &Look, show: &mut Show, of: Of) {
         ui.add(apart.max_decimals(3)).labelled_by(label.id);
         ui.end_row();
     });
+    if of.dimension == 3 {
+        let sides = ShownPart::HalfOpenSides;
+        part_box(ui, look, show, sides, look.text(sides.id()));
+    }
 }
 
 /// The name of a choice, with what it means.

@@ -1,7 +1,7 @@
 //! Where the letters and numbers of a scene stand.
 
 use super::{Canvas, LEGIBLE, above_space, distance};
-use crate::camera::corners;
+use crate::camera::{clipped, corners};
 use crate::figure::text_reach;
 use crate::numbers::{Number, Stand, stands};
 use crate::{Anchor, Form, Mark, Part, Projected, Role, Shape, Style, Theme};
@@ -39,9 +39,22 @@ impl<const D: usize> Canvas<'_, D> {
                 let reach = text_reach(mark.role, text);
                 let [width, height] = self.extent(&bounds);
                 let fits = width > 2.0 * reach[0] + 4.0 && height > 2.0 * reach[1] + 2.0;
-                let places = [at, bounds.centre()].map(place);
-                let places = places.into_iter().flatten().filter(|_| fits);
-                if let Some(at) = self.room(places, reach) {
+                let [at, centre] = [at, bounds.centre()].map(place);
+                // Codes give way to the ray, up or down, if they can.
+                let shift = 0.5 * height - reach[1] - 2.0;
+                let beside = [-shift, shift].map(|by| centre.map(|[x, y]| [x, y + by]));
+                let is_code = mark.role == Role::CellCode;
+                let beside = beside.into_iter().flatten().filter(|_| is_code && D == 2);
+                let places: Vec<_> = at
+                    .into_iter()
+                    .chain(beside.filter(|at| !self.is_crossed(*at, reach)))
+                    .chain(centre)
+                    .filter(|_| fits)
+                    .collect();
+                let first = places.first().filter(|at| is_code && self.is_crossed(**at, reach));
+                let n_crossed = usize::from(first.is_some());
+                let places = places[n_crossed..].iter().chain(&places[..n_crossed]).copied();
+                if let Some(at) = self.room(places.collect::<Vec<_>>(), reach) {
                     self.text(mark, at, text);
                 }
             }
@@ -77,6 +90,12 @@ impl<const D: usize> Canvas<'_, D> {
             | Shape::Triangle(_)
             | Shape::LabelAlong(_) => {}
         }
+    }
+
+    /// Whether the ray crosses a label.
+    fn is_crossed(&self, at: [f64; 2], reach: [f64; 2]) -> bool {
+        let corner = |sign: f64| std::array::from_fn(|e| at[e] + sign * (reach[e] + 2.0));
+        self.shaft.is_some_and(|line| clipped(line, [corner(-1.0), corner(1.0)]).is_some())
     }
 
     /// Width and height of a box on the page.
