@@ -1,7 +1,7 @@
 //! The bench lab, as its users meet it.
 
 use crate::desk::Desk;
-use eframe::egui::{Key, accesskit::Role};
+use eframe::egui::{Key, Modifiers, accesskit::Role};
 use egui_kittest::kittest::{NodeT, Queryable};
 use octoscope::lab::{Choice, Tab};
 use octoscope::view::Dialog;
