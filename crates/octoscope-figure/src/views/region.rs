@@ -54,12 +54,13 @@ pub fn region_table<const D: usize>(
     });
     // A misprinted rule takes another level than the codes say: nothing follows from them.
     let level = moment.difference.map(|difference| difference.level);
-    let conclusion = union.checked_ilog2().filter(|bit| level.map(u32::from) == Some(bit + 1)).map(
-        |bit| Conclusion {
-            bit: bit as u8,
-            text: texts.format("region-plus-one", &[("level", (bit + 1).into())]),
-        },
-    );
+    let conclusion =
+        union.checked_ilog2().filter(|bit| level.map(u32::from) == Some(bit + 1)).map(|bit| {
+            Conclusion {
+                bit: bit as u8,
+                text: texts.format("region-plus-one", &[("level", (bit + 1).into())]),
+            }
+        });
     let width = tree.domain().root_level() + 1;
     Some((BitTable { width, rows, conclusion, ..BitTable::default() }, result))
 }
