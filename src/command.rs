@@ -69,6 +69,10 @@ pub enum Command {
     Degenerate(Degenerate),
     /// From a point, region or neighbour back to the ray.
     BackToRay,
+    /// Show what the step computes as a formula, or no longer.
+    Formulas,
+    /// Notations of formulas in turn.
+    NextNotation,
     /// Light, dark, projector in turn.
     NextTheme,
     /// English, German in turn.
@@ -235,6 +239,8 @@ pub const COMMANDS: &[Row] = &[
     row(Command::Stand(Standpoint::Above), "command-stand-above", Menu::View, &[key(Key::Z)]),
     row(Command::NextLens, "command-next-lens", Menu::View, &[key(Key::O)]),
     row(Command::Follow, "command-follow", Menu::View, &[key(Key::V)]),
+    row(Command::Formulas, "command-formulas", Menu::View, &[key(Key::E)]),
+    row(Command::NextNotation, "command-next-notation", Menu::View, &[key(Key::M)]),
     row(Command::NextTheme, "command-next-theme", Menu::View, &[key(Key::T)]),
     row(Command::NextLanguage, "command-next-language", Menu::View, &[key(Key::L)]),
     row(Command::ScaleUp, "command-scale-up", Menu::View, &[key(Key::Plus), key(Key::Equals)]),

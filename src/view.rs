@@ -9,6 +9,7 @@ use crate::playback::Playback;
 use crate::space::Standpoint;
 use crate::tree_view::TreeView;
 use eframe::egui::{Rect, Vec2};
+use octoscope_core::explain::Notation;
 use octoscope_core::locate::NeighbourMethod;
 use octoscope_core::paper::erratum_of;
 use octoscope_core::query::Query;
@@ -41,6 +42,10 @@ pub struct View {
     pub plane_show: Show,
     /// What it shows of octrees.
     pub space_show: Show,
+    /// Whether the formula of the step is shown.
+    pub formulas: bool,
+    /// How formulas are written.
+    pub notation: Notation,
     /// What was chosen for the last export.
     pub export: Choice,
     /// The playhead.
@@ -435,6 +440,8 @@ impl Default for View {
             scale: 1.0,
             plane_show: Show::at_first::<2>(),
             space_show: Show::at_first::<3>(),
+            formulas: true,
+            notation: Notation::default(),
             export: Choice::default(),
             playback: Playback::default(),
             plane_camera: None,

@@ -64,6 +64,9 @@ impl App {
         if command == Command::Follow {
             return if self.view.follow { Entry::On } else { Entry::Off };
         }
+        if command == Command::Formulas {
+            return if self.view.formulas { Entry::On } else { Entry::Off };
+        }
         if command == Command::Question {
             return if self.view.question_shown { Entry::On } else { Entry::Off };
         }

@@ -11,6 +11,7 @@ mod desk;
 mod export;
 mod files;
 mod find;
+mod formulas;
 mod hall;
 mod layout;
 mod limits;

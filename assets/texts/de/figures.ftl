@@ -81,5 +81,8 @@ figure-neighbour = Nachbar
 figure-listing = Listing und Variablen
 figure-table = Tabelle der Schritte
 figure-chart = Diagramm der Kosten
+figure-formula = Formel des Schritts
 figure-storyboard = Bilderfolge aus sechs Schritten
 figure-worksheet = Arbeitsblatt zu diesem Strahl
+
+formula-none = Dieser Schritt rechnet und vergleicht nichts.

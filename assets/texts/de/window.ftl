@@ -32,6 +32,8 @@ command-stand-front = Ansicht von vorn, längs y
 command-stand-above = Ansicht von oben, längs z
 command-next-lens = Perspektive oder Parallelprojektion
 command-follow = Aktuellem Knoten folgen
+command-formulas = Formeln zeigen
+command-next-notation = Nächste Schreibweise der Formeln
 command-next-theme = Nächstes Farbschema
 command-next-language = English
 command-scale-up = Größer
@@ -362,3 +364,8 @@ paper-all = Alle Errata von „Ray Tracing mit Octrees“
 paper-try = { $variant } ausprobieren
 job-other = Ein anderes Gegenbeispiel wird gesucht
 
+
+notation-seed = Wie in „Ray Tracing mit Octrees“
+notation-revelles = Wie bei Revelles, Ureña und Lastra
+notation-frisken-perry = Wie bei Frisken und Perry
+notation-now = Formeln: { $notation }. { $key } wechselt zur nächsten Schreibweise.

@@ -32,6 +32,8 @@ command-stand-front = View from the front, along y
 command-stand-above = View from above, along z
 command-next-lens = Perspective or parallel
 command-follow = Follow the current node
+command-formulas = Show formulas
+command-next-notation = Next notation of formulas
 command-next-theme = Next theme
 command-next-language = Deutsch
 command-scale-up = Larger
@@ -362,3 +364,8 @@ paper-all = All errata of “Ray Tracing mit Octrees”
 paper-try = Try { $variant }
 job-other = Looking for another counterexample
 
+
+notation-seed = As in “Ray Tracing mit Octrees”
+notation-revelles = As Revelles, Ureña and Lastra write
+notation-frisken-perry = As Frisken and Perry write
+notation-now = Formulas: { $notation }. { $key } goes on to the next notation.

@@ -150,12 +150,28 @@ pub enum Role {
     Path,
     /// A node of a diagram.
     Node,
+    /// A formula, so many steps smaller than the largest.
+    Formula(u8),
+    /// Bar of a fraction, or a bracket.
+    FormulaLine,
 }
+
+/// Names of formulas in their sizes, the largest first.
+const FORMULAS: [&str; 8] = [
+    "formula",
+    "formula-1",
+    "formula-2",
+    "formula-3",
+    "formula-4",
+    "formula-5",
+    "formula-6",
+    "formula-7",
+];
 
 impl Role {
     /// One role of every kind, in the order in which they cover each other,
     /// the lowest first.
-    pub const KINDS: [Self; 86] = [
+    pub const KINDS: [Self; 95] = [
         Self::Pixel([128; 3]),
         Self::EmptyLeaf,
         Self::FullLeaf,
@@ -242,6 +258,15 @@ impl Role {
         Self::Branch,
         Self::Path,
         Self::Node,
+        Self::Formula(0),
+        Self::Formula(1),
+        Self::Formula(2),
+        Self::Formula(3),
+        Self::Formula(4),
+        Self::Formula(5),
+        Self::Formula(6),
+        Self::Formula(7),
+        Self::FormulaLine,
     ];
 
     /// Name for classes in SVG and styles in TikZ: lower case, with hyphens.
@@ -321,6 +346,8 @@ impl Role {
             Self::Branch => "branch",
             Self::Path => "path",
             Self::Node => "node",
+            Self::Formula(step) => FORMULAS[usize::from(step).min(FORMULAS.len() - 1)],
+            Self::FormulaLine => "formula-line",
         }
     }
 

@@ -30,6 +30,8 @@ pub enum FigureView {
     Table,
     /// Costs as bars.
     Chart,
+    /// What the step computes and compares, as formulas.
+    Formula,
     /// Several moments with their sentences.
     Storyboard,
     /// An exercise on paper.
@@ -78,7 +80,7 @@ pub enum ViewError {
 
 impl FigureView {
     /// All views, in the order of menus and lists.
-    pub const ALL: [Self; 12] = [
+    pub const ALL: [Self; 13] = [
         Self::Space,
         Self::Tree,
         Self::Automaton,
@@ -89,6 +91,7 @@ impl FigureView {
         Self::Listing,
         Self::Table,
         Self::Chart,
+        Self::Formula,
         Self::Storyboard,
         Self::Worksheet,
     ];
@@ -106,6 +109,7 @@ impl FigureView {
             Self::Listing => "listing",
             Self::Table => "table",
             Self::Chart => "chart",
+            Self::Formula => "formula",
             Self::Storyboard => "storyboard",
             Self::Worksheet => "worksheet",
         }
@@ -123,7 +127,8 @@ impl FigureView {
             | Self::Neighbour
             | Self::Listing
             | Self::Table
-            | Self::Chart => false,
+            | Self::Chart
+            | Self::Formula => false,
         }
     }
 
@@ -134,6 +139,7 @@ impl FigureView {
             Self::TRail | Self::Codes | Self::Region | Self::Neighbour => 360.0,
             Self::Automaton if D == 2 => 360.0,
             Self::Automaton | Self::Listing | Self::Chart => 420.0,
+            Self::Formula => 560.0,
             Self::Space | Self::Tree | Self::Table => 460.0,
             Self::Storyboard | Self::Worksheet => 500.0,
         }
@@ -154,6 +160,7 @@ impl FigureView {
             | Self::Listing
             | Self::Table
             | Self::Chart
+            | Self::Formula
             | Self::Storyboard
             | Self::Worksheet => Ok(()),
             Self::TRail => match query {
