@@ -74,6 +74,10 @@ pub enum Command {
     Degenerate(Degenerate),
     /// From a point, region or neighbour back to the ray.
     BackToRay,
+    /// Show what the step computes as a formula, or no longer.
+    Formulas,
+    /// Notations of formulas in turn.
+    NextNotation,
     /// Light, dark, projector in turn.
     NextTheme,
     /// English, German in turn.
@@ -256,7 +260,7 @@ pub const COMMANDS: &[Row] = &[
     panel(PanelKind::Map, "panel-map"),
     part(ShownPart::OrderNumbers, "command-show-order-numbers", &[]),
     part(ShownPart::Content, "command-show-content", &[]),
-    part(ShownPart::EmptyLeaves, "command-show-empty-leaves", &[key(Key::E)]),
+    part(ShownPart::EmptyLeaves, "command-show-empty-leaves", &[]),
     part(ShownPart::InnerNodes, "command-show-inner-nodes", &[key(Key::I)]),
     part(ShownPart::Ancestors, "command-show-ancestors", &[]),
     part(ShownPart::Children, "command-show-children", &[]),
@@ -282,7 +286,9 @@ pub const COMMANDS: &[Row] = &[
     row(Command::Stand(Standpoint::Above), "command-stand-above", Menu::View, &[key(Key::Z)]),
     row(Command::NextLens, "command-next-lens", Menu::View, &[key(Key::O)]),
     row(Command::Follow, "command-follow", Menu::View, &[key(Key::V)]),
-    row(Command::ReducedMotion, "command-reduced-motion", Menu::View, &[key(Key::M)]),
+    row(Command::ReducedMotion, "command-reduced-motion", Menu::View, &[]),
+    row(Command::Formulas, "command-formulas", Menu::View, &[key(Key::E)]),
+    row(Command::NextNotation, "command-next-notation", Menu::View, &[key(Key::M)]),
     row(Command::NextTheme, "command-next-theme", Menu::View, &[key(Key::T)]),
     row(Command::NextLanguage, "command-next-language", Menu::View, &[key(Key::L)]),
     row(Command::ScaleUp, "command-scale-up", Menu::View, &[key(Key::Plus), key(Key::Equals)]),

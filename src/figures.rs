@@ -5,7 +5,7 @@ use crate::export::{Order, space, whole_tree};
 use crate::text::texts;
 use anyhow::bail;
 use octoscope_core::event::Event;
-use octoscope_core::explain::sentence;
+use octoscope_core::explain::{Notation, sentence};
 use octoscope_core::query::Query;
 use octoscope_core::text::Language;
 use octoscope_figure::views::{
@@ -35,6 +35,8 @@ pub struct Wanted<const D: usize> {
     pub show: Show,
     /// Language of all words.
     pub language: Language,
+    /// How formulas are written.
+    pub notation: Notation,
 }
 
 /// The views that have something to show of a query.
@@ -157,13 +159,15 @@ pub fn figure_of<const D: usize>(
         | FigureView::Neighbour
         | FigureView::Listing
         | FigureView::Table
-        | FigureView::Chart => {
+        | FigureView::Chart
+        | FigureView::Formula => {
             let subject = Subject {
                 tree: &document.tree,
                 ray: &document.scenario.ray,
                 trace: &document.trace,
                 moment: &document.moment(step),
                 texts: &texts(language),
+                notation: wanted.notation,
             };
             figure(view, &subject, view.width::<D>())?
         }
@@ -264,6 +268,7 @@ mod tests {
             camera: None,
             show: Show::at_first::<D>(),
             language,
+            notation: Notation::default(),
         };
         let figure = figure_of(document, &wanted).unwrap();
         assert!((300.0..560.0).contains(&figure.page.width), "{:?}", figure.page);

@@ -6,10 +6,11 @@ use crate::document::Document;
 use crate::look::Look;
 use crate::map::Maps;
 use crate::notice::Notice;
-use crate::panels::{query, ray, scene, show};
+use crate::panels::{formula, query, ray, scene, show};
 use crate::space::{self, Layers, Space};
 use crate::view::{Preset, View};
 use eframe::egui::{CentralPanel, Frame, Margin, Panel, Rangef, ScrollArea, Ui, UiBuilder};
+use octoscope_core::explain::formulas;
 use octoscope_core::query::Query;
 use octoscope_core::traverse::Variant;
 
@@ -88,11 +89,40 @@ pub fn ui<const D: usize>(
             });
         });
     }
+    if view.formulas
+        && let Some(height) = formula::height(ui.available_height())
+    {
+        below(ui, look, document, view, height);
+    }
     let middle = Frame::new().fill(look.palette.background);
     CentralPanel::default().frame(middle).show(ui, |ui| {
         space::ui(ui, look, Space { document, moment: &moment, view, layers });
     });
     scene.map(Wish::Scene).or(wish)
+}
+
+/// The formulas of the step, in as much room in every step.
+fn below<const D: usize>(
+    ui: &mut Ui,
+    look: &Look,
+    document: &Document<D>,
+    view: &View,
+    height: f32,
+) {
+    let margin = Margin { left: 16, right: 16, top: 6, bottom: 6 };
+    let frame = Frame::new().fill(look.palette.background).inner_margin(margin);
+    let panel = Panel::bottom("formula").frame(frame).resizable(false).exact_size(height + 12.0);
+    panel.show(ui, |ui| {
+        let told = formulas(
+            &document.tree,
+            document.traced_ray(),
+            &document.trace,
+            view.playback.step,
+            view.notation,
+            view.language,
+        );
+        formula::ui(ui, look, &told, view.notation);
+    });
 }
 
 /// First width of the explanation in a window of so many points.

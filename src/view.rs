@@ -11,6 +11,7 @@ use crate::playback::Playback;
 use crate::space::{Flight, Standpoint};
 use crate::tree_view::TreeView;
 use eframe::egui::{Rect, Vec2};
+use octoscope_core::explain::Notation;
 use octoscope_core::locate::NeighbourMethod;
 use octoscope_core::paper::erratum_of;
 use octoscope_core::query::Query;
@@ -46,6 +47,10 @@ pub struct View {
     pub space_show: Show,
     /// What the map of rays shows.
     pub map: MapView,
+    /// Whether the formula of the step is shown.
+    pub formulas: bool,
+    /// How formulas are written.
+    pub notation: Notation,
     /// What was chosen for the last export.
     pub export: Choice,
     /// What was chosen in the bench lab.
@@ -457,6 +462,8 @@ impl Default for View {
             plane_show: Show::at_first::<2>(),
             space_show: Show::at_first::<3>(),
             map: MapView::default(),
+            formulas: true,
+            notation: Notation::default(),
             export: Choice::default(),
             lab: lab::Choice::default(),
             playback: Playback::default(),

@@ -13,6 +13,7 @@ use crate::space::Standpoint;
 use crate::view::{Dialog, PanelKind, Preset, Search, Typed, View};
 use crate::{complaint, save, with_document};
 use eframe::egui::{Context, Key, Popup, ViewportCommand};
+use octoscope_core::explain::Notation;
 use octoscope_core::gallery::{Degenerate, snap};
 use octoscope_core::paper::paper_texts;
 use octoscope_core::query::Query;
@@ -138,6 +139,8 @@ impl App {
             | Command::RestorePanels
             | Command::FrameAll
             | Command::ReducedMotion
+            | Command::Formulas
+            | Command::NextNotation
             | Command::NextTheme
             | Command::NextLanguage
             | Command::ScaleUp
@@ -220,6 +223,8 @@ impl App {
                 self.view.arrangement().restore();
                 self.view.question = None;
             }
+            Command::Formulas => self.view.formulas = !self.view.formulas,
+            Command::NextNotation => self.take_next_notation(),
             Command::NextTheme => self.view.theme = following(&Theme::ALL, self.view.theme),
             Command::NextLanguage => {
                 self.view.language = following(&Language::ALL, self.view.language);
@@ -238,6 +243,13 @@ impl App {
             Command::Keys => self.view.dialog = Some(Dialog::Keys),
             Command::About => self.view.dialog = Some(Dialog::About),
         }
+    }
+
+    /// Writes formulas as the next paper does, and says as which.
+    fn take_next_notation(&mut self) {
+        self.view.notation = following(&Notation::ALL, self.view.notation);
+        self.view.formulas = true;
+        self.notice.say(self.look.text(&format!("notation-{}", self.view.notation)));
     }
 
     /// Does what was found by its name.

@@ -73,6 +73,9 @@ impl App {
         {
             return if is_on { Entry::On } else { Entry::Off };
         }
+        if command == Command::Formulas {
+            return if self.view.formulas { Entry::On } else { Entry::Off };
+        }
         if command == Command::Question {
             return if self.view.question_shown { Entry::On } else { Entry::Off };
         }

@@ -12,6 +12,7 @@ use crate::open::open;
 use crate::with_document;
 use anyhow::{anyhow, bail};
 use clap::Args;
+use octoscope_core::explain::Notation;
 use octoscope_core::progress::Progress;
 use octoscope_core::scenario::StepAt;
 use octoscope_core::text::Language;
@@ -37,6 +38,8 @@ use std::path::PathBuf;
         --size 1280x720 --scale 2 --theme projector -o step-12.png\n  \
     octoscope export scene:points-3d --view tree --step 40 -o tree.svg\n  \
     octoscope export scene:quadtree-82 --view t-rail --step 12 -o rail.svg\n  \
+    octoscope export scene:quadtree-82 --view formula --step 12 --notation revelles -o f.tex
+  \
     octoscope export scene:figure-7 --view storyboard --steps leaves:6 -o story.svg\n  \
     octoscope export scene:figure-1 --view worksheet --seed 17 --lang de -o sheet.svg\n  \
     octoscope export scene:cloud --step last --camera=-30,20,1.5 --theme dark -o cloud.png")]
@@ -47,7 +50,7 @@ pub struct Export {
     /// What is drawn: space (the tree, the ray and the state of the algorithm),
     /// tree (the same as a diagram of nodes, what is off the path folded), automaton,
     /// t-rail, codes, region, neighbour, listing (with variables),
-    /// table (of the steps), chart (of the costs), storyboard (several steps with
+    /// table (of the steps), chart (of the costs), formula (of the step), storyboard (several steps with
     /// their sentences) or worksheet (an exercise to be solved on paper).
     #[arg(long, value_name = "VIEW", default_value = "space")]
     view: FigureView,
@@ -128,6 +131,10 @@ pub struct Export {
     /// Language of all words, and of the title inside a file: en or de.
     #[arg(long, value_name = "LANGUAGE", default_value = "en", value_parser = language)]
     lang: Language,
+    /// How the view formula writes: seed (as in "Ray Tracing mit Octrees"), revelles
+    /// or frisken-perry.
+    #[arg(long, value_name = "NOTATION", default_value_t)]
+    notation: Notation,
 }
 
 fn format(id: &str) -> Result<Format, String> {
@@ -197,6 +204,7 @@ impl Export {
             eye: self.camera.clone(),
             show: self.show,
             language: self.lang,
+            notation: self.notation,
         })
     }
 
@@ -289,6 +297,7 @@ mod tests {
             eye: None,
             show: None,
             language: Language::English,
+            notation: Notation::Seed,
         };
         check(plain.clone());
         let slides = [TikzForm::Beamer, TikzForm::Snippet, TikzForm::BeamerSnippet];
@@ -313,6 +322,7 @@ mod tests {
                 eye: Some("298,24,1.062,-0.5,0.25,1".parse().unwrap()),
                 show: Some(parse_shown("codes,children").unwrap()),
                 language: Language::German,
+                notation: Notation::FriskenPerry,
             });
         }
         for format in Format::ALL {

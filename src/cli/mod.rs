@@ -69,7 +69,7 @@ impl Arguments {
 #[expect(missing_docs, reason = "what stands at the arguments of each is its help text")]
 pub enum Command {
     Trace(trace::Trace),
-    Export(export::Export),
+    Export(Box<export::Export>),
     Check(check::Check),
     Visit(visit::Visit),
     Bench(bench::Bench),

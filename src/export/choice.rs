@@ -5,6 +5,7 @@ use crate::document::{AnyDocument, Document};
 use crate::figures::{Moments, views_of};
 use crate::view::View;
 use crate::with_document;
+use octoscope_core::explain::Notation;
 use octoscope_core::scenario::StepAt;
 use octoscope_figure::views::{Fields, FigureView};
 use octoscope_figure::{Background, Show, Theme, TikzForm, Unit};
@@ -237,6 +238,21 @@ impl Choice {
             eye,
             show,
             language: view.language,
+            notation: match shown {
+                FigureView::Formula => view.notation,
+                FigureView::Space
+                | FigureView::Tree
+                | FigureView::Automaton
+                | FigureView::TRail
+                | FigureView::Codes
+                | FigureView::Region
+                | FigureView::Neighbour
+                | FigureView::Listing
+                | FigureView::Table
+                | FigureView::Chart
+                | FigureView::Storyboard
+                | FigureView::Worksheet => Notation::default(),
+            },
         }
     }
 }

@@ -6,7 +6,7 @@ use crate::figures::{Moments, Wanted, figure_of, take_exercise};
 use crate::save;
 use crate::text::texts;
 use crate::with_document;
-use octoscope_core::explain::sentence;
+use octoscope_core::explain::{Notation, sentence};
 use octoscope_core::progress::Progress;
 use octoscope_core::scenario::StepAt;
 use octoscope_core::text::Language;
@@ -36,6 +36,8 @@ pub struct Request {
     pub show: Option<Show>,
     /// Language of all words, and of the title.
     pub language: Language,
+    /// How formulas are written.
+    pub notation: Notation,
 }
 
 impl Request {
@@ -221,6 +223,7 @@ impl Request {
             camera,
             show: self.show::<D>(),
             language: self.language,
+            notation: self.notation,
         };
         figure_of(document, &wanted)
     }
@@ -238,7 +241,7 @@ impl Request {
     /// The command that does the same with the scenario called `file`, along the
     /// ray of these numbers if they are given.
     pub fn command(&self, file: &str, ray: Option<&[f64]>, output: &str) -> Vec<String> {
-        let Self { view, order, steps, moments, exercise, eye, show, language } = self;
+        let Self { view, order, steps, moments, exercise, eye, show, language, notation } = self;
         let mut words = vec!["octoscope".to_owned(), "export".to_owned(), file.to_owned()];
         let mut option = |name: &str, value: String| words.push(format!("--{name}={value}"));
         option("view", view.id().to_owned());
@@ -282,6 +285,9 @@ impl Request {
         }
         if *language != Language::default() {
             option("lang", language.id().to_owned());
+        }
+        if *notation != Notation::default() {
+            option("notation", notation.to_string());
         }
         let flags = [
             ("--solution", *fields == Fields::Solved),

@@ -175,7 +175,7 @@ fn content(ui: &mut Ui, look: &Look, shown: &Shown, height: f32) {
 fn told(figure: &Figure) -> String {
     let texts = figure.drawn.iter().filter_map(|drawn| match &drawn.form {
         Form::Text { text, .. } => Some(text.plain()),
-        Form::Polygon(_) | Form::Polyline(_) | Form::Circle { .. } => None,
+        Form::Polygon(_) | Form::Polyline(_) | Form::Circle { .. } | Form::Formula { .. } => None,
     });
     texts.collect::<Vec<_>>().join("; ")
 }

@@ -7,6 +7,7 @@ pub mod compare;
 pub mod counters;
 pub mod cuts;
 pub mod dialogs;
+pub mod formula;
 pub mod grid;
 pub mod halves;
 pub mod links;

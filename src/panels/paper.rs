@@ -3,7 +3,9 @@
 use crate::document::Found;
 use crate::look::Look;
 use crate::sidebar::Wish;
+use crate::widgets::printed_and_right;
 use eframe::egui::{CollapsingHeader, Label, RichText, Ui};
+use octoscope_core::explain::misprint_formula;
 use octoscope_core::paper::{ERRATA, Erratum, Severity, Verdict, erratum_of, paper_texts};
 use octoscope_core::query::Query;
 use octoscope_core::traverse::Variant;
@@ -40,7 +42,7 @@ pub fn ui<const D: usize>(
     for &variant in &printed {
         if let Some(erratum) = erratum_of(variant) {
             ui.add_space(4.0);
-            explained(ui, look, erratum);
+            explained(ui, look, erratum, &[variant]);
             if ui.button(look.text("paper-counterexample")).clicked() {
                 wish = Some(Wish::Counterexample(variant));
             }
@@ -100,12 +102,17 @@ fn judged<const D: usize>(
     wish
 }
 
-/// What is printed, what is right, and why.
-fn explained(ui: &mut Ui, look: &Look, erratum: &Erratum) {
+/// What is printed, what is right, and why: as formulas where these tell it.
+fn explained(ui: &mut Ui, look: &Look, erratum: &Erratum, variants: &[Variant]) {
     ui.label(RichText::new(format!("{} · {}", erratum.id, told(look, erratum, "title"))).strong());
+    let misprints: Vec<_> = variants.iter().filter_map(|&v| misprint_formula(v)).collect();
+    misprints.iter().for_each(|misprint| printed_and_right(ui, look, misprint));
     for (key, part) in [("paper-printed", "printed"), ("paper-right", "right")] {
-        ui.label(quiet(look, look.text(key)));
-        ui.add(Label::new(RichText::new(told(look, erratum, part)).monospace().size(13.0)).wrap());
+        if misprints.is_empty() {
+            ui.label(quiet(look, look.text(key)));
+            let text = RichText::new(told(look, erratum, part)).monospace().size(13.0);
+            ui.add(Label::new(text).wrap());
+        }
     }
     ui.add(Label::new(told(look, erratum, "why")).wrap());
 }
@@ -121,7 +128,7 @@ fn list(ui: &mut Ui, look: &Look) -> Option<Wish> {
         };
         let title = format!("{} {sign} {}", erratum.id, told(look, erratum, "title"));
         CollapsingHeader::new(RichText::new(title).size(13.0)).id_salt(erratum.id).show(ui, |ui| {
-            explained(ui, look, erratum);
+            explained(ui, look, erratum, erratum.variants);
             for &variant in erratum.variants {
                 let text = look.texts.format("paper-try", &[("variant", variant.id().into())]);
                 if ui.button(text).clicked() {

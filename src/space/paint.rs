@@ -10,7 +10,7 @@ use octoscope_figure::{Colour, Drawn, Figure, Form, Lettering, Paint, Style, The
 
 /// Paints `figure` where `frame` says its page lies.
 pub fn figure(painter: &Painter, look: &Look, theme: Theme, frame: PageInWindow, figure: &Figure) {
-    for drawn in &figure.drawn {
+    for drawn in &figure.spelled_out().drawn {
         paint(painter, look, theme, frame, drawn);
     }
 }
@@ -40,6 +40,8 @@ fn paint(painter: &Painter, look: &Look, theme: Theme, frame: PageInWindow, draw
             let before = vec2(anchor.share() as f32, 0.5) * galley.size();
             painter.galley(frame.on_screen(*at) - before, galley, color32(lettering.colour));
         }
+        // It is spelled out.
+        Form::Formula { .. } => {}
     }
 }
 

@@ -20,6 +20,8 @@ fn desk(size: [f32; 2], scene: &str, language: Language, preset: Preset) -> Desk
     desk.open(scene);
     let view = &mut desk.state_mut().view;
     (view.language, view.preset) = (language, preset);
+    // Formulas take from the picture alone: what stands beside it goes on below.
+    view.formulas = false;
     desk.run();
     desk
 }

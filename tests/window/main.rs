@@ -12,6 +12,7 @@ mod desk;
 mod export;
 mod files;
 mod find;
+mod formulas;
 mod hall;
 mod lab;
 mod layout;

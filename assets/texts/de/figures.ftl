@@ -84,5 +84,8 @@ figure-neighbour = Nachbar
 figure-listing = Listing und Variablen
 figure-table = Tabelle der Schritte
 figure-chart = Diagramm der Kosten
+figure-formula = Formel des Schritts
 figure-storyboard = Storyboard
 figure-worksheet = Arbeitsblatt
+
+formula-none = Dieser Schritt rechnet und vergleicht nichts.

@@ -54,6 +54,8 @@ command-next-slice = Octree aufschneiden: gar nicht, quer zu x, y oder z
 command-slice-down = Schnitt auf seiner Achse abwärts schieben
 command-slice-up = Schnitt auf seiner Achse aufwärts schieben
 command-follow = Aktuellem Knoten folgen
+command-formulas = Formeln zeigen
+command-next-notation = Nächste Schreibweise der Formeln
 command-next-theme = Nächstes Farbschema
 command-next-language = English
 command-scale-up = Größer
@@ -461,3 +463,8 @@ map-by-batch = Gefunden vom Kern für viele Strahlen, der exakt rechnet
 map-by-algorithm = Gefunden vom gezeigten Verfahren, Strahl für Strahl
 map-by-both = Gefunden vom gezeigten Verfahren; was richtig ist, vom Kern für viele Strahlen, der exakt rechnet
 map-progress = Die Karte entsteht
+
+notation-seed = Wie in „Ray Tracing mit Octrees“
+notation-revelles = Wie bei Revelles, Ureña und Lastra
+notation-frisken-perry = Wie bei Frisken und Perry
+notation-now = Formeln: { $notation }. { $key } wechselt zur nächsten Schreibweise.

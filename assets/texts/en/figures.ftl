@@ -84,5 +84,8 @@ figure-neighbour = Neighbour
 figure-listing = Listing and variables
 figure-table = Table of the steps
 figure-chart = Chart of the costs
+figure-formula = Formula of the step
 figure-storyboard = Storyboard
 figure-worksheet = Worksheet
+
+formula-none = This step computes and compares nothing.

@@ -54,6 +54,8 @@ command-next-slice = Cut the octree open: off, across x, y or z
 command-slice-down = Move the cut down its axis
 command-slice-up = Move the cut up its axis
 command-follow = Follow the current node
+command-formulas = Show formulas
+command-next-notation = Next notation of formulas
 command-next-theme = Next theme
 command-next-language = Deutsch
 command-scale-up = Larger
@@ -461,3 +463,8 @@ map-by-batch = Found by the kernel for many rays, which is exact
 map-by-algorithm = Found by the algorithm that is shown, ray by ray
 map-by-both = Found by the algorithm that is shown; what is right, by the kernel for many rays, which is exact
 map-progress = The map is being made
+
+notation-seed = As in “Ray Tracing mit Octrees”
+notation-revelles = As Revelles, Ureña and Lastra write
+notation-frisken-perry = As Frisken and Perry write
+notation-now = Formulas: { $notation }. { $key } goes on to the next notation.

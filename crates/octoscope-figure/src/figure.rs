@@ -1,7 +1,7 @@
 //! Figures: what is drawn on a page, in the order in which it is drawn.
 
-use crate::{Page, Role, Style, Theme, metrics};
-use octoscope_core::explain::RichText;
+use crate::{Page, Role, SetFormula, Style, Theme, metrics};
+use octoscope_core::explain::{Formula, RichText};
 use octoscope_core::tree::NodeId;
 
 /// Shapes on a page, the lowest first.
@@ -48,6 +48,15 @@ pub enum Form {
         anchor: Anchor,
         /// What is written.
         text: RichText,
+    },
+    /// A formula.
+    Formula {
+        /// Where its baseline begins.
+        at: [f64; 2],
+        /// By how many steps its type is smaller than the largest.
+        step: u8,
+        /// What it says.
+        formula: Box<Formula>,
     },
 }
 
@@ -200,6 +209,10 @@ impl Drawn {
                 let reach = [0.0, 0.6 * metrics::size(self.role)];
                 vec![([left, at[1]], reach), ([right, at[1]], reach)]
             }
+            Form::Formula { at: [x, y], step, formula } => {
+                let set = SetFormula::of(formula, *step);
+                vec![([*x, y - set.above], [0.0; 2]), ([x + set.width, y + set.below], [0.0; 2])]
+            }
         }
     }
 }
@@ -210,7 +223,7 @@ impl Form {
         match self {
             Self::Polygon(points) | Self::Polyline(points) => points.iter_mut().for_each(shift),
             Self::Circle { centre, .. } => shift(centre),
-            Self::Text { at, .. } => shift(at),
+            Self::Text { at, .. } | Self::Formula { at, .. } => shift(at),
         }
     }
 }

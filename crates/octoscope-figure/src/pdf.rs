@@ -67,6 +67,7 @@ impl<'a> Pdf<'a> {
     /// # Errors
     /// Refuses a page that readers do not show.
     pub fn page(&mut self, figure: &Figure) -> Result<(), PdfError> {
+        let figure = &*figure.spelled_out();
         let scale = self.options.scale.points();
         let [width, height] = [figure.page.width, figure.page.height].map(|side| side * scale);
         let fits = |side: f64| (1.0..=LONGEST_SIDE).contains(&side);
@@ -189,7 +190,7 @@ fn path(form: &Form) -> Option<Path> {
             arc([[x + h, y - r], [x + r, y - h], start.map(f64::from)]);
             path.close();
         }
-        Form::Text { .. } => {}
+        Form::Text { .. } | Form::Formula { .. } => {}
     }
     path.finish()
 }

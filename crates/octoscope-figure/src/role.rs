@@ -182,6 +182,10 @@ pub enum Role {
     Path,
     /// A node of a diagram.
     Node,
+    /// A formula, so many steps smaller than the largest.
+    Formula(u8),
+    /// Bar of a fraction, or a bracket.
+    FormulaLine,
 }
 
 /// Classes of the lines of a chart.
@@ -203,13 +207,25 @@ const SERIES: [&str; 15] = [
     "series-15",
 ];
 
+/// Names of formulas in their sizes, the largest first.
+const FORMULAS: [&str; 8] = [
+    "formula",
+    "formula-1",
+    "formula-2",
+    "formula-3",
+    "formula-4",
+    "formula-5",
+    "formula-6",
+    "formula-7",
+];
+
 impl Role {
     /// Colours that lines of a chart have in turn; after them come other dashes.
     pub const N_SERIES_COLOURS: usize = 5;
 
     /// One role of every kind, in the order in which they cover each other,
     /// the lowest first.
-    pub const KINDS: [Self; 116] = [
+    pub const KINDS: [Self; 125] = [
         Self::Pixel([128; 3]),
         Self::FaintNode,
         Self::InnerNode,
@@ -326,6 +342,15 @@ impl Role {
         Self::Branch,
         Self::Path,
         Self::Node,
+        Self::Formula(0),
+        Self::Formula(1),
+        Self::Formula(2),
+        Self::Formula(3),
+        Self::Formula(4),
+        Self::Formula(5),
+        Self::Formula(6),
+        Self::Formula(7),
+        Self::FormulaLine,
     ];
 
     /// Name for classes in SVG and styles in TikZ: lower case, with hyphens.
@@ -421,6 +446,8 @@ impl Role {
             Self::Branch => "branch",
             Self::Path => "path",
             Self::Node => "node",
+            Self::Formula(step) => FORMULAS[usize::from(step).min(FORMULAS.len() - 1)],
+            Self::FormulaLine => "formula-line",
         }
     }
 

@@ -291,6 +291,11 @@ impl Style {
                 line(p.quiet_ink.faded(0.7), 0.9).lettered(p.quiet_ink, 10.5, Weight::Regular)
             }
             Role::Path => line(p.ray, 3.0),
+            Role::Formula(step) => {
+                let size = 17.0 * 0.86_f64.powi(i32::from(step.min(7)));
+                Self::default().lettered(p.ink, size, Weight::Regular)
+            }
+            Role::FormulaLine => line(p.ink, 1.1),
             Role::Node => Self { fill: Some(p.background), ..line(p.quiet_ink, 1.1) },
         };
         style.for_theme(theme)

@@ -11,6 +11,7 @@ use std::fmt::Write;
 /// Text of an SVG document: a class for every role in one style sheet, text as
 /// text, coordinates with two digits after the point.
 pub fn svg(figure: &Figure, options: &FileOptions) -> String {
+    let figure = &*figure.spelled_out();
     let page = [figure.page.width, figure.page.height];
     let [width, height] = page.map(number);
     let unit = if options.scale.unit == Unit::Pixel { "" } else { options.scale.unit.id() };
@@ -95,7 +96,9 @@ fn write_text_styles(out: &mut String, figure: &Figure, theme: Theme) {
     let texts = || {
         figure.drawn.iter().filter_map(|drawn| match &drawn.form {
             Form::Text { anchor, text, .. } => Some((*anchor, text)),
-            Form::Polygon(_) | Form::Polyline(_) | Form::Circle { .. } => None,
+            Form::Polygon(_) | Form::Polyline(_) | Form::Circle { .. } | Form::Formula { .. } => {
+                None
+            }
         })
     };
     for (anchor, name) in [(Anchor::Start, "start"), (Anchor::End, "end")] {
@@ -214,6 +217,8 @@ fn write_drawn(out: &mut String, drawn: &Drawn, theme: Theme) {
                 number(y)
             )
         }
+        // It is spelled out.
+        Form::Formula { .. } => Ok(()),
     };
     written.expect("a string takes all that is written");
 }

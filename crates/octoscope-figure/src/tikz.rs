@@ -5,9 +5,9 @@ use crate::shared::{SharedRun, shared_runs};
 use crate::typeset::Line;
 use crate::{
     Anchor, Background, Colour, Drawn, Figure, FileOptions, Form, Lettering, Paint, Palette, Part,
-    Role, Style, Theme, Weight,
+    Role, Style, Theme, Weight, metrics,
 };
-use octoscope_core::explain::{RichText, latex};
+use octoscope_core::explain::{RichText, latex, math};
 use serde::{Deserialize, Serialize};
 use std::collections::{BTreeMap, HashMap};
 use std::fmt::Write;
@@ -254,6 +254,19 @@ impl<'a> Tikz<'a> {
             let text = self.text(text);
             return Some(format!("\\node[{style}{anchor}] at {at} {{{text}}};\n"));
         }
+        if let Form::Formula { at: [x, y], formula, step } = &drawn.form {
+            let style = self.text_style(drawn.role)?;
+            for axis in 0..AXES.len() {
+                self.colour(Palette::of(self.options.theme).axes[axis]);
+            }
+            // Other texts hang from half the height of their capitals.
+            let half = 0.365 * metrics::size(Role::Formula(*step));
+            let at = self.point([*x, y - half], height);
+            let formula = math(formula, Some(AXES));
+            return Some(format!(
+                "\\node[{style}, anchor=base west] at {at} {{$\\displaystyle {formula}$}};\n"
+            ));
+        }
         let style = self.style(drawn)?;
         let path = match &drawn.form {
             Form::Polygon(points) => match rectangle(points) {
@@ -268,7 +281,7 @@ impl<'a> Tikz<'a> {
                 let centre = self.point(*centre, height);
                 format!("{centre} circle[radius={}]", self.number(*radius))
             }
-            Form::Text { .. } => return None,
+            Form::Text { .. } | Form::Formula { .. } => return None,
         };
         Some(format!("\\path[{style}] {path};\n"))
     }

@@ -21,7 +21,9 @@ impl<'a> Line<'a> {
     pub(crate) fn of(form: &'a Form) -> Option<Self> {
         match form {
             Form::Text { at, anchor, text } => Some(Self { at: *at, anchor: *anchor, text }),
-            Form::Polygon(_) | Form::Polyline(_) | Form::Circle { .. } => None,
+            Form::Polygon(_) | Form::Polyline(_) | Form::Circle { .. } | Form::Formula { .. } => {
+                None
+            }
         }
     }
 }

@@ -96,7 +96,9 @@ fn at_the_end_every_visited_leaf_has_its_number_where_there_is_room() {
         .filter(|drawn| drawn.role == Role::OrderNumber)
         .filter_map(|drawn| match &drawn.form {
             Form::Text { text, .. } => Some(text.plain()),
-            Form::Polygon(_) | Form::Polyline(_) | Form::Circle { .. } => None,
+            Form::Polygon(_) | Form::Polyline(_) | Form::Circle { .. } | Form::Formula { .. } => {
+                None
+            }
         })
         .collect();
     assert_eq!(numbers.len(), n_leaves);

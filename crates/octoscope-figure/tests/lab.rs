@@ -112,7 +112,7 @@ fn a_law_that_is_there_is_written_behind_the_name() {
     let is_named = |drawn: &octoscope_figure::Drawn| match &drawn.form {
         // 1.6 is two to the power of 0.678.
         Form::Text { text, .. } => text.plain() == "Samet  0,68",
-        Form::Polygon(_) | Form::Polyline(_) | Form::Circle { .. } => false,
+        Form::Polygon(_) | Form::Polyline(_) | Form::Circle { .. } | Form::Formula { .. } => false,
     };
     assert!(figure.drawn.iter().any(is_named));
 }

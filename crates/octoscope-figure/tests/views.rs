@@ -2,7 +2,7 @@
 
 #![allow(clippy::unwrap_used, reason = "a test may panic")]
 
-use octoscope_core::explain::sentence;
+use octoscope_core::explain::{Notation, sentence};
 use octoscope_core::progress::Progress;
 use octoscope_core::query::Query;
 use octoscope_core::scenario::{AnyScenario, BUILT_IN, BuiltIn, Scenario, built_in};
@@ -20,7 +20,7 @@ use octoscope_figure::{
 };
 
 /// The views of a single moment.
-const VIEWS: [FigureView; 8] = [
+const VIEWS: [FigureView; 9] = [
     FigureView::TRail,
     FigureView::Automaton,
     FigureView::Codes,
@@ -29,6 +29,7 @@ const VIEWS: [FigureView; 8] = [
     FigureView::Listing,
     FigureView::Table,
     FigureView::Chart,
+    FigureView::Formula,
 ];
 
 fn texts(language: Language) -> Texts {
@@ -39,6 +40,7 @@ fn texts(language: Language) -> Texts {
 type Written = (String, [f64; 4]);
 
 fn written(figure: &Figure) -> Vec<Written> {
+    let figure = figure.spelled_out();
     let texts = figure.drawn.iter().filter_map(|drawn| match &drawn.form {
         Form::Text { at: [x, y], anchor, text } => {
             let width = metrics::width(drawn.role, text);
@@ -47,7 +49,7 @@ fn written(figure: &Figure) -> Vec<Written> {
             let size = metrics::size(drawn.role);
             Some((text.plain(), [left, y - 0.4 * size, left + width, y + 0.5 * size]))
         }
-        Form::Polygon(_) | Form::Polyline(_) | Form::Circle { .. } => None,
+        Form::Polygon(_) | Form::Polyline(_) | Form::Circle { .. } | Form::Formula { .. } => None,
     });
     texts.collect()
 }
@@ -89,7 +91,14 @@ impl<const D: usize> Scene<D> {
         moment: &'a Moment<D>,
         texts: &'a Texts,
     ) -> Subject<'a, D> {
-        Subject { tree: &self.tree, ray: &self.scenario.ray, trace, moment, texts }
+        Subject {
+            tree: &self.tree,
+            ray: &self.scenario.ray,
+            trace,
+            moment,
+            texts,
+            notation: Notation::default(),
+        }
     }
 }
 

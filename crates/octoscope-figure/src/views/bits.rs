@@ -263,9 +263,11 @@ mod tests {
             let number = (bit + 1).to_string();
             let column = figure.drawn.iter().find_map(|drawn| match &drawn.form {
                 Form::Text { at, text, .. } if text.plain() == number => Some(at[0]),
-                Form::Text { .. } | Form::Polygon(_) | Form::Polyline(_) | Form::Circle { .. } => {
-                    None
-                }
+                Form::Text { .. }
+                | Form::Polygon(_)
+                | Form::Polyline(_)
+                | Form::Circle { .. }
+                | Form::Formula { .. } => None,
             });
             assert_eq!(column, Some(head[0][0]), "{bit}");
             let extent = figure.extent().unwrap();
@@ -281,9 +283,11 @@ mod tests {
         let corners = |role: Role| {
             figure.drawn.iter().find_map(|drawn| match &drawn.form {
                 Form::Polygon(points) if drawn.role == role => Some([points[0], points[2]]),
-                Form::Polygon(_) | Form::Polyline(_) | Form::Circle { .. } | Form::Text { .. } => {
-                    None
-                }
+                Form::Polygon(_)
+                | Form::Polyline(_)
+                | Form::Circle { .. }
+                | Form::Text { .. }
+                | Form::Formula { .. } => None,
             })
         };
         let [frame, bit] = [Role::BorderBit, Role::LitEntry].map(|role| corners(role).unwrap());

@@ -32,6 +32,8 @@ pub enum FigureView {
     Table,
     /// Costs as bars.
     Chart,
+    /// What the step computes and compares, as formulas.
+    Formula,
     /// Several moments with their sentences.
     Storyboard,
     /// An exercise on paper.
@@ -80,7 +82,7 @@ pub enum ViewError {
 
 impl FigureView {
     /// All views, in the order of menus and lists.
-    pub const ALL: [Self; 12] = [
+    pub const ALL: [Self; 13] = [
         Self::Space,
         Self::Tree,
         Self::Automaton,
@@ -91,6 +93,7 @@ impl FigureView {
         Self::Listing,
         Self::Table,
         Self::Chart,
+        Self::Formula,
         Self::Storyboard,
         Self::Worksheet,
     ];
@@ -108,6 +111,7 @@ impl FigureView {
             Self::Listing => "listing",
             Self::Table => "table",
             Self::Chart => "chart",
+            Self::Formula => "formula",
             Self::Storyboard => "storyboard",
             Self::Worksheet => "worksheet",
         }
@@ -125,7 +129,8 @@ impl FigureView {
             | Self::Neighbour
             | Self::Listing
             | Self::Table
-            | Self::Chart => false,
+            | Self::Chart
+            | Self::Formula => false,
         }
     }
 
@@ -143,7 +148,8 @@ impl FigureView {
             | Self::Neighbour
             | Self::Listing
             | Self::Table
-            | Self::Chart => true,
+            | Self::Chart
+            | Self::Formula => true,
         }
     }
 
@@ -154,6 +160,7 @@ impl FigureView {
             Self::TRail | Self::Codes | Self::Region | Self::Neighbour => 360.0,
             Self::Automaton if D == 2 => 360.0,
             Self::Automaton | Self::Listing | Self::Chart => 420.0,
+            Self::Formula => 560.0,
             Self::Space | Self::Tree | Self::Table => 460.0,
             Self::Storyboard | Self::Worksheet => 500.0,
         }
@@ -174,6 +181,7 @@ impl FigureView {
             | Self::Listing
             | Self::Table
             | Self::Chart
+            | Self::Formula
             | Self::Storyboard
             | Self::Worksheet => Ok(()),
             Self::TRail => match query {

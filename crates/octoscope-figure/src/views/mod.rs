@@ -9,6 +9,7 @@ mod bits;
 mod chart;
 mod codes;
 mod exercise;
+mod formula;
 mod kind;
 pub mod lab;
 mod legend;
@@ -29,6 +30,7 @@ pub use automaton::{Automaton, mask_note};
 pub use bits::{BitRow, BitTable, Carries, Conclusion};
 pub use codes::{CodeTable, child_rule, code_table};
 pub use exercise::{Exercise, ExerciseError};
+pub use formula::{formula_figure, formula_height, formula_line};
 pub use kind::{FigureView, UnknownView, ViewError};
 pub use listing::{Changed, changed_variables};
 pub use neighbour::{NeighbourTables, neighbour_tables};
@@ -102,6 +104,7 @@ fn drawn<const D: usize>(view: FigureView, subject: &Subject<D>, width: f64) -> 
         FigureView::Listing => Some(listing::view(subject, width)),
         FigureView::Table => Some(steps::view(subject, width)),
         FigureView::Chart => Some(chart::view(subject, width)),
+        FigureView::Formula => Some(formula::view(subject, width)),
         FigureView::Space | FigureView::Tree | FigureView::Storyboard | FigureView::Worksheet => {
             None
         }

@@ -1,6 +1,7 @@
 //! What a view shows.
 
 use octoscope_core::event::Event;
+use octoscope_core::explain::Notation;
 use octoscope_core::geometry::Ray;
 use octoscope_core::query::Query;
 use octoscope_core::text::{Language, Texts};
@@ -20,6 +21,8 @@ pub struct Subject<'a, const D: usize> {
     pub moment: &'a Moment<D>,
     /// Texts, those of [`figure_texts`](super::figure_texts) among them.
     pub texts: &'a Texts,
+    /// How formulas are written.
+    pub notation: Notation,
 }
 
 impl<'a, const D: usize> Subject<'a, D> {

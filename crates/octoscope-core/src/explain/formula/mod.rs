@@ -1,6 +1,9 @@
 //! The formula of a step: what it computes or compares, with symbols and with its
 //! numbers, as data. Who draws it, writes it or speaks it decides how it looks.
 
+mod borders;
+mod children;
+mod clip;
 mod codes;
 mod cuts;
 mod math;

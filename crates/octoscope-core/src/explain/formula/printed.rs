@@ -156,7 +156,7 @@ fn sets(weight: i64) -> Formula {
     row![t(X, "m"), Sign::Less, t(Z, "0"), Sign::Implies, "i", Sign::Takes, "i", Sign::Or, weight,]
 }
 
-/// i_x = (code ≫ by) ∧ 1
+/// i_x = (code >> by) ∧ 1
 fn bit_of(code: Formula, by: Formula) -> Formula {
     let shifted = row![code, Sign::Shift, by].fenced(Fence::Round);
     row![Formula::on(X, "i", ""), Sign::Equal, shifted, Sign::And, 1]

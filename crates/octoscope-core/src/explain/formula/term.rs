@@ -134,7 +134,7 @@ pub enum Sign {
     Or,
     /// |
     BitOr,
-    /// ≫
+    /// >>
     Shift,
     /// ¬
     Not,
@@ -213,7 +213,7 @@ impl Sign {
             Self::BitAnd => "&",
             Self::Or => "∨",
             Self::BitOr => "|",
-            Self::Shift => "≫",
+            Self::Shift => ">>",
             Self::Not => "¬",
             Self::Comma => ",",
             Self::To => "…",

@@ -1,0 +1,45 @@
+//! What the step computes and compares, set as formulas under the picture.
+
+use crate::command::Command;
+use crate::look::Look;
+use crate::shortcut;
+use crate::widgets::paint_formula;
+use eframe::egui::{Rect, Sense, Ui, WidgetInfo, accesskit::Role, vec2};
+use octoscope_core::explain::{Notation, Statement, spoken};
+use octoscope_figure::Page;
+use octoscope_figure::views::{formula_figure, formula_height};
+
+/// Share of a low picture that formulas take at most.
+const SHARE: f32 = 0.26;
+/// Below a picture that is lower than so many points there are none.
+const LEAST: f32 = 150.0;
+
+/// Height of formulas below a picture of this height without them: the same in every
+/// step, so that nothing moves; `None` where there is no room.
+pub fn height(picture: f32) -> Option<f32> {
+    (picture >= LEAST).then(|| (formula_height() as f32).min(SHARE * picture))
+}
+
+/// Formulas of a step in all the room there is, in the largest type that fits.
+pub fn ui(ui: &mut Ui, look: &Look, statements: &[Statement], notation: Notation) {
+    let room = ui.available_size();
+    let (rect, response) = ui.allocate_exact_size(room, Sense::hover());
+    if statements.is_empty() {
+        return;
+    }
+    let name = spoken(statements, look.texts.language());
+    response.widget_info(|| WidgetInfo::labeled(Role::Label, true, name.as_str()));
+    ui.ctx().accesskit_node_builder(response.id, |node| node.set_author_id("formula"));
+    let most = Page { width: f64::from(room.x), height: f64::from(room.y) };
+    let figure = formula_figure(statements, most);
+    // In the middle, on whole pixels: bars stay crisp.
+    let size = vec2(figure.page.width as f32, figure.page.height as f32);
+    let spare = (room - size).max(vec2(0.0, 0.0));
+    let corner = (rect.min + vec2(0.0, 0.5 * spare.y)).round();
+    let key = shortcut::all_shown(look, Command::NextNotation.row().keys);
+    let name = look.text(&format!("notation-{notation}"));
+    let arguments = [("notation", name.into()), ("key", key.into())];
+    let why = look.texts.format("notation-now", &arguments);
+    let place = Rect::from_min_size(corner, size);
+    paint_formula(ui, look, place, &figure, response.on_hover_text_at_pointer(why));
+}
