@@ -165,7 +165,7 @@ mod tests {
             tree: Arc::new(tree),
             rays: Rays::Family(Family::lines([0.0; 2], 1.0)),
             colouring,
-            query: Query::Ray { algorithm, options, arithmetic: Arithmetic::Doubles },
+            query: Query::Ray { algorithm, options, arithmetic: Arithmetic::Exact },
             size: [37, 21],
         }
     }

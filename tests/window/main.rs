@@ -9,6 +9,7 @@ mod camera;
 mod complaints;
 mod controls;
 mod desk;
+mod drawn;
 mod export;
 mod files;
 mod find;
