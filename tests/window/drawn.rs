@@ -5,41 +5,13 @@ use eframe::egui_wgpu::WgpuSetup;
 use eframe::wgpu::{Backends, DeviceType};
 use egui_kittest::wgpu::default_wgpu_setup;
 use egui_kittest::{Harness, SnapshotOptions};
-use octoscope::bench::run;
-use octoscope::lab::{Choice, Tab};
-use octoscope::view::Dialog;
 use octoscope::with_document;
 use octoscope_core::event::Event;
-use octoscope_core::measure::{Quantity, Results};
-use octoscope_core::progress::Progress;
 use octoscope_core::query::Query;
 use octoscope_core::scenario::{AnyScenario, Scenario, built_in};
 use octoscope_core::traverse::Algorithm;
 use std::io::Write;
 use std::sync::OnceLock;
-
-/// The lab on one of its pages.
-fn show_lab(desk: &mut Desk, tab: Tab, cost: Quantity) {
-    let is_cost = |one: &Quantity| *one == cost;
-    let choice = Choice {
-        depths: [4, 6],
-        n_rays: 60,
-        n_repeats: 1,
-        tab,
-        cost: Quantity::COSTS.iter().position(is_cost).unwrap(),
-        algorithms: Algorithm::ALL.map(|one| one != Algorithm::Exhaustive),
-        ..Choice::default()
-    };
-    // Only counts are shown: they are the same on every machine.
-    if tab != Tab::Processor {
-        static RESULTS: OnceLock<Results> = OnceLock::new();
-        let measured = || run(&choice.plan().unwrap(), &Progress::default()).unwrap();
-        desk.state_mut().take_results(RESULTS.get_or_init(measured).clone());
-    }
-    desk.state_mut().view.lab = choice;
-    desk.state_mut().view.dialog = Some(Dialog::Lab);
-    desk.run();
-}
 
 /// Where the playhead is.
 pub enum At {
