@@ -15,7 +15,7 @@ pub fn colours(theme: Theme, colouring: Colouring, raster: &Raster) -> Vec<Colou
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Scale {
     colouring: Colouring,
-    /// Smallest and largest value that is not [`NOTHING`]; 0 and 0 if there is none.
+    /// Smallest and largest value that is not `NOTHING`; 0 and 0 if there is none.
     pub range: [u32; 2],
     /// Number of rays that are not right, where that is told.
     pub n_wrong: usize,

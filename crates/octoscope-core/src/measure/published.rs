@@ -73,7 +73,7 @@ const fn samet_and_gargantini(id: &'static str, share: f64, depth: u8) -> Claim 
 /// Whether a statement holds here.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Verdict {
-    /// To within [`NEAR_EQUAL`] or [`NEAR_SHARE`].
+    /// To within `NEAR_EQUAL` or `NEAR_SHARE`.
     Agrees,
     /// The same algorithm is faster, by another factor.
     SameSide,
