@@ -3,9 +3,12 @@
 mod exporting;
 mod hall;
 mod jobs;
+mod keys;
 mod measuring;
 mod obey;
+mod saving;
 mod show;
+mod undo;
 
 use crate::command::Command;
 use crate::document::{AnyDocument, Document};
@@ -25,8 +28,8 @@ use crate::{complaint, render, save, theme, with_document};
 use eframe::egui::{CentralPanel, Context, Frame, Key, Ui, ViewportCommand};
 use exporting::Exporting;
 use jobs::Purpose;
+use keys::Taken;
 use measuring::Measuring;
-use obey::Taken;
 use octoscope_core::explain::short_title;
 use octoscope_core::gallery::Degenerate;
 use octoscope_core::progress::{Cancelled, Progress};

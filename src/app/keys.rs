@@ -1,0 +1,112 @@
+//! Which keys are commands, and which commands can be obeyed now.
+
+use super::App;
+use crate::command::{COMMANDS, Command, belongs_to_focus};
+use crate::space::Standpoint;
+use eframe::egui::{Context, Key, Popup};
+
+/// Which keys are no commands, because something else takes them.
+#[derive(Clone, Copy, Default)]
+pub(super) struct Taken {
+    /// All, by a field for text or a dialog.
+    all: bool,
+    /// Escape, by what lies over the picture: it closes that first.
+    escape: bool,
+    /// Those by which a control is operated or left, as it is focused.
+    by_control: bool,
+}
+
+impl App {
+    /// Which keys are taken as the window is now.
+    pub(super) fn taken(&self, context: &Context) -> Taken {
+        Taken {
+            all: context.text_edit_focused() || self.view.dialog.is_some(),
+            escape: Popup::is_any_open(context) || self.view.blank || !self.notice.is_empty(),
+            by_control: context.memory(|memory| memory.focused().is_some()),
+        }
+    }
+
+    /// Commands whose keys were pressed in the frame that is being shown. What a click
+    /// in it has brought takes keys as well as what was there before: in a slow frame
+    /// both come together.
+    pub(super) fn pressed(&self, context: &Context) -> Vec<Command> {
+        let (before, now) = (self.taken, self.taken(context));
+        if before.all || now.all {
+            return Vec::new();
+        }
+        let focused = before.by_control || now.by_control;
+        let escape_is_free = !before.escape && !now.escape && self.is_enabled(Command::BackToRay);
+        context.input_mut(|input| {
+            let keys =
+                COMMANDS.iter().flat_map(|row| row.keys.iter().map(|key| (row.command, key)));
+            let free = keys.filter(|(_, key)| match key.logical_key {
+                Key::Escape => escape_is_free,
+                _ => !(focused && belongs_to_focus(key)),
+            });
+            // Longer shortcuts first: Ctrl+Shift+S is not Ctrl+S.
+            let mut free: Vec<_> = free.collect();
+            free.sort_by_key(|(_, key)| !key.modifiers.shift);
+            // Each press counts, also where a slow frame brings several.
+            let given = free.into_iter().flat_map(|(command, key)| {
+                let n_presses = input.count_and_consume_key(key.modifiers, key.logical_key);
+                std::iter::repeat_n(command, n_presses)
+            });
+            given.collect()
+        })
+    }
+
+    pub(super) fn is_enabled(&self, command: Command) -> bool {
+        let (step, length) = (self.view.playback.step, self.document.n_events());
+        match command {
+            // What is being changed right now is undone, too.
+            Command::Undo => {
+                self.history.can_undo() || !self.document.is_same_state(&self.settled.document)
+            }
+            Command::Redo => self.history.can_redo(),
+            Command::StepForward | Command::NextLeaf | Command::Last => step < length,
+            Command::StepBack | Command::PreviousLeaf | Command::First => {
+                step > 0 || self.view.playback.playing
+            }
+            Command::FirstWrong => self.first_wrong_step().is_some(),
+            Command::ReverseRay | Command::SnapRay | Command::NextDegenerate => {
+                self.is_about_a_ray()
+            }
+            Command::BackToRay => !self.is_about_a_ray(),
+            Command::Degenerate(ray) => self.is_about_a_ray() && ray.exists_in(self.dimension()),
+            Command::Stand(Standpoint::Right | Standpoint::Front | Standpoint::Above)
+            | Command::NextLens => self.dimension() == 3,
+            Command::Show(change) => change.is_possible(self.show_of_document(), self.dimension()),
+            Command::Open
+            | Command::Stand(Standpoint::Node | Standpoint::Everything)
+            | Command::Follow
+            | Command::Save
+            | Command::SaveAs
+            | Command::Export
+            | Command::Quit
+            | Command::Play
+            | Command::Faster
+            | Command::Slower
+            | Command::Preset(_)
+            | Command::Panel(_)
+            | Command::Question
+            | Command::RestorePanels
+            | Command::FrameAll
+            | Command::ReducedMotion
+            | Command::Formulas
+            | Command::NextNotation
+            | Command::NextTheme
+            | Command::NextLanguage
+            | Command::ScaleUp
+            | Command::ScaleDown
+            | Command::ScaleReset
+            | Command::FullScreen
+            | Command::Blank
+            | Command::Spotlight
+            | Command::Notes
+            | Command::Lab
+            | Command::Find
+            | Command::Keys
+            | Command::About => true,
+        }
+    }
+}

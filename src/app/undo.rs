@@ -1,0 +1,61 @@
+//! What undo and redo bring back.
+
+use super::jobs::Purpose;
+use super::{App, Shown};
+use crate::history::History;
+use eframe::egui::Context;
+
+impl App {
+    /// Remembers the state for undo once no gesture is going on.
+    pub(super) fn settle(&mut self, context: &Context) {
+        let busy = context.input(|input| input.pointer.any_down()) || self.job.is_some();
+        if !busy {
+            self.settle_now();
+        }
+    }
+
+    pub(super) fn settle_now(&mut self) {
+        let is_same = self.document.is_same_state(&self.settled.document)
+            && self.settled.show == *self.show_of_document();
+        if is_same {
+            // Stepping is not undone, but where it led to is part of the state.
+            self.settled.step = self.view.playback.step;
+        } else {
+            let shown = self.shown();
+            self.history.record(std::mem::replace(&mut self.settled, shown));
+        }
+    }
+
+    pub(super) fn shown(&self) -> Shown {
+        Shown {
+            document: self.document.clone(),
+            step: self.view.playback.step,
+            show: *self.show_of_document(),
+        }
+    }
+
+    /// Undoes or redoes. The playhead goes back to where it was in that state.
+    pub(super) fn travel(
+        &mut self,
+        direction: impl FnOnce(&mut History<Shown>, Shown) -> Option<Shown>,
+    ) {
+        // What is being changed right now is a state of its own, and a tree
+        // that is being built for it belongs to no other document.
+        self.settle_now();
+        self.job.take_if(|(_, purpose)| *purpose == Purpose::Rebuild);
+        let present = self.shown();
+        if let Some(shown) = direction(&mut self.history, present) {
+            if !shown.document.is_same_place(&self.document) {
+                self.view.forget_cameras();
+            }
+            self.judging = None;
+            let mut document = shown.document;
+            document.keep_file(&self.document);
+            self.document = document;
+            *self.show_of_document_mut() = shown.show;
+            self.tracing = None;
+            self.go_to(shown.step);
+            self.settled = self.shown();
+        }
+    }
+}
