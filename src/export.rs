@@ -10,6 +10,7 @@ mod request;
 mod shown;
 mod size;
 mod steps;
+mod table;
 mod write;
 
 pub use choice::{Choice, ExerciseChoice, Extent, MomentChoice, StepChoice};

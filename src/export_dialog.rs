@@ -13,6 +13,7 @@ use eframe::egui::{
     Align, CollapsingHeader, ComboBox, Context, DragValue, Frame, Grid, Id, Image, Label, Layout,
     Modal, RichText, ScrollArea, Spinner, TextEdit, TextureHandle, Ui, accesskit::Role, vec2,
 };
+use octoscope_core::explain::Notation;
 use octoscope_core::text::Language;
 use octoscope_figure::views::FigureView;
 use octoscope_figure::{Background, Show, Theme, TikzForm, Unit};
@@ -28,6 +29,8 @@ pub struct Shown<'a> {
     pub show: &'a mut Show,
     /// Language of the figure's title, and of the window.
     pub language: &'a mut Language,
+    /// How formulas are written, in the figure and in the window.
+    pub notation: &'a mut Notation,
     /// Dimension of the tree.
     pub of: Of,
     /// Number of the last step.
@@ -53,6 +56,8 @@ pub enum Answer {
     CopyImage,
     /// Copy the figure as the text of an SVG.
     CopySvg,
+    /// Copy the table of steps.
+    CopyText,
     /// Copy the command.
     CopyCommand,
     /// Close the dialog.
@@ -96,19 +101,35 @@ pub fn ui(context: &Context, look: &Look, mut shown: Shown) -> Option<Answer> {
 }
 
 fn settings(ui: &mut Ui, look: &Look, shown: &mut Shown) {
-    let Shown { choice, views, show: what, of, last_step, language, .. } = shown;
+    let Shown { choice, views, show: what, of, last_step, language, notation, .. } = shown;
     let name = |key: &str| look.text(key);
     Grid::new("export").num_columns(2).spacing([12.0, 8.0]).show(ui, |ui| {
         let label = ui.label(name("dialog-export-view")).id;
         let named = |view: FigureView| name(&format!("figure-{}", view.id()));
         let list = ComboBox::from_id_salt("view").width(260.0).height(400.0);
-        let list = list.selected_text(named(choice.view)).show_ui(ui, |ui| {
+        let mut chosen = choice.view;
+        let list = list.selected_text(named(chosen)).show_ui(ui, |ui| {
             for &view in *views {
-                ui.selectable_value(&mut choice.view, view, named(view));
+                ui.selectable_value(&mut chosen, view, named(view));
             }
         });
         list.response.labelled_by(label);
+        if chosen != choice.view {
+            choice.set_view(chosen);
+        }
         ui.end_row();
+        if choice.view == FigureView::Formula {
+            let label = ui.label(name("export-notation")).id;
+            let named = |notation: Notation| name(&format!("notation-{notation}"));
+            let list = ComboBox::from_id_salt("notation").width(260.0);
+            let list = list.selected_text(named(**notation)).show_ui(ui, |ui| {
+                for one in Notation::ALL {
+                    ui.selectable_value(*notation, one, named(one));
+                }
+            });
+            list.response.labelled_by(label);
+            ui.end_row();
+        }
         if choice.view == FigureView::Worksheet {
             ui.label(name("export-exercise"));
             ui.vertical(|ui| exercise(ui, look, choice));
@@ -121,12 +142,18 @@ fn settings(ui: &mut Ui, look: &Look, shown: &mut Shown) {
         }
 
         ui.label(name("export-format"));
-        let formats = Format::ALL.map(|format| (format, format.name().to_owned()));
+        let has_text = choice.view == FigureView::Table;
+        let formats = Format::ALL.into_iter().filter(|format| has_text || !format.is_of_text());
+        let formats: Vec<_> = formats.map(|format| (format, format.name().to_owned())).collect();
         let mut format = choice.format;
         if segments(ui, &mut format, &formats) {
             choice.set_format(format);
         }
         ui.end_row();
+        if choice.format.is_of_text() {
+            languages(ui, look, language);
+            return;
+        }
 
         ui.label(name("export-extent"));
         let extents = [(Extent::Cropped, "export-cropped"), (Extent::Sized, "export-sized")];
@@ -179,14 +206,18 @@ fn settings(ui: &mut Ui, look: &Look, shown: &mut Shown) {
             ui.end_row();
         }
 
-        ui.label(name("export-language"));
-        let languages = [Language::English, Language::German];
-        segments(ui, *language, &languages.map(|one| (one, one.id().to_uppercase())));
-        ui.end_row();
+        languages(ui, look, language);
     });
     if choice.view.shows_space() {
         CollapsingHeader::new(name("export-show")).show(ui, |ui| show::ui(ui, look, what, *of));
     }
+}
+
+fn languages(ui: &mut Ui, look: &Look, language: &mut Language) {
+    ui.label(look.text("export-language"));
+    let languages = [Language::English, Language::German];
+    segments(ui, language, &languages.map(|one| (one, one.id().to_uppercase())));
+    ui.end_row();
 }
 
 fn steps(ui: &mut Ui, look: &Look, choice: &mut Choice, last_step: usize) {
@@ -370,11 +401,12 @@ fn buttons(ui: &mut Ui, look: &Look, shown: &mut Shown) -> Option<Answer> {
     }
     ui.add_space(4.0);
     ui.horizontal(|ui| {
-        for (key, asked) in [
-            ("export-do", Answer::Export),
-            ("export-copy-image", Answer::CopyImage),
-            ("export-copy-svg", Answer::CopySvg),
-        ] {
+        let copies: &[_] = if shown.choice.format.is_of_text() {
+            &[("export-copy-table", Answer::CopyText)]
+        } else {
+            &[("export-copy-image", Answer::CopyImage), ("export-copy-svg", Answer::CopySvg)]
+        };
+        for &(key, asked) in [("export-do", Answer::Export)].iter().chain(copies) {
             if ui.button(look.text(key)).clicked() {
                 answer = Some(asked);
             }

@@ -50,6 +50,7 @@ impl App {
         self.make_preview(context, &request);
         let origin = Origin::of(&self.document, self.exporting.saved.as_ref());
         let (mut choice, mut language) = (self.view.export.clone(), self.view.language);
+        let mut notation = self.view.notation;
         let last_step = self.document.n_events();
         let views = with_document!(&self.document, d => views_of(&d.scenario.query));
         choice.view = request.view;
@@ -60,6 +61,7 @@ impl App {
             views: &views,
             show: &mut show,
             language: &mut language,
+            notation: &mut notation,
             of,
             last_step,
             request: &request,
@@ -73,6 +75,7 @@ impl App {
             choice.view = self.view.export.view;
         }
         (self.view.export, self.view.language) = (choice, language);
+        self.view.notation = notation;
         *self.show_of_document_mut() = show;
         match answer {
             None => {}
@@ -85,6 +88,13 @@ impl App {
                 self.chosen.ask_export(context, self.view.export.format.ending());
             }
             Some(Answer::CopyImage) => self.copy_image(context, &request),
+            Some(Answer::CopyText) => match request.text(&self.document) {
+                Ok(text) => {
+                    context.copy_text(text);
+                    self.notice.say(self.look.text("status-copied-table"));
+                }
+                Err(error) => self.complain(&error),
+            },
             Some(Answer::CopySvg) => match request.svg(&self.document, self.view.playback.step) {
                 Ok(text) => {
                     context.copy_text(text);
@@ -125,9 +135,11 @@ impl App {
         }
         let ending = path.extension().unwrap_or_default().to_string_lossy().into_owned();
         let told = Format::of_ending(&ending);
-        // What moves as PNG does is called so, too.
-        let is_apng = self.view.export.format == Format::Apng && told == Some(Format::Png);
-        if let Some(format) = told.filter(|_| !is_apng) {
+        // What moves as PNG does is called so, too; and TeX is a figure or a table.
+        let chosen = self.view.export.format;
+        let is_apng = chosen == Format::Apng && told == Some(Format::Png);
+        let is_table = chosen.is_of_text() && ending.eq_ignore_ascii_case(chosen.ending());
+        if let Some(format) = told.filter(|_| !is_apng && !is_table) {
             self.view.export.format = format;
         }
         self.view.export.file = path.to_string_lossy().into_owned();

@@ -38,8 +38,8 @@ use std::path::PathBuf;
         --size 1280x720 --scale 2 --theme projector -o step-12.png\n  \
     octoscope export scene:points-3d --view tree --step 40 -o tree.svg\n  \
     octoscope export scene:quadtree-82 --view t-rail --step 12 -o rail.svg\n  \
-    octoscope export scene:quadtree-82 --view formula --step 12 --notation revelles -o f.tex
-  \
+    octoscope export scene:quadtree-82 --view formula --step 12 --notation revelles -o f.tex\n  \
+    octoscope export scene:figure-7 --view table --format latex --lang de -o steps.tex\n  \
     octoscope export scene:figure-7 --view storyboard --steps leaves:6 -o story.svg\n  \
     octoscope export scene:figure-1 --view worksheet --seed 17 --lang de -o sheet.svg\n  \
     octoscope export scene:cloud --step last --camera=-30,20,1.5 --theme dark -o cloud.png")]
@@ -54,7 +54,8 @@ pub struct Export {
     /// their sentences) or worksheet (an exercise to be solved on paper).
     #[arg(long, value_name = "VIEW", default_value = "space")]
     view: FigureView,
-    /// svg, pdf, png, tikz, gif or apng; without it, the ending of the output
+    /// svg, pdf, png, tikz, gif or apng; for the view table also markdown, csv or
+    /// latex, a table of all steps as text; without it, the ending of the output
     /// tells.
     #[arg(long, value_name = "FORMAT", value_parser = format)]
     format: Option<Format>,
@@ -73,7 +74,7 @@ pub struct Export {
     steps: Moments,
     /// Number of the exercise on a worksheet: each has another ray through the
     /// tree; without it, the ray of the scenario is the exercise.
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", value_parser = seed, allow_negative_numbers = true)]
     seed: Option<u64>,
     /// Fills the worksheet in.
     #[arg(long)]
@@ -143,6 +144,10 @@ fn format(id: &str) -> Result<Format, String> {
     })
 }
 
+fn seed(text: &str) -> Result<u64, String> {
+    text.parse().map_err(|_| format!("give a whole number from 0 to {}", u64::MAX))
+}
+
 fn scale(text: &str) -> Result<f64, String> {
     let scale = text.parse().ok().filter(|scale| (0.01..=100.0).contains(scale));
     scale.ok_or_else(|| "give a factor from 0.01 to 100, such as 2".to_owned())
@@ -177,7 +182,7 @@ pub fn export(arguments: &Export) -> anyhow::Result<Answer> {
     let saved = with_document!(&document, document => document.opened().step);
     let steps = match arguments.step {
         Some(steps) => steps,
-        None if request.order.format.moves() => Steps::All,
+        None if request.order.format.moves() || request.order.format.is_of_text() => Steps::All,
         None => Steps::One(StepAt::At(saved.position(document.n_events()))),
     };
     let show = match request.show {

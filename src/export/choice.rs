@@ -132,6 +132,14 @@ impl Default for Choice {
 }
 
 impl Choice {
+    /// Takes another view; where the format is one of tables, and the view is none, SVG.
+    pub fn set_view(&mut self, view: FigureView) {
+        self.view = view;
+        if self.format.is_of_text() && view != FigureView::Table {
+            self.set_format(Format::Svg);
+        }
+    }
+
     /// Takes another format; the name of the file ends as it does. What moves is
     /// of all steps, unless others are chosen.
     pub fn set_format(&mut self, format: Format) {
@@ -212,7 +220,11 @@ impl Choice {
             pause_secs: short(self.pause_secs, [0.02, 60.0]),
         };
         let shown = self.view_of(document);
-        let chosen = if shown.is_of_a_step() { self.steps } else { StepChoice::Here };
+        let chosen = match shown.is_of_a_step() {
+            true if self.format.is_of_text() => StepChoice::All,
+            true => self.steps,
+            false => StepChoice::Here,
+        };
         let steps = match chosen {
             StepChoice::Here => Steps::One(StepAt::At(view.playback.step)),
             StepChoice::All => Steps::All,
@@ -291,6 +303,15 @@ mod tests {
         choice.steps = StepChoice::Range;
         choice.set_format(Format::Apng);
         assert_eq!(choice.steps, StepChoice::Range);
+    }
+
+    #[test]
+    fn tables_are_of_all_steps_and_of_no_other_view() {
+        let mut choice = Choice { view: FigureView::Table, ..Choice::default() };
+        choice.set_format(Format::Latex);
+        assert_eq!((choice.file.as_str(), choice.view), ("figure.tex", FigureView::Table));
+        choice.set_view(FigureView::Chart);
+        assert_eq!((choice.file.as_str(), choice.format), ("figure.svg", Format::Svg));
     }
 
     #[test]

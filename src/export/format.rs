@@ -19,11 +19,27 @@ pub enum Format {
     Gif,
     /// Moving pixels.
     Apng,
+    /// A table of the steps for Markdown.
+    Markdown,
+    /// A table of the steps, in columns between commas.
+    Csv,
+    /// A table of the steps for LaTeX.
+    Latex,
 }
 
 impl Format {
     /// All formats.
-    pub const ALL: [Self; 6] = [Self::Svg, Self::Pdf, Self::Png, Self::Tikz, Self::Gif, Self::Apng];
+    pub const ALL: [Self; 9] = [
+        Self::Svg,
+        Self::Pdf,
+        Self::Png,
+        Self::Tikz,
+        Self::Gif,
+        Self::Apng,
+        Self::Markdown,
+        Self::Csv,
+        Self::Latex,
+    ];
 
     /// Its name in arguments.
     pub fn id(self) -> &'static str {
@@ -34,6 +50,9 @@ impl Format {
             Self::Tikz => "tikz",
             Self::Gif => "gif",
             Self::Apng => "apng",
+            Self::Markdown => "markdown",
+            Self::Csv => "csv",
+            Self::Latex => "latex",
         }
     }
 
@@ -46,14 +65,18 @@ impl Format {
             Self::Tikz => "TikZ",
             Self::Gif => "GIF",
             Self::Apng => "APNG",
+            Self::Markdown => "Markdown",
+            Self::Csv => "CSV",
+            Self::Latex => "LaTeX",
         }
     }
 
     /// Its file ending.
     pub fn ending(self) -> &'static str {
         match self {
-            Self::Svg | Self::Pdf | Self::Png | Self::Gif | Self::Apng => self.id(),
-            Self::Tikz => "tex",
+            Self::Svg | Self::Pdf | Self::Png | Self::Gif | Self::Apng | Self::Csv => self.id(),
+            Self::Tikz | Self::Latex => "tex",
+            Self::Markdown => "md",
         }
     }
 
@@ -62,7 +85,7 @@ impl Format {
         Self::ALL.into_iter().find(|format| id.eq_ignore_ascii_case(format.id()))
     }
 
-    /// Format of this file ending.
+    /// Format of this file ending: a figure, where a table of steps ends alike.
     pub fn of_ending(ending: &str) -> Option<Self> {
         let is_it = |format: &Self| ending.eq_ignore_ascii_case(format.ending());
         Self::of_id(ending).or_else(|| Self::ALL.into_iter().find(is_it))
@@ -77,7 +100,15 @@ impl Format {
     pub fn is_of_pixels(self) -> bool {
         match self {
             Self::Png | Self::Gif | Self::Apng => true,
-            Self::Svg | Self::Pdf | Self::Tikz => false,
+            Self::Svg | Self::Pdf | Self::Tikz | Self::Markdown | Self::Csv | Self::Latex => false,
+        }
+    }
+
+    /// Whether it is a table of all steps as text, no figure.
+    pub fn is_of_text(self) -> bool {
+        match self {
+            Self::Markdown | Self::Csv | Self::Latex => true,
+            Self::Svg | Self::Pdf | Self::Png | Self::Tikz | Self::Gif | Self::Apng => false,
         }
     }
 
@@ -85,6 +116,7 @@ impl Format {
     pub fn holds_steps(self) -> bool {
         match self {
             Self::Pdf | Self::Tikz | Self::Gif | Self::Apng => true,
+            Self::Markdown | Self::Csv | Self::Latex => true,
             Self::Svg | Self::Png => false,
         }
     }
@@ -94,6 +126,7 @@ impl Format {
         match self {
             Self::Gif | Self::Apng => true,
             Self::Svg | Self::Pdf | Self::Png | Self::Tikz => false,
+            Self::Markdown | Self::Csv | Self::Latex => false,
         }
     }
 }
@@ -106,7 +139,8 @@ mod tests {
     fn endings_and_names_tell_the_format() {
         for format in Format::ALL {
             assert_eq!(Format::of_id(format.id()), Some(format));
-            assert_eq!(Format::of_ending(&format.ending().to_uppercase()), Some(format));
+            let figure = if format == Format::Latex { Format::Tikz } else { format };
+            assert_eq!(Format::of_ending(&format.ending().to_uppercase()), Some(figure));
         }
         assert_eq!(Format::of_ending("tikz"), Some(Format::Tikz));
         assert_eq!(Format::of_id("tex"), None);

@@ -1,11 +1,14 @@
 //! One export, whole: what the window and the command line ask for alike.
 
+use super::table::table;
 use super::{Eye, Format, Order, Series, Steps, left_out, print_shown, write};
 use crate::document::{AnyDocument, Document};
 use crate::figures::{Moments, Wanted, figure_of, take_exercise};
+use crate::files::Output;
 use crate::save;
 use crate::text::texts;
 use crate::with_document;
+use anyhow::bail;
 use octoscope_core::explain::{Notation, sentence};
 use octoscope_core::progress::Progress;
 use octoscope_core::scenario::StepAt;
@@ -14,6 +17,7 @@ use octoscope_figure::views::{Fields, FigureView, ViewError};
 use octoscope_figure::{
     Background, Figure, FileOptions, Page, Pixels, PixelsError, Scale, Show, TikzForm, Unit, svg,
 };
+use std::io::Write;
 use std::ops::RangeInclusive;
 use std::path::Path;
 
@@ -51,10 +55,31 @@ impl Request {
         path: Option<&Path>,
         progress: &Progress,
     ) -> anyhow::Result<()> {
+        if self.order.format.is_of_text() {
+            let mut output = Output::open(path)?;
+            output.write_all(self.text(document)?.as_bytes())?;
+            return output.finish();
+        }
         let folder = path.map(|path| path.parent().unwrap_or(Path::new("")));
         self.with_series(document, self.steps, folder, |series| {
             write(&self.order, series, path, progress)
         })
+    }
+
+    /// The table of all steps as text.
+    ///
+    /// # Errors
+    /// Refuses other views, and some of the steps.
+    pub fn text(&self, document: &AnyDocument) -> anyhow::Result<String> {
+        let format = self.order.format;
+        if self.view != FigureView::Table {
+            let view = self.view;
+            bail!("{} is for the view ‘table’, not ‘{view}’; give --view table", format.name());
+        }
+        if self.steps != Steps::All {
+            bail!("{} holds all steps; leave --step out", format.name());
+        }
+        with_document!(document, d => table(d, format, self.language))
     }
 
     /// One step in pixels, no wider and no higher than `most`.

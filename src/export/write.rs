@@ -229,6 +229,9 @@ fn bytes(
             apng.finish()?;
             Ok(file)
         }
+        Format::Markdown | Format::Csv | Format::Latex => {
+            bail!("{} is a format of tables, not of figures", order.format.name())
+        }
     }
 }
 

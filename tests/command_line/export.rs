@@ -113,6 +113,21 @@ fn every_exercise_has_another_ray_and_its_own_solution() {
 }
 
 #[test]
+fn a_table_of_all_steps_is_the_one_of_trace() {
+    let desk = desk_with_scenario();
+    for (format, ending) in [("markdown", "md"), ("csv", "csv"), ("latex", "tex")] {
+        let traced = desk.prints(&format!("trace a.octo --format {format} --lang de"));
+        let table = format!("export a.octo --view table --format {format} --lang de");
+        desk.prints(&format!("{table} -o a.{ending}"));
+        let exported = fs::read_to_string(desk.0.path().join(format!("a.{ending}"))).unwrap();
+        assert!(exported == traced && traced.lines().count() > 20, "{format}");
+        assert!(desk.refuses(&format!("{table} --step 3")).contains("leave --step out"));
+    }
+    let message = desk.refuses("export a.octo --format csv");
+    assert!(message.contains("--view table"), "{message}");
+}
+
+#[test]
 fn export_refuses_what_it_cannot_draw_with_what_it_can() {
     let desk = desk_with_scenario();
     for (arguments, known) in [
@@ -136,6 +151,7 @@ fn export_refuses_what_it_cannot_draw_with_what_it_can() {
         ("a.octo --size 320", "1280x720"),
         ("a.octo --size 0x20", "1280x720"),
         ("a.octo --scale 0", "factor"),
+        ("a.octo --view worksheet --seed=-1", "whole number from 0"),
         ("a.octo --theme red", "projector"),
         ("a.octo --camera 1,2", "yaw and pitch"),
         ("a.octo --lang fr", "en and de"),

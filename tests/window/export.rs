@@ -6,6 +6,7 @@ use egui_kittest::kittest::Queryable;
 use octoscope::export::{Choice, ExerciseChoice, Extent, Format, MomentChoice, StepChoice};
 use octoscope::view::{Dialog, View};
 use octoscope::with_document;
+use octoscope_core::explain::Notation;
 use octoscope_core::scenario::built_in;
 use octoscope_figure::views::FigureView;
 use octoscope_figure::{Background, Camera, Page, Theme, TikzForm, Unit};
@@ -229,6 +230,32 @@ fn every_view_that_fits_can_be_chosen() {
     assert!(shown_command(&desk).contains("--view=t-rail"));
     // What space shows is asked for only where it is seen.
     assert!(!desk.says("What is shown"));
+}
+
+#[test]
+fn tables_of_the_dialog_are_those_of_its_command() {
+    let folder = tempdir().unwrap();
+    let mut desk = Desk::new();
+    for format in [Format::Markdown, Format::Csv, Format::Latex] {
+        check(&mut desk, &folder, Choice { view: FigureView::Table, ..choice(format) });
+    }
+    desk.press_with(Modifiers::COMMAND, Key::E);
+    assert!(desk.says("Copy as text") && !desk.says("Copy as SVG"));
+    desk.click(Role::ComboBox, "What");
+    desk.click(Role::Button, "t-rail");
+    assert!(shown_command(&desk).contains("--format=svg"), "{}", shown_command(&desk));
+    assert!(!desk.says("Markdown"), "only steps are a table");
+}
+
+#[test]
+fn the_notation_of_a_formula_is_chosen_in_the_dialog() {
+    let mut desk = Desk::new();
+    desk.state_mut().view.export.view = FigureView::Formula;
+    desk.press_with(Modifiers::COMMAND, Key::E);
+    desk.click(Role::ComboBox, "Notation");
+    desk.click(Role::Button, "As Frisken and Perry write");
+    assert!(shown_command(&desk).contains("--notation=frisken-perry"), "{}", shown_command(&desk));
+    assert_eq!(desk.state().view.notation, Notation::FriskenPerry);
 }
 
 #[test]

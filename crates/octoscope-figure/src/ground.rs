@@ -1,6 +1,8 @@
 //! What lies below the marks of an octree: the lines of its empty leaves, the
 //! surface of its full leaves, and the solids in them; only what can be seen.
 
+mod ball;
+
 use crate::camera::corners;
 use crate::depth_map::DepthMap;
 use crate::painter::{Half, Painted, back_to_front};
@@ -45,22 +47,24 @@ pub(crate) fn ground<const D: usize>(
     let mut map = DepthMap::of(root, camera, page);
     solids.iter().for_each(|area| map.add(&area.polygon));
     drawn.extend(view.leaves(&boxes(Role::FullLeaf).collect::<Vec<_>>(), &map));
-    drawn.extend(view.painted(solids, Role::Solid, |area| match area.ball {
-        Some(_) => true,
-        None => map.shows(&area.polygon),
-    }));
+    drawn.extend(
+        view.painted(solids, Role::Solid, |area| {
+            !area.round.is_empty() || map.shows(&area.polygon)
+        }),
+    );
     drawn.extend(
         of(Role::EmptySection).chain(of(Role::FullSection)).filter_map(|m| view.section(m)),
     );
     drawn
 }
 
-/// A flat area that hides what is behind it, or a ball.
+/// A flat area that hides what is behind it, or something round.
 struct Area<const D: usize> {
     bounds: Aabb<D>,
     polygon: Vec<Projected>,
-    ball: Option<([f64; 2], f64)>,
     light: u8,
+    /// What is drawn of something round, instead of a polygon, and its light.
+    round: Vec<(Form, u8)>,
     node: Option<NodeId>,
 }
 
@@ -129,7 +133,8 @@ impl<const D: usize> View<'_, D> {
                 if !is_covered {
                     let light = self.light(side.normal());
                     let polygon = side.polygon;
-                    areas.push(Area { bounds: *bounds, polygon, ball: None, light, node: *node });
+                    let (bounds, node, round) = (*bounds, *node, Vec::new());
+                    areas.push(Area { bounds, polygon, light, round, node });
                 }
             }
         }
@@ -163,7 +168,7 @@ impl<const D: usize> View<'_, D> {
                 sides
                     .map(|side| {
                         let light = self.light(side.normal());
-                        Area { bounds, polygon: side.polygon, ball: None, light, node }
+                        Area { bounds, polygon: side.polygon, light, round: Vec::new(), node }
                     })
                     .collect()
             }
@@ -172,18 +177,20 @@ impl<const D: usize> View<'_, D> {
                 let bounds = Aabb::around(points);
                 let (Some(polygon), Some(bounds)) = (polygon, bounds) else { return Vec::new() };
                 let light = self.light(normal(points));
-                vec![Area { bounds, polygon, ball: None, light, node }]
+                vec![Area { bounds, polygon, light, round: Vec::new(), node }]
             }
             Shape::Sphere { centre, radius } => {
-                let [_, up, _] = self.camera.basis();
-                let rim = std::array::from_fn(|e| centre[e] + radius * up[e]);
-                let (Some(middle), Some(rim)) = (project(centre), project(rim)) else {
-                    return Vec::new();
-                };
-                let on_page = (middle.at[0] - rim.at[0]).hypot(middle.at[1] - rim.at[1]);
-                let bounds = Aabb { min: centre, max: centre };
-                let ball = Some((middle.at, on_page));
-                vec![Area { bounds, polygon: Vec::new(), ball, light: 0, node }]
+                let round = self.ball(centre, radius).unwrap_or_default();
+                vec![area_of(round, centre, node)]
+            }
+            Shape::CutSphere { centre, radius, cut } => {
+                let round = self.cut_ball(centre, radius, &cut).unwrap_or_default();
+                // It lies behind the plane, where its middle may not.
+                let mut place = centre;
+                if !cut.keeps(&place) {
+                    place[cut.axis] = cut.at;
+                }
+                vec![area_of(round, place, node)]
             }
             Shape::Segment(_)
             | Shape::Arrow(_)
@@ -213,20 +220,14 @@ impl<const D: usize> View<'_, D> {
                 Painted::Flat(index, part) if holds(&part, boxes[index].centre()) => index,
                 Painted::Half(_, Half::Behind) | Painted::Flat(..) | Painted::Piece(..) => continue,
             };
-            let Area { polygon, ball, light, node, .. } = &areas[index];
+            let Area { polygon, round, light, node, .. } = &areas[index];
             let mut draw = |form, light| {
                 drawn.push(Drawn { form, role, part: Part::Lit(light), node: *node });
             };
-            match ball {
-                None => draw(Form::Polygon(polygon.iter().map(|p| p.at).collect()), *light),
-                // Lit from the upper left, as everything.
-                &Some(([x, y], radius)) => {
-                    for (share, shift, light) in [(1.0, 0.0, 1), (0.8, 0.13, 4), (0.5, 0.26, 6)] {
-                        let centre = [x - shift * radius, y - shift * radius];
-                        draw(Form::Circle { centre, radius: share * radius }, light);
-                    }
-                }
+            if round.is_empty() {
+                draw(Form::Polygon(polygon.iter().map(|p| p.at).collect()), *light);
             }
+            round.iter().for_each(|(form, light)| draw(form.clone(), *light));
         }
         drawn
     }
@@ -245,6 +246,16 @@ impl<const D: usize> View<'_, D> {
         let share = (along.abs() / (square * light_square).sqrt().max(f64::MIN_POSITIVE)).min(1.0);
         (share * f64::from(Part::MOST_LIGHT)).round() as u8
     }
+}
+
+/// Something round at a place in space.
+fn area_of<const D: usize>(
+    round: Vec<(Form, u8)>,
+    place: [f64; D],
+    node: Option<NodeId>,
+) -> Area<D> {
+    let bounds = Aabb { min: place, max: place };
+    Area { bounds, polygon: Vec::new(), light: 0, round, node }
 }
 
 /// Grid of the smallest of some boxes of a tree.

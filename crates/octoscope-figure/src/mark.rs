@@ -1,6 +1,6 @@
 //! Marks: shapes in world space, with a role.
 
-use crate::Role;
+use crate::{Cut, Role};
 use octoscope_core::geometry::Aabb;
 use octoscope_core::tree::NodeId;
 
@@ -44,6 +44,15 @@ pub enum Shape<const D: usize> {
         centre: [f64; D],
         /// Its radius, in world units.
         radius: f64,
+    },
+    /// What a plane leaves of a sphere.
+    CutSphere {
+        /// Middle of the whole sphere.
+        centre: [f64; D],
+        /// Its radius, in world units.
+        radius: f64,
+        /// The plane, which meets the sphere.
+        cut: Cut,
     },
     /// A triangle.
     Triangle([[f64; D]; 3]),

@@ -81,7 +81,7 @@ impl Cut {
         })
     }
 
-    /// The parts of marks behind the plane. Spheres are left out whole.
+    /// The parts of marks behind the plane.
     pub(crate) fn parts<const D: usize>(&self, mark: Mark<D>) -> Vec<Mark<D>> {
         let with = |shape| Mark { shape, ..mark.clone() };
         match mark.shape {
@@ -94,14 +94,17 @@ impl Cut {
                 let pairs = others.windows(2);
                 pairs.map(|pair| with(Shape::Triangle([first, pair[0], pair[1]]))).collect()
             }
-            Shape::Point(at) | Shape::Sphere { centre: at, .. } => {
-                if self.keeps(&at) {
-                    vec![mark]
-                } else {
-                    Vec::new()
+            Shape::Point(at) if !self.keeps(&at) => Vec::new(),
+            Shape::Sphere { centre, radius } => {
+                match ((centre[self.axis] - self.at).abs() < radius, self.keeps(&centre)) {
+                    (true, _) => vec![with(Shape::CutSphere { centre, radius, cut: *self })],
+                    (false, true) => vec![mark],
+                    (false, false) => Vec::new(),
                 }
             }
-            Shape::Segment(_)
+            Shape::Point(_)
+            | Shape::CutSphere { .. }
+            | Shape::Segment(_)
             | Shape::Arrow(_)
             | Shape::Tip(_)
             | Shape::Plane { .. }
@@ -177,6 +180,19 @@ mod tests {
             _ => panic!("{part:?}"),
         });
         assert!((areas.sum::<f64>() - 0.375).abs() < 1e-12);
+    }
+
+    #[test]
+    fn spheres_are_cut_where_the_plane_meets_them_wherever_their_middle_lies() {
+        let parts = |x: f64| {
+            let shape = Shape::Sphere { centre: [x, 0.0, 0.0], radius: 0.25 };
+            CUT.parts(Mark::new(shape, Role::Solid)).into_iter().map(|mark| mark.shape).next()
+        };
+        assert!(matches!(parts(0.0), Some(Shape::Sphere { .. })));
+        for x in [0.3, 0.5, 0.7] {
+            assert!(matches!(parts(x), Some(Shape::CutSphere { .. })), "{x}");
+        }
+        assert_eq!(parts(0.8), None);
     }
 
     #[test]

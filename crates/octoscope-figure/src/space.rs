@@ -239,7 +239,11 @@ impl<const D: usize> Canvas<'_, D> {
                     self.push(mark, point_box(middle), Part::Whole, form);
                 }
             }
-            Shape::Label(_) | Shape::LabelIn { .. } | Shape::LabelAlong(_) => {}
+            // Of spheres in space alone, and these lie in the ground.
+            Shape::CutSphere { .. }
+            | Shape::Label(_)
+            | Shape::LabelIn { .. }
+            | Shape::LabelAlong(_) => {}
         }
     }
 

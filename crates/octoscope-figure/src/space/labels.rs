@@ -87,6 +87,7 @@ impl<const D: usize> Canvas<'_, D> {
             | Shape::Point(_)
             | Shape::Tip(_)
             | Shape::Sphere { .. }
+            | Shape::CutSphere { .. }
             | Shape::Triangle(_)
             | Shape::LabelAlong(_) => {}
         }
