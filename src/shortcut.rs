@@ -91,4 +91,23 @@ mod tests {
             }
         }
     }
+
+    #[test]
+    fn the_table_of_the_readme_has_every_key_once() {
+        let page = include_str!("../README.md");
+        let (_, table) = page.split_once("| key | does |\n|---|---|\n").unwrap();
+        let rows = table.lines().map_while(|line| line.strip_prefix("| "));
+        let keys = rows.map(|row| row.split_once(" | ").unwrap().0);
+        // A command's keys are parted by commas, commands by semicolons.
+        let mut told: Vec<_> = keys.flat_map(|keys| keys.split("; ")).collect();
+        told.sort_unstable();
+        let look = look(Language::English, Theme::Light);
+        let with_keys = COMMANDS.iter().filter(|row| !row.keys.is_empty());
+        let mut shown: Vec<_> = with_keys.map(|row| all_shown(&look, row.keys)).collect();
+        if cfg!(target_os = "macos") {
+            shown.iter_mut().for_each(|keys| *keys = keys.replace("Cmd", "Ctrl"));
+        }
+        shown.sort_unstable();
+        assert_eq!(told, shown);
+    }
 }
