@@ -107,6 +107,15 @@ impl Desk {
         assert_eq!(self.state().view.dialog, None);
     }
 
+    /// Waits for the map of rays.
+    pub fn finish_maps(&mut self) {
+        // The coarse one, and the whole one after it.
+        for _ in 0..2 {
+            self.state_mut().finish_work();
+            self.run();
+        }
+    }
+
     /// Presses and releases a key.
     pub fn press(&mut self, key: Key) {
         self.key_press(key);

@@ -27,5 +27,6 @@ mod pictures;
 mod queries;
 mod ray;
 mod show;
+mod states;
 mod steps;
 mod tree;

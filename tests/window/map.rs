@@ -17,14 +17,6 @@ impl Desk {
         self
     }
 
-    pub fn finish_maps(&mut self) {
-        // The coarse one, and the whole one after it.
-        for _ in 0..2 {
-            self.state_mut().finish_work();
-            self.run();
-        }
-    }
-
     fn map(&self) -> Rect {
         let is_map = |name: &str| name.starts_with("Map of rays:");
         let nodes = self.nodes();

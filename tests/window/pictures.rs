@@ -3,47 +3,22 @@
 //! Without the driver (`mesa-vulkan-drivers`) nothing is compared, which is a failure
 //! where `CI` is set, or `TEST_GPU`.
 
-use crate::desk::{Desk, sample};
+use crate::desk::sample;
+use crate::drawn::{At, asked, compare, compare_sized, drawn_desk, plane};
+use crate::states::show_lab;
 use eframe::egui::{Event as Input, Key, Modifiers, accesskit::Role, pos2, vec2};
 use egui_kittest::kittest::Queryable;
-use octoscope::bench::run;
-use octoscope::lab::{Choice, Tab};
+use octoscope::lab::Tab;
 use octoscope::map::Colouring;
 use octoscope::view::{Dialog, MapView, Preset, RaysOf, Search, View};
 use octoscope_core::locate::{Direction, NeighbourMethod, Reach};
-use octoscope_core::measure::{Quantity, Results};
+use octoscope_core::measure::Quantity;
 use octoscope_core::paper::counterexample;
-use octoscope_core::progress::Progress;
 use octoscope_core::query::Query;
 use octoscope_core::scenario::{AnyScenario, built_in};
 use octoscope_core::text::Language;
 use octoscope_core::traverse::{Algorithm, Variant, Variants};
 use octoscope_figure::Theme;
-use std::sync::OnceLock;
-
-/// The lab on one of its pages.
-fn show_lab(desk: &mut Desk, tab: Tab, cost: Quantity) {
-    let is_cost = |one: &Quantity| *one == cost;
-    let choice = Choice {
-        depths: [4, 6],
-        n_rays: 60,
-        n_repeats: 1,
-        tab,
-        cost: Quantity::COSTS.iter().position(is_cost).unwrap(),
-        algorithms: Algorithm::ALL.map(|one| one != Algorithm::Exhaustive),
-        ..Choice::default()
-    };
-    // Only counts are shown: they are the same on every machine.
-    if tab != Tab::Processor {
-        static RESULTS: OnceLock<Results> = OnceLock::new();
-        let measured = || run(&choice.plan().unwrap(), &Progress::default()).unwrap();
-        desk.state_mut().take_results(RESULTS.get_or_init(measured).clone());
-    }
-    desk.state_mut().view.lab = choice;
-    desk.state_mut().view.dialog = Some(Dialog::Lab);
-    desk.run();
-}
-use crate::drawn::{At, asked, compare, compare_sized, drawn_desk, plane};
 
 #[test]
 fn the_lab_with_bars() {
