@@ -157,7 +157,7 @@ fn a_broken_file_is_one_message_and_the_old_scene_stays() {
 
 /// Asks for a path as where the system has no dialog, types `end` behind `path`
 /// and confirms.
-fn type_path(desk: &mut Desk, purpose: Purpose, path: &str, end: &str) {
+pub fn type_path(desk: &mut Desk, purpose: Purpose, path: &str, end: &str) {
     let typed = Typed { purpose, path: path.to_owned(), replaces: false };
     desk.state_mut().view.dialog = Some(Dialog::Path(typed));
     desk.run();

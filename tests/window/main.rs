@@ -15,6 +15,7 @@ mod files;
 mod find;
 mod formulas;
 mod hall;
+mod keyboard;
 mod lab;
 mod layout;
 mod limits;
