@@ -1,5 +1,7 @@
 //! Every sign of every text is in the typefaces.
 
+#![allow(clippy::unwrap_used, reason = "a test may panic")]
+
 use octoscope_figure::fonts;
 use std::collections::BTreeMap;
 use std::fs;
