@@ -17,6 +17,8 @@ pub enum Purpose {
 pub fn needed(purpose: Purpose) -> Vec<&'static str> {
     let build = ["gcc", "libc6-dev"];
     let driver = ["mesa-vulkan-drivers"];
+    // What counts instructions.
+    let counter: &[_] = if purpose == Purpose::Test { &["valgrind"] } else { &[] };
     let window = ["libx11-6", "libx11-xcb1", "libxcursor1", "libxi6", "libxkbcommon-x11-0"];
     let display = ["xvfb"];
     let (window, display): (&[_], &[_]) = match purpose {
@@ -24,7 +26,7 @@ pub fn needed(purpose: Purpose) -> Vec<&'static str> {
         Purpose::Window => (&window, &[]),
         Purpose::HiddenWindow => (&window, &display),
     };
-    [&build[..], &driver, window, display].concat()
+    [&build[..], &driver, counter, window, display].concat()
 }
 
 /// Those of `packages` that are not installed, or `None` on a system without
@@ -56,6 +58,7 @@ mod tests {
         assert!(needed(Purpose::HiddenWindow).contains(&"xvfb"));
         assert!(!needed(Purpose::Window).contains(&"xvfb"));
         assert!(!needed(Purpose::Test).contains(&"libx11-6"));
+        assert!(!needed(Purpose::Window).contains(&"valgrind"));
     }
 
     #[test]

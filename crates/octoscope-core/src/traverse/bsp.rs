@@ -77,23 +77,24 @@ pub fn traverse<const D: usize, P: Parameter>(
                 Halves::Far => (far, None),
                 Halves::Both => (near, Some(far)),
             };
+            let child = taken.as_child();
+            let (taken_node, taken) = as_node(tree, node, taken);
+            let kept = kept.map(|kept| as_node(tree, node, kept));
             observe.observe(Event::Split {
                 axis: axis as u8,
                 plane,
                 at: at.value(),
                 interval: [from.value(), to.value()],
                 halves,
-                taken: as_node(tree, node, taken).1,
-                kept: kept.map(|kept| as_node(tree, node, kept).1),
+                taken,
+                kept: kept.map(|(_, kept)| kept),
             });
-            if let Some(kept) = kept {
-                let (node, part) = as_node(tree, node, kept);
+            if let Some((node, part)) = kept {
                 stack.push(Pending { node, part, from: at, to });
                 to = at;
             }
-            (node, part) = as_node(tree, node, taken);
+            (node, part) = (taken_node, taken);
             if part.halved.is_empty() {
-                let child = taken.as_child();
                 code = child.code_in(code, half);
                 level -= 1;
             }
