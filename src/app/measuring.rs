@@ -5,7 +5,7 @@ use super::jobs::file_name;
 use crate::bench::run;
 use crate::comparison::is_quick;
 use crate::job::{Job, Poll};
-use crate::lab::{self, Answer, Shown, State, Tab, figure, lines};
+use crate::lab::{self, Answer, SIZE_OF_FILES, Shown, State, Tab, figure, lines};
 use crate::view::Dialog;
 use crate::{complaint, with_document};
 use anyhow::anyhow;
@@ -14,7 +14,7 @@ use octoscope_core::measure::{Results, Watched, watch};
 use octoscope_core::progress::Progress;
 use octoscope_core::text::Language;
 use octoscope_core::traverse::Algorithm;
-use octoscope_figure::views::lab::method_name;
+use octoscope_figure::views::lab::way_name;
 use std::path::Path;
 use std::time::Duration;
 
@@ -105,7 +105,7 @@ impl App {
     }
 
     fn left_out(&self, algorithms: &[Algorithm]) -> Option<String> {
-        let names = algorithms.iter().map(|&one| method_name(one.into(), &self.look.texts));
+        let names = algorithms.iter().map(|&one| way_name(one.into(), &self.look.texts));
         let names = names.collect::<Vec<_>>().join(", ");
         let told = || self.look.texts.format("lab-left-out", &[("names", names.clone().into())]);
         (!algorithms.is_empty()).then(told)
@@ -120,8 +120,8 @@ impl App {
             let arguments = [
                 ("scene", site.scene.as_str().into()),
                 ("depth", site.depth.into()),
-                ("method", method_name(found.method, texts).into()),
-                ("reference", method_name(found.reference, texts).into()),
+                ("method", way_name(found.way, texts).into()),
+                ("reference", way_name(found.reference, texts).into()),
                 ("ray", (found.ray + 1).into()),
             ];
             return Some(texts.format("lab-disagrees", &arguments));
@@ -198,10 +198,10 @@ impl App {
 
     /// Writes what the lab shows to `path`, whose ending tells the format.
     pub(super) fn save_lab(&mut self, path: &Path) {
-        const SIZE: [f64; 2] = [860.0, 520.0];
         let choice = &self.view.lab;
         let (watched, _) = self.watched();
-        let chart = figure(choice, &self.measuring.results, &watched, &self.look.texts, SIZE);
+        let chart =
+            figure(choice, &self.measuring.results, &watched, &self.look.texts, SIZE_OF_FILES);
         let title = format!("{}: {}", self.look.text("lab-title"), self.look.text(choice.tab.id()));
         let about = (self.view.theme, title.as_str());
         match lab::write(&self.measuring.results, &chart, about, path) {

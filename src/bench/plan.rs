@@ -1,7 +1,7 @@
 //! What is measured.
 
-use octoscope_core::measure::SCENES;
-use octoscope_core::traverse::{Algorithm, Method};
+use octoscope_core::measure::{SCENES, Way};
+use octoscope_core::traverse::Algorithm;
 use std::ops::RangeInclusive;
 
 /// The most levels below the root: deeper trees of these scenes have too many nodes.
@@ -18,13 +18,13 @@ pub struct Plan {
     pub scenes: Vec<&'static str>,
     /// Levels below the root.
     pub depths: RangeInclusive<u8>,
-    /// The algorithms.
-    pub methods: Vec<Method>,
+    /// The algorithms and kernels.
+    pub ways: Vec<Way>,
     /// Number of rays.
     pub n_rays: usize,
     /// Seed of the rays.
     pub seed: u64,
-    /// How often each algorithm runs through all rays.
+    /// How often each of them runs through all rays.
     pub n_repeats: usize,
 }
 
@@ -33,7 +33,7 @@ impl Default for Plan {
         Self {
             scenes: SCENES.to_vec(),
             depths: 5..=8,
-            methods: Self::all_but_the_oracle(),
+            ways: Self::all_but_the_oracle(),
             n_rays: 1000,
             seed: 0x5EED,
             n_repeats: 9,
@@ -42,10 +42,10 @@ impl Default for Plan {
 }
 
 impl Plan {
-    /// All algorithms whose time does not grow with the tree beside the ray.
-    pub fn all_but_the_oracle() -> Vec<Method> {
-        let others = Algorithm::ALL.into_iter().filter(|&one| one != Algorithm::Exhaustive);
-        others.map(Method::from).collect()
+    /// All whose time does not grow with the tree beside the ray.
+    pub fn all_but_the_oracle() -> Vec<Way> {
+        let oracle = Way::from(Algorithm::Exhaustive);
+        Way::all().into_iter().filter(|&way| way != oracle).collect()
     }
 
     /// Number of scenes and depths.

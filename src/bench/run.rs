@@ -3,11 +3,14 @@
 use super::Plan;
 use anyhow::{Context, anyhow};
 use octoscope_core::geometry::Ray;
-use octoscope_core::measure::{Results, Row, Site, Tally, count, disagreement, rays_from_outside};
+use octoscope_core::measure::{
+    Disagreement, Results, Row, Site, Tally, Way, count, count_batch, disagreement,
+    rays_from_outside,
+};
 use octoscope_core::progress::{Cancelled, Progress};
 use octoscope_core::query::Query;
 use octoscope_core::scenario::{AnyScenario, BUILT_IN, Scenario, built_in};
-use octoscope_core::traverse::{Algorithm, Method};
+use octoscope_core::traverse::{Algorithm, Kernel, StopAt, visit_many};
 use octoscope_core::tree::{Merge, Recipe, Tree, build};
 use std::hint::black_box;
 use std::time::{Duration, Instant};
@@ -15,6 +18,9 @@ use std::time::{Duration, Instant};
 /// Rays that are timed together: so few that hardly any such piece is disturbed by
 /// another program, and so many that reading the clock is nothing beside them.
 const RAYS_AT_ONCE: usize = 16;
+
+/// The same for the kernel for many rays, which has to be kept busy.
+const RAYS_IN_FLIGHT: usize = 512;
 
 /// Most pieces into which all rays are cut.
 const MOST_PIECES: usize = 4096;
@@ -75,25 +81,30 @@ fn site_in<const D: usize>(
     let recipe = Recipe { depth, merge: Merge::Kept, ..scenario.recipe };
     let domain = scenario.domain.cut(depth)?;
     let tree = build(&scenario.source.content()?, domain, &recipe, progress)?;
-    if plan.methods.iter().any(|method| method.algorithm == Algorithm::SametNet) {
+    let is_linked = |way: &Way| way.method().is_some_and(|m| m.algorithm == Algorithm::SametNet);
+    if plan.ways.iter().any(is_linked) {
         // Made once for all rays: its time is not that of a ray.
         tree.link(progress)?;
     }
     let rays = rays_from_outside(tree.domain(), plan.seed, plan.n_rays);
 
     progress.enter_stage(stage + 1, n_stages);
-    progress.start((plan.methods.len() * rays.len() * (plan.n_repeats + 1)) as u64);
-    let query = |method| Query::default().along_the_ray_by(method);
+    progress.start((plan.ways.len() * rays.len() * (plan.n_repeats + 1)) as u64);
     let mut rows = Vec::new();
-    for &method in &plan.methods {
-        let counted = count(&tree, &rays, &query(method), progress)?;
-        rows.push(Row { method, times: Vec::new(), counted });
+    for &way in &plan.ways {
+        let counted = match way {
+            Way::Traced(method) => {
+                count(&tree, &rays, &Query::default().along_the_ray_by(method), progress)?
+            }
+            Way::Batch(kernel) => count_batch(&tree, &rays, kernel, progress)?,
+        };
+        rows.push(Row { way, times: Vec::new(), counted });
     }
     // Round after round all take their turn, so that all meet the same weather.
     let mut passes: Vec<Vec<Vec<Duration>>> = vec![Vec::new(); rows.len()];
     for _ in 0..plan.n_repeats {
         for (row, passes) in rows.iter().zip(&mut passes) {
-            passes.push(pass(&tree, &rays, &query(row.method), progress)?);
+            passes.push(pass(&tree, &rays, row.way, progress)?);
         }
     }
     for (row, passes) in rows.iter_mut().zip(passes) {
@@ -111,11 +122,11 @@ fn first_disagreement<const D: usize>(
     tree: &Tree<D>,
     rays: &[Ray<D>],
     rows: &[Row],
-) -> Option<octoscope_core::measure::Disagreement> {
+) -> Option<Disagreement> {
     let (first, others) = rows.split_first()?;
-    let reference: Method = first.method;
+    let reference = first.way;
     let differing = others.iter().filter(|row| row.counted.checksum != first.counted.checksum);
-    differing.map(|row| disagreement(tree, rays, reference, row.method)).find_map(|found| found)
+    differing.map(|row| disagreement(tree, rays, reference, row.way)).find_map(|found| found)
 }
 
 /// Nanoseconds of all pieces together: in the fastest repetition of each, in the second
@@ -134,26 +145,48 @@ fn ranked(passes: Vec<Vec<Duration>>) -> Vec<f64> {
     ranked
 }
 
-/// Times of a query on all rays, piece by piece.
+/// Times of a way to find the leaves on all rays, piece by piece.
 fn pass<const D: usize>(
     tree: &Tree<D>,
     rays: &[Ray<D>],
-    query: &Query<D>,
+    way: Way,
     progress: &Progress,
 ) -> Result<Vec<Duration>, Cancelled> {
-    let size = RAYS_AT_ONCE.max(rays.len().div_ceil(MOST_PIECES));
+    let size = match way {
+        Way::Traced(_) => RAYS_AT_ONCE,
+        Way::Batch(_) => RAYS_IN_FLIGHT,
+    };
+    let size = size.max(rays.len().div_ceil(MOST_PIECES));
     let mut times = Vec::with_capacity(rays.len().div_ceil(size));
     for some in rays.chunks(size) {
-        let mut tally = Tally::default();
         let start = Instant::now();
-        for ray in some {
-            black_box(query.run(tree, ray, &mut tally));
-        }
-        black_box(tally);
+        black_box(match way {
+            Way::Traced(method) => walk(tree, some, &Query::default().along_the_ray_by(method)),
+            Way::Batch(kernel) => fly(tree, some, kernel),
+        });
         times.push(start.elapsed());
         progress.advance(some.len() as u64)?;
     }
     Ok(times)
+}
+
+/// Ray by ray.
+fn walk<const D: usize>(tree: &Tree<D>, rays: &[Ray<D>], query: &Query<D>) -> Tally {
+    let mut tally = Tally::default();
+    for ray in rays {
+        black_box(query.run(tree, ray, &mut tally));
+    }
+    tally
+}
+
+/// Many rays at once.
+fn fly<const D: usize>(tree: &Tree<D>, rays: &[Ray<D>], kernel: Kernel) -> Tally {
+    let mut tally = Tally::default();
+    visit_many(tree, rays, StopAt::End, kernel, |_, leaves| {
+        tally.leaves += leaves.len() as u64;
+        tally.occupied += leaves.iter().map(|leaf| u64::from(leaf.is_full())).sum::<u64>();
+    });
+    tally
 }
 
 #[cfg(test)]
@@ -180,7 +213,7 @@ mod tests {
             [("spheres-512", 3), ("spheres-512", 4), ("quadtree-82", 3), ("quadtree-82", 4)];
         assert_eq!(sites, expected);
         for site in &results.sites {
-            assert_eq!((site.rows.len(), site.n_rays), (14, 40));
+            assert_eq!((site.rows.len(), site.n_rays), (16, 40));
             assert_eq!(site.disagreement, None);
             for row in &site.rows {
                 assert_eq!(row.times.len(), 3);
@@ -210,12 +243,11 @@ mod tests {
 
     #[test]
     fn a_misprint_is_told_with_its_ray() {
-        let methods = ["parametric", "parametric-table@B-2"].map(|text| text.parse().unwrap());
-        let plan =
-            Plan { scenes: vec!["figure-7"], depths: 1..=1, methods: methods.to_vec(), ..small() };
+        let ways = ["parametric", "parametric-table@B-2"].map(|text| text.parse().unwrap());
+        let plan = Plan { scenes: vec!["figure-7"], depths: 1..=1, ways: ways.to_vec(), ..small() };
         let results = run(&plan, &Progress::default()).unwrap();
         let disagreement = results.sites[0].disagreement.unwrap();
-        assert_eq!([disagreement.reference, disagreement.method], methods);
+        assert_eq!([disagreement.reference, disagreement.way], ways);
     }
 
     #[test]

@@ -1,10 +1,9 @@
 //! Results as text.
 
 use octoscope_core::measure::{
-    PowerLaw, Published, Quantity, Results, Row, Site, Verdict, growth, judged,
+    PowerLaw, Published, Quantity, Results, Row, Site, Verdict, Way, growth, judged,
 };
 use octoscope_core::trace::Counter;
-use octoscope_core::traverse::Method;
 use std::fmt::Write;
 
 /// A column of a table: its head, and the entry of a row.
@@ -12,7 +11,7 @@ type Column = (&'static str, fn(&Site, &Row) -> String);
 
 /// What depends on the machine.
 const TIMES: [Column; 6] = [
-    ("algorithm", |_, row| row.method.to_string()),
+    ("algorithm", |_, row| row.way.to_string()),
     ("us/ray", |_, row| decimals(row.median() / 1000.0, 3)),
     ("+-%", |_, row| decimals(100.0 * row.spread(), 1)),
     ("ns/leaf", |site, row| decimals(Quantity::TimePerLeaf.of(site, row), 1)),
@@ -24,7 +23,7 @@ const TIMES: [Column; 6] = [
 
 /// What does not; means of a ray, but for the stack.
 const COUNTS: [Column; 15] = [
-    ("algorithm", |_, row| row.method.to_string()),
+    ("algorithm", |_, row| row.way.to_string()),
     ("nodes", |site, row| counted(site, row, Counter::NodeTouches)),
     ("entry", |site, row| counted(site, row, Counter::EntryComparisons)),
     ("exit", |site, row| counted(site, row, Counter::ExitComparisons)),
@@ -35,7 +34,7 @@ const COUNTS: [Column; 15] = [
     ("locations", |site, row| counted(site, row, Counter::PointLocations)),
     ("up", |site, row| counted(site, row, Counter::Ascends)),
     ("down", |site, row| counted(site, row, Counter::Descends)),
-    ("stack", |_, row| row.counted.counters.get(Counter::StackDepth).to_string()),
+    ("stack", |_, row| stack(row)),
     ("lines", |site, row| decimals(Quantity::Lines.of(site, row), 1)),
     ("uncached", |site, row| decimals(Quantity::CacheMisses.of(site, row), 1)),
     ("misguessed", |site, row| decimals(Quantity::BranchMisses.of(site, row), 1)),
@@ -52,7 +51,14 @@ const PLACE: [Column; 6] = [
 ];
 
 fn counted(site: &Site, row: &Row, counter: Counter) -> String {
-    decimals(row.counted.counters.get(counter) as f64 / site.n_rays.max(1) as f64, 1)
+    let count = row.way.method().map(|_| row.counted.counters.get(counter) as f64);
+    decimals(count.unwrap_or(f64::NAN) / site.n_rays.max(1) as f64, 1)
+}
+
+/// Greatest depth of the stack, or `-` where nothing is counted.
+fn stack(row: &Row) -> String {
+    let depth = row.counted.counters.get(Counter::StackDepth);
+    row.way.method().map_or_else(|| "-".to_owned(), |_| depth.to_string())
 }
 
 /// A number, or `-` if there is none.
@@ -142,8 +148,8 @@ pub fn summary(results: &Results) -> String {
     let mut text = String::new();
     if results.depths().len() > 1 {
         let scenes = results.scenes();
-        let exponent = |scene: &str, method: Method, size: Quantity| {
-            let (_, law) = growth(results, scene, method, [size, Quantity::Time]);
+        let exponent = |scene: &str, way: Way, size: Quantity| {
+            let (_, law) = growth(results, scene, way, [size, Quantity::Time]);
             law.map_or_else(|| "-".to_owned(), |PowerLaw { exponent, .. }| decimals(exponent, 2))
         };
         for (size, title) in [
@@ -153,9 +159,9 @@ pub fn summary(results: &Results) -> String {
             let _ = write!(text, "exponent e of the time a ray ~ ({title})^e over the depths\n\n");
             let mut head = vec!["algorithm".to_owned()];
             head.extend(scenes.iter().map(|scene| (*scene).to_owned()));
-            let rows = results.methods().into_iter().map(|method| {
-                let mut row = vec![method.to_string()];
-                row.extend(scenes.iter().map(|scene| exponent(scene, method, size)));
+            let rows = results.ways().into_iter().map(|way| {
+                let mut row = vec![way.to_string()];
+                row.extend(scenes.iter().map(|scene| exponent(scene, way, size)));
                 row
             });
             text.push_str(&aligned(&std::iter::once(head).chain(rows).collect::<Vec<_>>()));
@@ -224,7 +230,7 @@ mod tests {
 
     fn results() -> Results {
         let row = |text: &str, time: f64| Row {
-            method: text.parse().unwrap(),
+            way: text.parse().unwrap(),
             times: vec![time],
             ..Row::default()
         };
@@ -244,7 +250,7 @@ mod tests {
     #[test]
     fn csv_has_a_field_for_every_head_in_every_line() {
         let mut results = results();
-        results.sites[0].rows[0].method = "parametric@one-by-one,averaged".parse().unwrap();
+        results.sites[0].rows[0].way = "parametric@one-by-one,averaged".parse().unwrap();
         let csv = csv(&results);
         let lines: Vec<&str> = csv.lines().collect();
         assert_eq!(lines.len(), 5);

@@ -2,7 +2,7 @@
 
 use super::progress::run_with_progress;
 use super::ray::RayChoice;
-use super::values::language;
+use super::values::{language, theme};
 use super::{Answer, tell};
 use crate::document::Document;
 use crate::export::{Eye, Format, Order, Request, Size, Steps, parse_shown};
@@ -161,13 +161,6 @@ fn type_scale(text: &str) -> Result<f64, String> {
 fn pause(text: &str) -> Result<f64, String> {
     let pause = text.parse().ok().filter(|pause| (0.02..=60.0).contains(pause));
     pause.ok_or_else(|| "give seconds from 0.02 to 60, such as 0.5".to_owned())
-}
-
-fn theme(id: &str) -> Result<Theme, String> {
-    Theme::ALL.into_iter().find(|theme| theme.id() == id).ok_or_else(|| {
-        let known = Theme::ALL.map(Theme::id).join(", ");
-        format!("there is no theme ‘{id}’; there are {known}")
-    })
 }
 
 /// Runs the command.

@@ -1,6 +1,7 @@
 //! Values of options that several commands take.
 
 use octoscope_core::text::{Language, UnknownLanguage};
+use octoscope_figure::Theme;
 use octoscope_import::hexadecimal;
 use std::ops::RangeInclusive;
 use std::str::FromStr;
@@ -74,6 +75,17 @@ pub fn whole<T: TryFrom<u64>>(
 pub fn language(id: &str) -> Result<Language, UnknownLanguage> {
     let found = Language::ALL.into_iter().find(|language| language.id() == id);
     found.ok_or_else(|| UnknownLanguage(id.to_owned()))
+}
+
+/// The theme of this identifier.
+///
+/// # Errors
+/// Lists the themes there are.
+pub fn theme(id: &str) -> Result<Theme, String> {
+    Theme::ALL.into_iter().find(|theme| theme.id() == id).ok_or_else(|| {
+        let known = Theme::ALL.map(Theme::id).join(", ");
+        format!("there is no theme ‘{id}’; there are {known}")
+    })
 }
 
 #[cfg(test)]

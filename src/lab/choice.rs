@@ -1,8 +1,8 @@
 //! What is chosen in the lab.
 
 use crate::bench::{MOST_DEPTH, MOST_RAYS, MOST_REPEATS, Plan};
-use octoscope_core::measure::{Quantity, Results, SCENES};
-use octoscope_core::traverse::{Algorithm, Method};
+use octoscope_core::measure::{Quantity, Results, SCENES, Way};
+use octoscope_core::traverse::Algorithm;
 use serde::{Deserialize, Serialize};
 
 /// What is chosen in the lab: what to measure, and what of it to show.
@@ -15,6 +15,9 @@ pub struct Choice {
     /// Which of [`Algorithm::ALL`]; not remembered either.
     #[serde(skip)]
     pub algorithms: [bool; Algorithm::ALL.len()],
+    /// Which of [`Way::KERNELS`]; nor these.
+    #[serde(skip)]
+    pub kernels: [bool; Way::KERNELS.len()],
     /// Least and greatest depth.
     pub depths: [u8; 2],
     /// Number of rays.
@@ -73,6 +76,7 @@ impl Default for Choice {
         Self {
             scenes: SCENES.map(|scene| matches!(scene, "cloud" | "spheres-512")),
             algorithms: Self::OF_THE_PAPER,
+            kernels: [false; Way::KERNELS.len()],
             depths: [5, 7],
             n_rays: 500,
             n_repeats: 9,
@@ -110,13 +114,16 @@ impl Choice {
     pub fn plan(&self) -> Option<Plan> {
         let chosen = SCENES.into_iter().zip(self.scenes);
         let scenes: Vec<_> = chosen.filter(|(_, is_chosen)| *is_chosen).map(|(s, _)| s).collect();
-        let methods = self.chosen_algorithms().into_iter().map(Method::from).collect::<Vec<_>>();
+        let kernels = Way::KERNELS.into_iter().zip(self.kernels);
+        let kernels = kernels.filter(|(_, is_chosen)| *is_chosen).map(|(kernel, _)| kernel);
+        let algorithms = self.chosen_algorithms().into_iter().map(Way::from);
+        let ways: Vec<Way> = algorithms.chain(kernels).collect();
         // What is remembered may come from elsewhere.
         let [least, most] = self.depths.map(|depth| depth.clamp(1, MOST_DEPTH));
-        let is_something = !scenes.is_empty() && !methods.is_empty();
+        let is_something = !scenes.is_empty() && !ways.is_empty();
         is_something.then(|| Plan {
             scenes,
-            methods,
+            ways,
             depths: least.min(most)..=least.max(most),
             n_rays: self.n_rays.clamp(1, MOST_RAYS),
             seed: self.seed,
@@ -195,7 +202,10 @@ mod tests {
         let none = Choice { scenes: [false; SCENES.len()], ..Choice::default() };
         assert_eq!(none.plan(), None);
         let algorithms = [false; Algorithm::ALL.len()];
-        assert_eq!(Choice { algorithms, ..Choice::default() }.plan(), None);
-        assert_eq!(Choice::default().plan().unwrap().methods.len(), 6);
+        let no_algorithm = Choice { algorithms, ..Choice::default() };
+        assert_eq!(no_algorithm.plan(), None);
+        let kernels = Choice { kernels: [false, true], ..no_algorithm };
+        assert_eq!(kernels.plan().unwrap().ways, [Way::KERNELS[1]]);
+        assert_eq!(Choice::default().plan().unwrap().ways.len(), 6);
     }
 }

@@ -8,5 +8,5 @@ mod write;
 
 pub use choice::{Choice, Tab};
 pub use page::{Answer, Shown, State, ui};
-pub use shown::{figure, lines};
+pub use shown::{SIZE_OF_FILES, figure, lines};
 pub use write::{ENDINGS, Ending, write};

@@ -7,9 +7,9 @@ use crate::look::Look;
 use crate::widgets::tick;
 use eframe::egui::{Button, DragValue, Grid, Label, ProgressBar, RichText, ScrollArea, Ui};
 use octoscope_core::explain::algorithm_name;
-use octoscope_core::measure::SCENES;
+use octoscope_core::measure::{SCENES, Way};
 use octoscope_core::traverse::Algorithm;
-use octoscope_figure::views::lab::scene_name;
+use octoscope_figure::views::lab::{scene_name, way_name};
 
 /// Shows what is to be measured, and how far that is.
 pub(super) fn ui(ui: &mut Ui, look: &Look, shown: &mut Shown, height: f32) -> Option<Answer> {
@@ -90,11 +90,15 @@ fn what(ui: &mut Ui, look: &Look, choice: &mut Choice) {
         ] {
             if ui.button(RichText::new(look.text(key)).size(13.0)).clicked() {
                 choice.algorithms.copy_from_slice(&chosen);
+                choice.kernels = [key == "lab-all"; Way::KERNELS.len()];
             }
         }
     });
     for (algorithm, on) in Algorithm::ALL.into_iter().zip(&mut choice.algorithms) {
         tick(ui, look, on, algorithm_name(algorithm, look.texts.language()));
+    }
+    for (kernel, on) in Way::KERNELS.into_iter().zip(&mut choice.kernels) {
+        tick(ui, look, on, way_name(kernel, &look.texts));
     }
 }
 

@@ -9,6 +9,9 @@ use octoscope_figure::views::lab::{
     Growth, growth_chart, processor_chart, published_chart, scene_name, scenes_chart,
 };
 
+/// Size of charts in files.
+pub const SIZE_OF_FILES: [f64; 2] = [860.0, 520.0];
+
 /// The chart that is chosen, as wide as this and, where it can choose, as high.
 pub fn figure(
     choice: &Choice,

@@ -4,7 +4,7 @@
 
 use octoscope_core::geometry::Ray;
 use octoscope_core::measure::{
-    BranchKind, CLAIMS, Counted, Quantity, Results, Row, SCENES, Site, watch,
+    BranchKind, CLAIMS, Counted, Quantity, Results, Row, SCENES, Site, Way, watch,
 };
 use octoscope_core::progress::Progress;
 use octoscope_core::text::{Language, Texts};
@@ -20,15 +20,15 @@ fn texts(language: Language) -> Texts {
     Texts::new(language, &[figure_texts(language)])
 }
 
-/// What might have been measured: every algorithm somewhat slower than the one before.
+/// What might have been measured: every way somewhat slower than the one before.
 fn results(depths: std::ops::RangeInclusive<u8>) -> Results {
     let site = |scene: &str, depth: u8| {
-        let rows = Algorithm::ALL.iter().enumerate().map(|(n, &algorithm)| {
+        let rows = Way::all().into_iter().enumerate().map(|(n, way)| {
             let time = 500.0 * 1.3f64.powi(n as i32) * 1.6f64.powi(i32::from(depth));
             let mut counted = Counted { n_steps: 5000 + 700 * n as u64, ..Counted::default() };
             counted.tally.leaves = 1000 << (depth - 4);
             counted.lines = [4000, 2000, 900 * n as u64];
-            Row { method: algorithm.into(), times: vec![time], counted }
+            Row { way, times: vec![time], counted }
         });
         Site {
             scene: scene.to_owned(),
@@ -99,7 +99,10 @@ fn everything_in_charts_has_a_name_in_both_languages() {
             quantities.flat_map(|id| ["quantity", "unit"].map(|kind| format!("lab-{kind}-{id}")));
         let kinds = BranchKind::ALL.map(|kind| format!("lab-kind-{}", kind.id()));
         let claims = CLAIMS.map(|claim| format!("lab-claim-{}", claim.id));
-        for key in algorithms.into_iter().chain(quantities).chain(kinds).chain(claims) {
+        let kernels = ["lab-name-batch", "lab-name-batch-plain"].map(str::to_owned);
+        for key in
+            algorithms.into_iter().chain(kernels).chain(quantities).chain(kinds).chain(claims)
+        {
             assert!(texts.has(&key), "{key} in {language:?}");
         }
     }

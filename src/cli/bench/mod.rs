@@ -1,19 +1,25 @@
 //! `octoscope bench`: what algorithms cost.
 
+mod chart;
+
 use super::Answer;
 use super::progress::run_with_progress;
-use super::values::whole;
+use super::values::{language, theme, whole};
 use crate::bench::{MOST_DEPTH, MOST_RAYS, MOST_REPEATS, Plan, csv, run, summary, text};
 use crate::files::Output;
+use chart::{Chart, cost, size};
 use clap::Args;
-use octoscope_core::measure::{Disagreement, Results};
+use octoscope_core::measure::Quantity;
+use octoscope_core::measure::{Disagreement, Results, Way};
 use octoscope_core::scenario::BUILT_IN;
-use octoscope_core::traverse::{Algorithm, Method, MethodError};
+use octoscope_core::text::Language;
+use octoscope_core::traverse::MethodError;
+use octoscope_figure::Theme;
 use std::io::Write;
 use std::ops::RangeInclusive;
 use std::path::PathBuf;
 
-/// Measures algorithms in scenes at several depths, all in one run.
+/// Measures algorithms, and the kernel for many rays, in scenes at several depths, all in one run.
 ///
 /// For each scene and depth two tables. What depends on the machine: microseconds a
 /// ray, the median of the repetitions, which take turns, taken of every 16 rays by
@@ -31,15 +37,19 @@ use std::path::PathBuf;
 #[command(after_long_help = "Examples:\n  \
     octoscope bench\n  \
     octoscope bench --scene cloud --depth 6 --algorithm parametric --algorithm gargantini\n  \
-    octoscope bench --depth 5-8 --rays 10000 --csv -o bench.csv")]
+    octoscope bench --depth 5-8 --rays 10000 --csv -o bench.csv\n  \
+    octoscope bench --chart scenes=times.svg --chart growth=growth.pdf\n  \
+    octoscope bench --algorithm parametric --algorithm batch --chart scenes=batch.png")]
 pub struct Bench {
     /// Built-in scene (see octoscope scenes); may be given several times. Without it,
     /// the six of the published comparison.
     #[arg(long, value_name = "NAME", value_parser = scene)]
     scene: Vec<&'static str>,
     /// Identifier of an algorithm, with @ and variants as in bsp@gem; may be given
-    /// several times; all adds the oracle, too. Without it, every one but the oracle,
-    /// which tests all leaves.
+    /// several times. Or batch, the kernel for many rays at once with the vectors of
+    /// the processor, and batch@plain, the same without: exact, but no steps can be
+    /// counted. Or all, with the oracle, which tests all leaves; without the option,
+    /// all but the oracle.
     #[arg(long, value_name = "ID")]
     algorithm: Vec<Choice>,
     /// Levels below the root: one number, or the least and the most.
@@ -60,6 +70,25 @@ pub struct Bench {
     /// Writes to this file, which appears whole or not at all.
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
+    /// Draws a chart to a file as well, whose ending is svg, pdf, png or tex: scenes
+    /// (bars in units of the best, at the greatest depth), growth (lines over the
+    /// depths of the first scene) or published (the published statements); may be
+    /// given several times.
+    #[arg(long, value_name = "KIND=FILE")]
+    chart: Vec<Chart>,
+    /// What the charts show: time, time-per-leaf, steps, node-touches, comparisons,
+    /// lines, cache-misses or branch-misses.
+    #[arg(long, value_name = "COST", default_value = "time", value_parser = cost, requires = "chart")]
+    cost: Quantity,
+    /// Against what growth is drawn: cells, tree-leaves or ray-leaves.
+    #[arg(long, value_name = "SIZE", default_value = "tree-leaves", value_parser = size, requires = "chart")]
+    against: Quantity,
+    /// light, dark, print or projector: colours of the charts.
+    #[arg(long, default_value = "print", value_parser = theme, requires = "chart")]
+    theme: Theme,
+    /// Language of the charts: en or de.
+    #[arg(long, value_name = "LANGUAGE", default_value = "en", value_parser = language, requires = "chart")]
+    lang: Language,
 }
 
 fn scene(name: &str) -> Result<&'static str, String> {
@@ -105,7 +134,7 @@ fn repeats(text: &str) -> Result<usize, String> {
 /// One algorithm or every one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Choice {
-    One(Method),
+    One(Way),
     All,
 }
 
@@ -120,15 +149,15 @@ impl std::str::FromStr for Choice {
 impl Bench {
     fn plan(&self) -> Plan {
         let usual = Plan::default();
-        let mut methods: Vec<Method> = Vec::new();
+        let mut ways: Vec<Way> = Vec::new();
         for choice in &self.algorithm {
             let chosen = match choice {
-                Choice::One(method) => vec![*method],
-                Choice::All => Algorithm::ALL.map(Method::from).to_vec(),
+                Choice::One(way) => vec![*way],
+                Choice::All => Way::all(),
             };
-            for method in chosen {
-                if !methods.contains(&method) {
-                    methods.push(method);
+            for way in chosen {
+                if !ways.contains(&way) {
+                    ways.push(way);
                 }
             }
         }
@@ -141,7 +170,7 @@ impl Bench {
         Plan {
             scenes: if scenes.is_empty() { usual.scenes } else { scenes },
             depths: self.depth.0.clone(),
-            methods: if methods.is_empty() { usual.methods } else { methods },
+            ways: if ways.is_empty() { usual.ways } else { ways },
             n_rays: self.rays,
             seed: self.seed,
             n_repeats: self.repeat,
@@ -157,6 +186,9 @@ pub fn bench(arguments: &Bench) -> anyhow::Result<Answer> {
     // Whether it can be written is known before everything is measured; nothing of it
     // is left where the measurement is broken off.
     drop(Output::open(arguments.output.as_deref())?);
+    for chart in &arguments.chart {
+        drop(Output::open(Some(&chart.path))?);
+    }
     let plan = arguments.plan();
     let results = run_with_progress(|progress| run(&plan, progress))?;
     let mut output = Output::open(arguments.output.as_deref())?;
@@ -171,6 +203,10 @@ pub fn bench(arguments: &Bench) -> anyhow::Result<Answer> {
         }
     }
     output.finish()?;
+    let texts = crate::text::texts(arguments.lang);
+    for chart in &arguments.chart {
+        chart.write(&results, [arguments.cost, arguments.against], &texts, arguments.theme)?;
+    }
     Ok(answer(&results))
 }
 
@@ -180,8 +216,8 @@ fn answer(results: &Results) -> Answer {
         results.sites.iter().find_map(|site| site.disagreement.map(|found| (site, found)));
     match different {
         None => Answer::Done,
-        Some((site, Disagreement { method, reference, ray, leaf })) => Answer::No(format!(
-            "in {} at depth {} {method} finds other leaves than {reference}, first on ray {} at \
+        Some((site, Disagreement { way, reference, ray, leaf })) => Answer::No(format!(
+            "in {} at depth {} {way} finds other leaves than {reference}, first on ray {} at \
              leaf {}",
             site.scene,
             site.depth,

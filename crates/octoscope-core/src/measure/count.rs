@@ -6,8 +6,8 @@ use crate::geometry::Ray;
 use crate::progress::{Cancelled, Progress};
 use crate::query::Query;
 use crate::trace::Counters;
-use crate::traverse::Algorithm;
-use crate::tree::Tree;
+use crate::traverse::{Algorithm, Kernel, Leaf, StopAt, visit_many};
+use crate::tree::{NodeId, Tree};
 
 /// Counts leaves: the least that keeps a compiler from leaving a traversal out.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -74,14 +74,63 @@ pub fn count<const D: usize>(
         query.run(tree, ray, &mut counting);
         let of_ray = std::mem::take(&mut counting.of_ray);
         counting.counted.counters.absorb(&of_ray);
-        // No level is that high: what lies between two rays.
-        counting.hash(&[u8::MAX]);
+        counting.counted.checksum = with_end(counting.counted.checksum);
         progress.advance(1)?;
     }
     let Counting { mut counted, memory, branches, .. } = counting;
     counted.lines = [memory.n_reads, memory.n_lines, memory.n_misses];
     counted.branches = branches.total();
     Ok(counted)
+}
+
+/// Rays that the kernel for many rays gets at once where their leaves are kept.
+const AT_ONCE: usize = 512;
+
+/// The same by the kernel for many rays, of which nothing is counted but leaves.
+///
+/// # Errors
+/// Stops with [`Cancelled`] when `progress` is cancelled; every ray is a unit of it.
+pub fn count_batch<const D: usize>(
+    tree: &Tree<D>,
+    rays: &[Ray<D>],
+    kernel: Kernel,
+    progress: &Progress,
+) -> Result<Counted, Cancelled> {
+    let mut counted = Counted { checksum: FNV_BASIS, ..Counted::default() };
+    for some in rays.chunks(AT_ONCE) {
+        for leaves in found_by_batch(tree, some, kernel) {
+            for leaf in leaves {
+                counted.tally.leaves += 1;
+                counted.tally.occupied += u64::from(leaf.is_full());
+                counted.checksum = with_leaf(counted.checksum, tree, leaf.node());
+            }
+            counted.checksum = with_end(counted.checksum);
+        }
+        progress.advance(some.len() as u64)?;
+    }
+    Ok(counted)
+}
+
+/// The leaves on each of the rays, in their order.
+pub(super) fn found_by_batch<const D: usize>(
+    tree: &Tree<D>,
+    rays: &[Ray<D>],
+    kernel: Kernel,
+) -> Vec<Vec<Leaf>> {
+    let mut found = vec![Vec::new(); rays.len()];
+    visit_many(tree, rays, StopAt::End, kernel, |ray, leaves| found[ray] = leaves.to_vec());
+    found
+}
+
+/// Adds a leaf to a checksum.
+fn with_leaf<const D: usize>(checksum: u64, tree: &Tree<D>, node: NodeId) -> u64 {
+    let codes = tree.code(node).into_iter();
+    codes.fold(fnv_1a(checksum, &[tree.level(node)]), |sum, code| fnv_1a(sum, &code.to_le_bytes()))
+}
+
+/// Adds the end of a ray: a level that no leaf has.
+fn with_end(checksum: u64) -> u64 {
+    fnv_1a(checksum, &[u8::MAX])
 }
 
 struct Counting<'a, const D: usize> {
@@ -92,12 +141,6 @@ struct Counting<'a, const D: usize> {
     branches: Branches<'a, D>,
 }
 
-impl<const D: usize> Counting<'_, D> {
-    fn hash(&mut self, bytes: &[u8]) {
-        self.counted.checksum = fnv_1a(self.counted.checksum, bytes);
-    }
-}
-
 impl<const D: usize> Observer<D> for Counting<'_, D> {
     fn observe(&mut self, event: Event<D>) {
         self.counted.n_steps += 1;
@@ -106,10 +149,7 @@ impl<const D: usize> Observer<D> for Counting<'_, D> {
         self.memory.observe(event);
         self.branches.observe(event);
         if let Event::Leaf { node, .. } = event {
-            self.hash(&[self.tree.level(node)]);
-            for code in self.tree.code(node) {
-                self.hash(&code.to_le_bytes());
-            }
+            self.counted.checksum = with_leaf(self.counted.checksum, self.tree, node);
         }
     }
 }
@@ -142,6 +182,10 @@ mod tests {
             assert_eq!(counted_of.tally, counted[0].tally, "{algorithm:?}");
             let leaves = counted_of.counters.get(Counter::Leaves);
             assert_eq!(leaves, counted_of.tally.leaves);
+        }
+        for kernel in [Kernel::Plain, Kernel::Vector] {
+            let batch = count_batch(&tree, &rays, kernel, &Progress::default()).unwrap();
+            assert_eq!((batch.checksum, batch.tally), (counted[0].checksum, counted[0].tally));
         }
         // Another order of the same rays is another run.
         let turned: Vec<_> = rays.iter().rev().copied().collect();

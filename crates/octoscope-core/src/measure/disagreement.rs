@@ -1,40 +1,49 @@
-//! Whether algorithms find the same leaves on many rays.
+//! Whether two ways find the same leaves on many rays.
 
+use super::Way;
+use super::count::found_by_batch;
 use crate::event::{Event, Observer};
 use crate::geometry::Ray;
 use crate::query::Query;
-use crate::traverse::{Method, Slivers, first_difference};
+use crate::traverse::{Slivers, first_difference};
 use crate::tree::{NodeId, Tree};
 
-/// Where two algorithms differ first.
+/// Where two ways differ first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Disagreement {
     /// The one that is compared.
-    pub method: Method,
+    pub way: Way,
     /// The one that it is compared with.
-    pub reference: Method,
+    pub reference: Way,
     /// Number of the ray, from 0.
     pub ray: usize,
     /// Number of the first leaf that is another one, from 0.
     pub leaf: usize,
 }
 
-/// The first ray on which `method` finds other leaves than `reference`, by more than
+/// The first ray on which `way` finds other leaves than `reference`, by more than
 /// slivers.
 pub fn disagreement<const D: usize>(
     tree: &Tree<D>,
     rays: &[Ray<D>],
-    reference: Method,
-    method: Method,
+    reference: Way,
+    way: Way,
 ) -> Option<Disagreement> {
     rays.iter().enumerate().find_map(|(number, ray)| {
-        let [expected, found] = [reference, method].map(|method| leaves(tree, ray, method));
+        let [expected, found] = [reference, way].map(|way| leaves(tree, ray, way));
         let difference = first_difference(tree, ray, &expected, &found, Slivers::Ignore)?;
-        Some(Disagreement { method, reference, ray: number, leaf: difference.index })
+        Some(Disagreement { way, reference, ray: number, leaf: difference.index })
     })
 }
 
-fn leaves<const D: usize>(tree: &Tree<D>, ray: &Ray<D>, method: Method) -> Vec<NodeId> {
+fn leaves<const D: usize>(tree: &Tree<D>, ray: &Ray<D>, way: Way) -> Vec<NodeId> {
+    let method = match way {
+        Way::Traced(method) => method,
+        Way::Batch(kernel) => {
+            let found = found_by_batch(tree, std::slice::from_ref(ray), kernel);
+            return found.into_iter().flatten().map(|leaf| leaf.node()).collect();
+        }
+    };
     let mut list = List(Vec::new());
     Query::default().along_the_ray_by(method).run(tree, ray, &mut list);
     list.0
@@ -54,7 +63,7 @@ impl<const D: usize> Observer<D> for List {
 mod tests {
     use super::*;
     use crate::progress::Progress;
-    use crate::traverse::Algorithm;
+    use crate::traverse::Method;
     use crate::tree::{Domain, Split, grow};
 
     #[test]
@@ -66,13 +75,13 @@ mod tests {
         let straight = Ray::new([0.75, 0.25, -1.0], [0.0, 0.0, 1.0]).unwrap();
         let slanted = Ray::new([0.75, 0.25, -1.0], [0.0625, 0.0625, 1.0]).unwrap();
         let rays = [straight, slanted];
-        let reference = Method::default();
-        for algorithm in Algorithm::ALL {
-            assert_eq!(disagreement(&tree, &rays, reference, algorithm.into()), None);
+        let reference = Way::default();
+        for way in Way::all() {
+            assert_eq!(disagreement(&tree, &rays, reference, way), None);
         }
         // Bits 0 and 2 interchanged: of leaves 4 and 5 only 5 is found.
-        let printed: Method = "parametric-table@B-2".parse().unwrap();
+        let printed = Way::from("parametric-table@B-2".parse::<Method>().unwrap());
         let found = disagreement(&tree, &rays[1..], reference, printed);
-        assert_eq!(found, Some(Disagreement { method: printed, reference, ray: 0, leaf: 0 }));
+        assert_eq!(found, Some(Disagreement { way: printed, reference, ray: 0, leaf: 0 }));
     }
 }

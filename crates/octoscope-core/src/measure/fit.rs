@@ -1,7 +1,6 @@
 //! How costs grow.
 
-use super::{Quantity, Results};
-use crate::traverse::Method;
+use super::{Quantity, Results, Way};
 
 /// y = factor · x^exponent, fitted to points.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -42,18 +41,18 @@ impl PowerLaw {
     }
 }
 
-/// How quantity `y` of a method grows with quantity `x` over the depths of a scene: the
+/// How quantity `y` of a way grows with quantity `x` over the depths of a scene: the
 /// points, and the law.
 pub fn growth(
     results: &Results,
     scene: &str,
-    method: Method,
+    way: Way,
     [x, y]: [Quantity; 2],
 ) -> (Vec<[f64; 2]>, Option<PowerLaw>) {
     let sites = results.sites.iter().filter(|site| site.scene == scene);
     let points: Vec<[f64; 2]> = sites
         .filter_map(|site| {
-            let row = site.row(method)?;
+            let row = site.row(way)?;
             Some([x.of(site, row), y.of(site, row)])
         })
         .collect();

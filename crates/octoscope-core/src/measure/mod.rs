@@ -17,11 +17,12 @@ mod published;
 mod rays;
 mod results;
 mod watch;
+mod way;
 
 pub use branches::{Branch, BranchKind, Branches};
 pub use cache::{Cache, LINE};
 pub use checksum::{FNV_BASIS, fnv_1a};
-pub use count::{Counted, Tally, count};
+pub use count::{Counted, Tally, count, count_batch};
 pub use disagreement::{Disagreement, disagreement};
 pub use fit::{PowerLaw, growth};
 pub use memory::{Memory, Read};
@@ -30,6 +31,7 @@ pub use published::{CLAIMS, Claim, Judged, Published, Verdict, judged};
 pub use rays::rays_from_outside;
 pub use results::{Quantity, Results, Row, Site};
 pub use watch::{Watched, watch};
+pub use way::Way;
 
 /// The scenes of the published comparison, by their names among the built-in ones.
 pub const SCENES: [&str; 6] =

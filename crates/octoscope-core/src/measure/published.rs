@@ -1,7 +1,7 @@
 //! What was published about the speed of the algorithms, against what was measured.
 
-use super::{Quantity, Results, SCENES};
-use crate::traverse::{Algorithm, Method};
+use super::{Quantity, Results, SCENES, Way};
+use crate::traverse::Algorithm;
 
 /// What was published about two algorithms.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -121,7 +121,7 @@ fn judge(claim: &'static Claim, results: &Results) -> Judged {
     let pairs: Vec<_> = sites
         .filter_map(|site| {
             let [of, against] =
-                [claim.of, claim.against].map(|algorithm| site.row(Method::from(algorithm)));
+                [claim.of, claim.against].map(|algorithm| site.row(Way::from(algorithm)));
             Some((site, of?, against?))
         })
         .collect();
@@ -185,7 +185,7 @@ mod tests {
                 .into_iter()
                 .zip(times)
                 .map(|(algorithm, time)| Row {
-                    method: algorithm.into(),
+                    way: algorithm.into(),
                     times: vec![time],
                     ..Row::default()
                 })

@@ -1,8 +1,7 @@
 //! What was measured.
 
-use super::{Counted, Disagreement};
+use super::{Counted, Disagreement, Way};
 use crate::trace::Counter;
-use crate::traverse::Method;
 
 /// Costs of algorithms in several scenes at several depths, all from one run.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -24,17 +23,17 @@ pub struct Site {
     pub n_leaves: usize,
     /// Number of rays.
     pub n_rays: usize,
-    /// What each algorithm has cost.
+    /// What each way has cost.
     pub rows: Vec<Row>,
     /// Where two of them have found other leaves, by more than slivers.
     pub disagreement: Option<Disagreement>,
 }
 
-/// What an algorithm has cost at a site.
+/// What a way to find the leaves has cost at a site.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Row {
-    /// The algorithm.
-    pub method: Method,
+    /// The way.
+    pub way: Way,
     /// Nanoseconds a ray in every repetition, the shortest first; whoever times some of
     /// the rays at once sums up the shortest times of all, the second shortest and so on.
     pub times: Vec<f64>,
@@ -103,8 +102,26 @@ impl Quantity {
         }
     }
 
+    /// Whether only the steps of an algorithm tell it.
+    fn is_of_steps(self) -> bool {
+        match self {
+            Self::Steps
+            | Self::NodeTouches
+            | Self::Comparisons
+            | Self::Lines
+            | Self::CacheMisses
+            | Self::BranchMisses => true,
+            Self::Time | Self::TimePerLeaf | Self::Cells | Self::TreeLeaves | Self::RayLeaves => {
+                false
+            }
+        }
+    }
+
     /// The number; NaN where it was not measured.
     pub fn of(self, site: &Site, row: &Row) -> f64 {
+        if self.is_of_steps() && row.way.method().is_none() {
+            return f64::NAN;
+        }
         let per_ray = |count: u64| count as f64 / site.n_rays.max(1) as f64;
         match self {
             Self::Time => row.median(),
@@ -132,10 +149,10 @@ impl Results {
         scenes
     }
 
-    /// The methods, in their order.
-    pub fn methods(&self) -> Vec<Method> {
+    /// The ways, in their order.
+    pub fn ways(&self) -> Vec<Way> {
         let first = self.sites.first();
-        first.map(|site| site.rows.iter().map(|row| row.method).collect()).unwrap_or_default()
+        first.map(|site| site.rows.iter().map(|row| row.way).collect()).unwrap_or_default()
     }
 
     /// The depths, from the least.
@@ -148,9 +165,9 @@ impl Results {
 }
 
 impl Site {
-    /// The row of a method.
-    pub fn row(&self, method: Method) -> Option<&Row> {
-        self.rows.iter().find(|row| row.method == method)
+    /// The row of a way.
+    pub fn row(&self, way: Way) -> Option<&Row> {
+        self.rows.iter().find(|row| row.way == way)
     }
 
     /// The least of a quantity.
@@ -206,6 +223,10 @@ mod tests {
             [3.0, 2.0, 64.0]
         );
         assert_eq!(site.least(Quantity::Time), Some(7.0));
+        // The kernel for many rays makes no steps that could be counted.
+        let batch = Row { way: Way::KERNELS[0], ..site.rows[0].clone() };
+        assert!(Quantity::Steps.of(&site, &batch).is_nan());
+        assert_eq!(Quantity::Time.of(&site, &batch), 7.0);
         // Nothing was visited: there is no time a leaf.
         assert_eq!(site.least(Quantity::TimePerLeaf), None);
     }

@@ -1,13 +1,13 @@
 //! How costs grow: lines in logarithmic axes, with the exponents of the laws fitted to
 //! them.
 
-use super::names::{in_unit, method_name, ratio, scene_name, short};
+use super::names::{in_unit, ratio, scene_name, short, way_name};
 use crate::views::sheet::Sheet;
 use crate::{Anchor, Figure, Form, Part, Role, metrics};
 use octoscope_core::explain::RichText;
-use octoscope_core::measure::{PowerLaw, Quantity, Results, growth};
+use octoscope_core::measure::{PowerLaw, Quantity, Results, Way, growth};
 use octoscope_core::text::Texts;
-use octoscope_core::traverse::{Algorithm, Method};
+use octoscope_core::traverse::{Algorithm, Kernel};
 
 /// What is drawn against what.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -22,12 +22,12 @@ pub struct Growth<'a> {
 
 /// One line.
 struct Series {
-    method: Method,
+    way: Way,
     points: Vec<[f64; 2]>,
     law: Option<PowerLaw>,
 }
 
-/// A line an algorithm over the depths of a scene, as a figure of this size.
+/// A line for each way over the depths of a scene, as a figure of this size.
 pub fn growth_chart(
     results: &Results,
     of: Growth,
@@ -36,14 +36,14 @@ pub fn growth_chart(
 ) -> Figure {
     let mut sheet = Sheet::default();
     let mut all: Vec<Series> = results
-        .methods()
+        .ways()
         .into_iter()
-        .map(|method| {
-            let (points, law) = growth(results, of.scene, method, [of.size, of.cost]);
+        .map(|way| {
+            let (points, law) = growth(results, of.scene, way, [of.size, of.cost]);
             let in_units = |p: &[f64; 2]| [in_unit(of.size, p[0]), in_unit(of.cost, p[1])];
             let usable = |p: &[f64; 2]| p.iter().all(|x| *x > 0.0 && x.is_finite());
             let points = points.iter().map(in_units).filter(usable).collect();
-            Series { method, points, law }
+            Series { way, points, law }
         })
         .collect();
     all.retain(|series| series.points.len() > 1);
@@ -63,7 +63,7 @@ pub fn growth_chart(
         .iter()
         .map(|series| {
             let exponent = ratio(series.law.map(|law| law.exponent), texts);
-            format!("{}  {exponent}", method_name(series.method, texts)).into()
+            format!("{}  {exponent}", way_name(series.way, texts)).into()
         })
         .collect();
     let widest = labels.iter().map(|label| metrics::width(Role::Note, label)).fold(0.0, f64::max);
@@ -104,11 +104,11 @@ pub fn growth_chart(
     sheet.text(Role::Scale, [right, lower + 30.0], Anchor::End, unit);
 
     for series in &all {
-        let role = role_of(series.method.algorithm);
+        let role = role_of(series.way);
         let line: Vec<[f64; 2]> = series.points.iter().map(|&p| place(p)).collect();
         sheet.line(role, line.clone());
         for at in line {
-            marker(&mut sheet, role, series.method.algorithm, at);
+            marker(&mut sheet, role, series.way, at);
         }
     }
     // Names at the ends, as near to them as there is room.
@@ -116,29 +116,36 @@ pub fn growth_chart(
         all.iter().map(|s| s.points.last().map_or(lower, |&p| place(p)[1])).collect();
     let tops = spread(&ends, 14.5, [upper - 8.0, lower + 8.0]);
     for (((series, label), end), y) in all.iter().zip(labels).zip(ends).zip(tops) {
-        let role = role_of(series.method.algorithm);
+        let role = role_of(series.way);
         sheet.push(role, Part::Fine, Form::Polyline(vec![[right + 5.0, end], [right + 20.0, y]]));
         sheet.text(Role::Note, [right + 26.0, y], Anchor::Start, label);
     }
     sheet.figure([width, height])
 }
 
-/// Every algorithm has a look of its own.
-fn role_of(algorithm: Algorithm) -> Role {
-    Role::Series(number_of(algorithm))
+/// Every algorithm has a look of its own, and so have the kernels.
+fn role_of(way: Way) -> Role {
+    Role::Series(number_of(way))
 }
 
-fn number_of(algorithm: Algorithm) -> usize {
-    Algorithm::ALL.iter().position(|&one| one == algorithm).unwrap_or(0)
+fn number_of(way: Way) -> usize {
+    match way {
+        Way::Traced(method) => {
+            Algorithm::ALL.iter().position(|&one| one == method.algorithm).unwrap_or(0)
+        }
+        Way::Batch(Kernel::Plain) => Algorithm::ALL.len(),
+        Way::Batch(Kernel::Vector) => Algorithm::ALL.len() + 1,
+    }
 }
 
-/// A mark of one of three shapes.
-fn marker(sheet: &mut Sheet, role: Role, algorithm: Algorithm, [x, y]: [f64; 2]) {
+/// A mark of one of four shapes.
+fn marker(sheet: &mut Sheet, role: Role, way: Way, [x, y]: [f64; 2]) {
     const R: f64 = 3.6;
-    let points = match number_of(algorithm) / Role::N_SERIES_COLOURS {
+    let points = match number_of(way) / Role::N_SERIES_COLOURS {
         0 => vec![[x - R, y - R], [x + R, y - R], [x + R, y + R], [x - R, y + R]],
         1 => vec![[x, y - 1.4 * R], [x + 1.4 * R, y], [x, y + 1.4 * R], [x - 1.4 * R, y]],
-        _ => vec![[x, y - 1.3 * R], [x + 1.3 * R, y + R], [x - 1.3 * R, y + R]],
+        2 => vec![[x, y - 1.3 * R], [x + 1.3 * R, y + R], [x - 1.3 * R, y + R]],
+        _ => vec![[x, y + 1.3 * R], [x + 1.3 * R, y - R], [x - 1.3 * R, y - R]],
     };
     sheet.push(role, Part::Head, Form::Polygon(points));
 }

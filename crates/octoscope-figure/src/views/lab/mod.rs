@@ -9,7 +9,7 @@ mod scenes;
 #[cfg(doc)]
 use crate::Figure;
 pub use growth::{Growth, growth_chart};
-pub use names::{method_name, scene_name};
+pub use names::{scene_name, way_name};
 pub use processor::processor_chart;
 pub use published::{published_chart, verdict};
 pub use scenes::scenes_chart;

@@ -1,12 +1,17 @@
 //! Names and numbers in charts.
 
 use octoscope_core::explain::approx;
-use octoscope_core::measure::Quantity;
+use octoscope_core::measure::{Quantity, Way};
 use octoscope_core::text::Texts;
-use octoscope_core::traverse::Method;
+use octoscope_core::traverse::Kernel;
 
-/// Short name of an algorithm, with its variants.
-pub fn method_name(method: Method, texts: &Texts) -> String {
+/// Short name of an algorithm with its variants, or of the kernel for many rays.
+pub fn way_name(way: Way, texts: &Texts) -> String {
+    let method = match way {
+        Way::Traced(method) => method,
+        Way::Batch(Kernel::Plain) => return texts.get("lab-name-batch-plain"),
+        Way::Batch(Kernel::Vector) => return texts.get("lab-name-batch"),
+    };
     let name = texts.get(&format!("lab-name-{}", method.algorithm.id()));
     let id = method.to_string();
     id.split_once('@').map_or(name.clone(), |(_, variants)| format!("{name} @{variants}"))

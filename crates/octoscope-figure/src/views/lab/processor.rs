@@ -1,6 +1,6 @@
 //! What a ray has a processor fetch from memory and guess.
 
-use super::names::method_name;
+use super::names::way_name;
 use crate::views::sheet::Sheet;
 use crate::views::table::{Entry, Setting, Table, Tone};
 use crate::{Anchor, Figure, Role, metrics};
@@ -20,7 +20,7 @@ pub fn processor_chart(watched: &[Watched], texts: &Texts, width: f64) -> Figure
     let note = texts.get("lab-processor-note");
     let top = sheet.paragraph(Role::Note, [0.0, 0.0], width, &note.into()) + 12.0;
     let names: Vec<RichText> =
-        watched.iter().map(|one| method_name(one.algorithm.into(), texts).into()).collect();
+        watched.iter().map(|one| way_name(one.algorithm.into(), texts).into()).collect();
     let names_wide = names.iter().map(|name| metrics::width(Role::Words, name)).fold(0.0, f64::max);
     let left = names_wide + 14.0;
     let room = (width - left - GAP).max(80.0);
@@ -88,7 +88,7 @@ fn kinds(watched: &[Watched], texts: &Texts) -> Table {
     let mut head = vec![RichText::default()];
     head.extend(BranchKind::ALL.map(|kind| texts.get(&format!("lab-kind-{}", kind.id())).into()));
     let row = |one: &Watched| {
-        let mut row = vec![Entry::new(method_name(one.algorithm.into(), texts), Tone::Plain)];
+        let mut row = vec![Entry::new(way_name(one.algorithm.into(), texts), Tone::Plain)];
         row.extend(one.kinds.map(|[n, wrong]| match n {
             0 => Entry::new("–", Tone::Quiet),
             _ => Entry::new(format!("{wrong} / {n}"), Tone::Plain),

@@ -1,6 +1,6 @@
 //! Bars of all algorithms in every scene, in the manner of figures 8 to 10 of the paper.
 
-use super::names::{in_unit, method_name, ratio as in_units, scene_name, short};
+use super::names::{in_unit, ratio as in_units, scene_name, short, way_name};
 use crate::views::sheet::Sheet;
 use crate::{Anchor, Figure, Form, Part, Role, metrics};
 use octoscope_core::explain::RichText;
@@ -62,7 +62,7 @@ fn panel(
     width: f64,
 ) -> f64 {
     let names: Vec<RichText> =
-        site.rows.iter().map(|row| method_name(row.method, texts).into()).collect();
+        site.rows.iter().map(|row| way_name(row.way, texts).into()).collect();
     let names_wide = names.iter().map(|name| metrics::width(Role::Note, name)).fold(0.0, f64::max);
     let Some(best) = site.least(quantity) else {
         sheet.text(Role::Words, [x, y + 10.0], Anchor::Start, texts.get("lab-nothing"));
