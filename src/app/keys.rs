@@ -3,6 +3,7 @@
 use super::App;
 use crate::command::{COMMANDS, Command, belongs_to_focus};
 use crate::space::Standpoint;
+use crate::with_document;
 use eframe::egui::{Context, Key, Popup};
 
 /// Which keys are no commands, because something else takes them.
@@ -72,7 +73,10 @@ impl App {
                 self.is_about_a_ray()
             }
             Command::BackToRay => !self.is_about_a_ray(),
-            Command::Degenerate(ray) => self.is_about_a_ray() && ray.exists_in(self.dimension()),
+            Command::Degenerate(ray) => {
+                let exists = with_document!(&self.document, d => ray.exists_in(&d.tree));
+                self.is_about_a_ray() && exists
+            }
             Command::Stand(Standpoint::Right | Standpoint::Front | Standpoint::Above)
             | Command::NextLens => self.dimension() == 3,
             Command::Show(change) => change.is_possible(self.show_of_document(), self.dimension()),

@@ -10,7 +10,7 @@ use crate::view::{Dialog, PanelKind, Preset, Search, View};
 use crate::with_document;
 use eframe::egui::{Context, ViewportCommand};
 use octoscope_core::explain::Notation;
-use octoscope_core::gallery::{Degenerate, snap};
+use octoscope_core::gallery::{Degenerate, no_such_ray, snap};
 use octoscope_core::paper::paper_texts;
 use octoscope_core::query::Query;
 use octoscope_core::text::Language;
@@ -66,9 +66,10 @@ impl App {
             Command::BackToRay => with_document!(&mut self.document, d => d.back_to_ray()),
             Command::SnapRay => self.snap_ray(),
             Command::NextDegenerate => {
-                let first = Degenerate::ALL[0];
-                let dimension = self.dimension();
-                self.aim(self.degenerate.map_or(first, |last| last.following(dimension)));
+                let last = self.degenerate;
+                let next =
+                    with_document!(&self.document, d => Degenerate::following(last, &d.tree));
+                self.aim(next);
             }
             Command::Degenerate(ray) => self.aim(ray),
             Command::FullScreen => {
@@ -176,6 +177,8 @@ impl App {
             self.view.show_everything();
             let [name, watch] = [degenerate.name(language), degenerate.watch(language)];
             self.notice.say(format!("{name}: {watch}"));
+        } else {
+            self.notice.say(no_such_ray(self.view.language));
         }
     }
 

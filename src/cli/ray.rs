@@ -33,12 +33,20 @@ impl RayChoice {
     /// The ray, for `tree`.
     ///
     /// # Errors
-    /// Says why the numbers make no ray, or that the gallery has none in the plane.
+    /// Says why the numbers make no ray, or why the tree has none of this kind.
     fn ray<const D: usize>(&self, tree: &Tree<D>) -> anyhow::Result<Ray<D>> {
         match self {
             Self::Numbers(numbers) => ray(numbers),
             Self::Gallery(kind) => kind.ray(tree).ok_or_else(|| {
-                anyhow!("--ray gallery:{} is a ray through octrees only", kind.id())
+                let of_space = D == 2 && kind.is_of_space();
+                let why = if of_space {
+                    "is a ray through octrees only"
+                } else if tree.root().is_leaf() {
+                    "needs a divided root, and this tree is one leaf"
+                } else {
+                    "has no numbers in this tree that are doubles"
+                };
+                anyhow!("--ray gallery:{} {why}", kind.id())
             }),
         }
     }

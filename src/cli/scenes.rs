@@ -65,7 +65,7 @@ fn as_text() -> String {
     });
     let rays = Degenerate::ALL.map(|ray| {
         let id = format!("gallery:{}", ray.id());
-        let plane = if ray.exists_in(2) { "" } else { " (in space)" };
+        let plane = if ray.is_of_space() { " (in space)" } else { "" };
         format!("{id:<22}{}{plane}\n", ray.name(Language::English))
     });
     let errata = ERRATA.map(|erratum| {

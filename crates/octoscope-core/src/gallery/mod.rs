@@ -19,7 +19,7 @@ use thiserror::Error;
 pub enum Degenerate {
     /// Along one axis, beside all planes.
     AxisParallel,
-    /// In a mid plane, with its axis at rest.
+    /// In a mid plane, along faces of the smallest leaves, with its axis at rest.
     FacePlane,
     /// Along an edge of cells, where two mid planes meet.
     Edge,
@@ -27,9 +27,10 @@ pub enum Degenerate {
     Corner,
     /// Through the centre of the root, with equal components.
     Centre,
-    /// Down the main diagonal of the root, from corner to corner.
+    /// Down the main diagonal of the root: through its centre, with equal components
+    /// below 0.
     Diagonal,
-    /// In a mid plane, with a component −0.0.
+    /// In a mid plane, along faces of the smallest leaves, where its component is −0.0.
     NegativeZero,
     /// From a mid plane, down across it.
     OnFace,
@@ -47,7 +48,8 @@ pub enum Degenerate {
     LowerFace,
     /// In the upper face of the root.
     UpperFace,
-    /// Nearly along an axis, from a mid plane: another component is 10⁻⁷ of it.
+    /// Nearly along an axis, from a mid plane, and not far from it past faces of the
+    /// smallest leaves: another component is 10⁻⁷ of it.
     Tiny,
     /// From a million sides away.
     Far,
@@ -57,7 +59,8 @@ pub enum Degenerate {
     Lattice,
     /// From one lattice point to another, with a tie of three axes.
     LatticeSpace,
-    /// From one lattice point towards another in thirds, which doubles round.
+    /// From one lattice point towards another in thirds, which doubles round, so that
+    /// they decide otherwise.
     Thirds,
     /// So slow that t is of the order 10³⁰⁰.
     Slow,
@@ -127,22 +130,52 @@ impl Degenerate {
         }
     }
 
-    /// Whether there is such a ray in this dimension. In the plane an edge is a
-    /// face, and three axes do not tie.
-    pub fn exists_in(self, dimension: usize) -> bool {
-        dimension > 2 || !matches!(self, Self::Edge | Self::LatticeSpace)
+    /// Whether the ray is one of space alone.
+    pub fn is_of_space(self) -> bool {
+        matches!(self, Self::Edge | Self::LatticeSpace)
     }
 
-    /// The ray for `tree`, or `None` if there is none in its dimension. O(leaves).
+    /// Whether there may be such a ray in `tree`: in the plane an edge is a face, and
+    /// three axes do not tie; and a root that is not divided has no mid planes.
+    pub fn exists_in<const D: usize>(self, tree: &Tree<D>) -> bool {
+        let divided = !tree.root().is_leaf();
+        match self {
+            Self::AxisParallel
+            | Self::LowerFace
+            | Self::UpperFace
+            | Self::Diagonal
+            | Self::Inside
+            | Self::Behind
+            | Self::Leaving
+            | Self::Grazing
+            | Self::Miss
+            | Self::Far
+            | Self::Slow => true,
+            Self::FacePlane
+            | Self::Corner
+            | Self::Centre
+            | Self::NegativeZero
+            | Self::Tiny
+            | Self::OnFace
+            | Self::OnCorner
+            | Self::Lattice
+            | Self::Thirds => divided,
+            Self::Edge | Self::LatticeSpace => divided && D == 3,
+        }
+    }
+
+    /// The ray for `tree`, or `None` if it has none, as [`Degenerate::exists_in`]
+    /// says or since doubles cannot hold its numbers. O(leaves).
     pub fn ray<const D: usize>(self, tree: &Tree<D>) -> Option<Ray<D>> {
-        self.exists_in(D).then(|| rays::ray(self, tree))
+        rays::ray(self, tree)
     }
 
-    /// The next one in this dimension, round and round.
-    pub fn following(self, dimension: usize) -> Self {
-        let rest = Self::ALL.into_iter().skip_while(|&other| other != self).skip(1);
-        let mut all = rest.chain(Self::ALL).filter(|other| other.exists_in(dimension));
-        all.next().unwrap_or(self)
+    /// The next one that `tree` has after this one, or after none, round and round.
+    pub fn following<const D: usize>(last: Option<Self>, tree: &Tree<D>) -> Self {
+        let place = last.and_then(|last| Self::ALL.into_iter().position(|ray| ray == last));
+        let (before, after) = Self::ALL.split_at(place.map_or(0, |place| place + 1));
+        let mut all = after.iter().chain(before).copied();
+        all.find(|ray| ray.ray(tree).is_some()).expect("every tree has a ray along an axis")
     }
 
     /// Name, in a few words.
@@ -154,6 +187,11 @@ impl Degenerate {
     pub fn watch(self, language: Language) -> String {
         texts(language).get(&format!("watch-{}", self.id()))
     }
+}
+
+/// What is said where a tree has no ray of a kind that it might have.
+pub fn no_such_ray(language: Language) -> String {
+    texts(language).get("gallery-none")
 }
 
 impl std::str::FromStr for Degenerate {
@@ -181,10 +219,13 @@ fn texts(language: Language) -> &'static Texts {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::progress::Progress;
+    use crate::tree::{Domain, Split, grow};
 
     #[test]
     fn every_ray_and_every_snap_is_told_in_both_languages() {
         for language in Language::ALL {
+            assert!(no_such_ray(language).ends_with('.'));
             for ray in Degenerate::ALL {
                 assert_eq!(ray.id().parse(), Ok(ray));
                 let (name, watch) = (ray.name(language), ray.watch(language));
@@ -197,21 +238,30 @@ mod tests {
             }
         }
         let keys = |source: &str| source.lines().filter(|line| line.contains(" = ")).count();
-        let n_keys = 2 * Degenerate::ALL.len() + Snap::ALL.len();
+        let n_keys = 2 * Degenerate::ALL.len() + Snap::ALL.len() + 1;
         assert_eq!((keys(ENGLISH), keys(GERMAN)), (n_keys, n_keys));
+    }
+
+    fn goes_round<const D: usize>(root_level: u8, n_expected: usize) {
+        let grown = grow(Domain::<D>::unit(root_level), (), &Progress::default(), |cell, ()| {
+            if cell.level > 0 { Split::Inner(vec![(); 1 << D]) } else { Split::Empty }
+        });
+        let tree = grown.unwrap();
+        let mut seen = vec![];
+        while seen.len() <= n_expected {
+            seen.push(Degenerate::following(seen.last().copied(), &tree));
+        }
+        assert_eq!((seen[0], seen.pop()), (Degenerate::ALL[0], Some(Degenerate::ALL[0])));
+        let exist = Degenerate::ALL.into_iter().filter(|ray| ray.exists_in(&tree));
+        assert!(exist.eq(seen));
     }
 
     #[test]
     fn the_gallery_goes_round() {
-        for dimension in [2, 3] {
-            let n = Degenerate::ALL.iter().filter(|ray| ray.exists_in(dimension)).count();
-            let mut seen = vec![Degenerate::Slow];
-            while seen.len() <= n {
-                seen.push(seen[seen.len() - 1].following(dimension));
-            }
-            assert_eq!(seen.pop(), Some(Degenerate::Slow));
-            assert!(seen.iter().all(|ray| ray.exists_in(dimension)));
-        }
+        goes_round::<2>(2, 20);
+        goes_round::<3>(2, 22);
+        goes_round::<2>(0, 11);
+        goes_round::<3>(0, 11);
         assert!("fast".parse::<Degenerate>().unwrap_err().to_string().contains("lattice-space"));
     }
 }
