@@ -5,17 +5,25 @@ use crate::widgets::{Setting, paint_figure, room, table};
 use eframe::egui::{Align, Layout, RichText, Sense, Ui, WidgetInfo, accesskit::Role};
 use octoscope_core::event::Event;
 use octoscope_core::trace::Moment;
-use octoscope_figure::views::{Automaton, mask_note};
+use octoscope_core::traverse::Variants;
+use octoscope_figure::views::Automaton;
 
 /// The mirror mask, and what it means.
-pub fn note<const D: usize>(look: &Look, moment: &Moment<D>) -> String {
-    mask_note(&look.texts, Automaton::of(moment, None).mask)
+pub fn note<const D: usize>(look: &Look, moment: &Moment<D>, variants: Variants) -> String {
+    Automaton::of(moment, None, variants).note(&look.texts)
 }
 
 /// States as corners of a square or cube, the lit transition, and the tables
-/// with the used row and column lit. `event` is what has just happened.
-pub fn ui<const D: usize>(ui: &mut Ui, look: &Look, moment: &Moment<D>, event: Option<&Event<D>>) {
-    let automaton = Automaton::of(moment, event);
+/// with the used row and column lit. `event` is what has just happened, by rules of
+/// which `variants` are in another form.
+pub fn ui<const D: usize>(
+    ui: &mut Ui,
+    look: &Look,
+    moment: &Moment<D>,
+    event: Option<&Event<D>>,
+    variants: Variants,
+) {
+    let automaton = Automaton::of(moment, event, variants);
     // The table beside it needs the same room whatever is lit.
     let [beside_it, least, most] =
         if D == 2 { [152.0, 96.0, 120.0] } else { [176.0, 150.0, 184.0] };

@@ -88,7 +88,9 @@ fn note<const D: usize>(
     match kind {
         PanelKind::Codes => codes::note::<D>(look),
         PanelKind::Rail => t_rail::note(look, &document.tree, moment),
-        PanelKind::Automaton => automaton::note(look, moment),
+        PanelKind::Automaton => {
+            automaton::note(look, moment, document.trace.query.variants_at_work())
+        }
         PanelKind::Stack => stack::note(moment),
         PanelKind::WayDown => way_down::note(look, moment),
         PanelKind::Grid => grid::note(look, moment),
@@ -141,7 +143,9 @@ fn body<const D: usize>(
             }
             pointed.node.into_iter().for_each(|node| view.hover.offer(node));
         }
-        PanelKind::Automaton => automaton::ui(ui, look, moment, event),
+        PanelKind::Automaton => {
+            automaton::ui(ui, look, moment, event, trace.query.variants_at_work());
+        }
         PanelKind::Listing => {
             let listing = listing_of(&trace.query, view.language);
             let lit = listing::ui(ui, look, &listing, &listing.lit(past));

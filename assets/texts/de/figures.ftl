@@ -25,6 +25,7 @@ t-rail-missed = Der Strahl trifft dieses Blatt nicht, es gibt also keine Paramet
 t-rail-enter = Eintritt
 t-rail-exit = Austritt
 automaton-mask = a = { $mask }: Zustand i ist Kind i xor { $mask }
+automaton-morton = a = { $mask }: Zustand i ist Kind i xor { $mask }, gelesen als x + 2y + 4z
 automaton-state = Zustand { $state }
 automaton-state-column = Zustand
 automaton-end = Ende

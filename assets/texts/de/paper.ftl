@@ -8,7 +8,7 @@ erratum-b-1-why = Der Strahl ist im Knoten, solange er auf jeder Achse zwischen 
 erratum-b-2-title = Tabelle 2: Bits des ersten Kindes
 erratum-b-2-printed = t_xm < t_z0 setzt Bit 0, t_zm setzt Bit 2
 erratum-b-2-right = x setzt Bit 2, y Bit 1, z Bit 0
-erratum-b-2-why = In Tabelle 3 und der Maske a = 4a_x + 2a_y + a_z ist x das höchste Bit. Mit vertauschten Bits beginnt der Weg im falschen Kind und verliert Blätter.
+erratum-b-2-why = In Tabelle 3 und der Maske a = 4a_x + 2a_y + a_z ist x das höchste Bit. Mit vertauschten Bits beginnt der Weg im falschen Kind und verliert Blätter. Wer die Zustände als x + 2y + 4z liest (B-2-morton), beginnt im richtigen Kind, aber dann führen Tabelle 3 und die Maske in die Irre.
 
 erratum-b-3-title = Auswahl der Kinder in der Ebene
 erratum-b-3-printed = q1 in beiden Zweigen; q3, wenn t_ym < t_y1; nichts für t_xm = t_ym

@@ -54,6 +54,7 @@ sort = { $n ->
 
 visit-root = Die Traversierung beginnt an der Wurzel, { $node }.
 visit-plain = Kind { $child } wird besucht: { $node }.
+visit-morton = { $number } wird als x + 2y + 4z gelesen, { $rule }, meint also Kind { $child } des Baums; es wird besucht: { $node }.
 visit-mirrored = Zustand { $state } ist Kind { $child } des Baumes, denn f({ $state }) = { $state } xor { $mask }; es wird besucht: { $node }.
 skip-behind = Der Knoten wird bei { $exit } < 0 verlassen; er liegt also hinter dem Startpunkt und wird übersprungen.
 skip-ahead = Der Knoten wird bei { $exit } ≥ 0 verlassen; er liegt also nicht hinter dem Startpunkt.

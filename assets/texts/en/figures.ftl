@@ -25,6 +25,7 @@ t-rail-missed = The ray does not meet this leaf, so there are no parameters t.
 t-rail-enter = enter
 t-rail-exit = exit
 automaton-mask = a = { $mask }: state i is child i xor { $mask }
+automaton-morton = a = { $mask }: state i is child i xor { $mask }, read as x + 2y + 4z
 automaton-state = State { $state }
 automaton-state-column = state
 automaton-end = end

@@ -54,6 +54,7 @@ sort = { $n ->
 
 visit-root = The traversal begins at the root, { $node }.
 visit-plain = Child { $child } is visited: { $node }.
+visit-morton = { $number } is read as x + 2y + 4z, { $rule }, which means child { $child } of the tree; it is visited: { $node }.
 visit-mirrored = State { $state } is child { $child } of the tree, as f({ $state }) = { $state } xor { $mask }; it is visited: { $node }.
 skip-behind = The node is left at { $exit } < 0, so it lies behind the origin and is skipped.
 skip-ahead = The node is left at { $exit } ≥ 0, so it does not lie behind the origin.

@@ -28,6 +28,10 @@ pub enum Variant {
     /// Table 2 with the bits of x and z interchanged; in space [Kirschmann,
     /// Table 2; Revelles 2000].
     B2,
+    /// Table 2 as printed, which is right if children are numbered x + 2y + 4z, with
+    /// Table 3 and the mirror mask, which number them 4x + 2y + z; in space [Kirschmann,
+    /// Table 2, read as Morton order].
+    B2Morton,
     /// The selection of children with q1 in either branch, t_y1 for t_x1 and no
     /// branch for equality; in the plane [Kirschmann, §4.2.1].
     B3,
@@ -82,13 +86,14 @@ pub struct UnknownVariant(pub String);
 
 impl Variant {
     /// All variants.
-    pub const ALL: [Self; 23] = [
+    pub const ALL: [Self; 24] = [
         Self::OneByOne,
         Self::Averaged,
         Self::Push,
         Self::Gem,
         Self::B1,
         Self::B2,
+        Self::B2Morton,
         Self::B3,
         Self::B4,
         Self::B5,
@@ -117,6 +122,7 @@ impl Variant {
             Self::Gem => "gem",
             Self::B1 => "B-1",
             Self::B2 => "B-2",
+            Self::B2Morton => "B-2-morton",
             Self::B3 => "B-3",
             Self::B4 => "B-4",
             Self::B5 => "B-5",
@@ -150,6 +156,7 @@ impl Variant {
             Self::OneByOne | Self::Averaged | Self::Push | Self::Gem => false,
             Self::B1
             | Self::B2
+            | Self::B2Morton
             | Self::B3
             | Self::B4
             | Self::B5

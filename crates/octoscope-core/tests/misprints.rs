@@ -104,6 +104,29 @@ fn b_2_takes_a_wrong_first_child_and_loses_a_leaf() {
 }
 
 #[test]
+fn b_2_in_morton_order_enters_rightly_and_goes_on_wrongly() {
+    let (origin, direction) = ([0.75, 0.25, -1.0], [0.0625, 0.0625, 1.0]);
+    for base in BOTH {
+        let id = format!("{base}@B-2-morton");
+        // State 1 is read as x = 1; Table 3 takes its bit for that of z and ends.
+        check(&id, origin, direction, [&[4], &[4, 5]]);
+        assert_eq!(states(origin, direction, &id), [1]);
+        // From state 0 Table 3 leads through the z plane to 1, which is read as x = 1:
+        // a child that is entered long after it is left.
+        let up = ([0.25, 0.25, -1.0], [0.0625, 0.0625, 1.0]);
+        check(&id, up.0, up.1, [&[0], &[0, 1]]);
+        assert_eq!(states(up.0, up.1, &id), [0, 1]);
+        // The mask has x as its highest bit, but is read likewise: 4 is z = 1.
+        let down = ([0.75, 0.25, -1.0], [-0.0625, 0.0625, 1.0]);
+        check(&id, down.0, down.1, [&[1], &[4, 5]]);
+        assert_eq!(states(down.0, down.1, &id), [0, 1]);
+        // There is no Table 2 in the plane.
+        let of_base = format!("{base}@B-2-morton");
+        check(&of_base, [-1.0, 0.1], [1.0, 0.1], [&[0, 2], &[0, 2]]);
+    }
+}
+
+#[test]
 fn b_3_selects_the_wrong_children_and_none_along_the_diagonal() {
     for base in BOTH {
         let id = format!("{base}@B-3");
@@ -150,10 +173,11 @@ fn b_7_mirrors_a_root_away_from_zero_to_another_place() {
 
 #[test]
 fn b_9_walks_to_the_last_child_from_the_first() {
-    let (origin, direction) = ([0.75, 0.75, 0.328_125], [1.0, 0.5, 0.0625]);
-    check("parametric@B-9", origin, direction, [&[6], &[6]]);
-    assert_eq!(states(origin, direction, "parametric@B-9"), [0, 2, 6]);
-    assert_eq!(states(origin, direction, "parametric"), [6]);
+    let (origin, direction) = ([0.625, 0.75, 0.875], [1.0; 3]);
+    check("parametric@B-9", origin, direction, [&[7], &[7]]);
+    assert_eq!(states(origin, direction, "parametric@B-9"), [0, 1, 3, 7]);
+    assert_eq!(states(origin, direction, "parametric"), [7]);
+    assert_eq!(states(origin, direction, "parametric-table"), [0, 1, 3, 7]);
     assert_eq!(states([0.75; 3], [1.0; 3], "parametric@B-9,one-by-one"), [0, 4, 6, 7]);
     assert!("parametric-table@B-9".parse::<Method>().is_err());
 }

@@ -104,7 +104,8 @@ impl<const D: usize> Scene<'_, D> {
             Event::First { .. } | Event::Step { next: Some(_), .. } => {
                 let frame = self.moment.frame()?;
                 let mask = self.moment.clip.map_or(Axes::NONE, |clip| clip.mirror);
-                Some((frame.node, frame.child_state?.mirrored(mask)))
+                let variants = self.query.variants_at_work();
+                Some((frame.node, variants.child_of_state(frame.child_state?, mask)))
             }
             Event::Compare { child, node, .. }
             | Event::Follow { child, node, .. }
@@ -254,7 +255,8 @@ impl<const D: usize> Scene<'_, D> {
                 let mask = self.moment.clip.map_or(Axes::NONE, |clip| clip.mirror);
                 let parent = self.tree.node(parent);
                 if !parent.is_leaf() {
-                    let left = self.tree.child(parent, state.mirrored(mask)).id;
+                    let variants = self.query.variants_at_work();
+                    let left = self.tree.child(parent, variants.child_of_state(state, mask)).id;
                     self.exit_planes(left, axes, marks);
                 }
             }

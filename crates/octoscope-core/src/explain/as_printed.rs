@@ -42,12 +42,14 @@ pub(super) fn with_printed_rules<const D: usize>(
             }
         }
         Event::First { entry, state, .. } => {
-            let of_children = if D == 2 { Variant::B3 } else { Variant::B2 };
+            let of_children: &[Variant] =
+                if D == 2 { &[Variant::B3] } else { &[Variant::B2, Variant::B2Morton] };
             // The tables begin at the near planes in any case; by the one rule it
             // makes a difference where these lie behind the origin.
             let clamps = matches!(query, Query::Ray { algorithm: Algorithm::Parametric, .. });
-            let rules = [of_children, Variant::B9, Variant::B10];
-            if let Some(rule) = at_work(if clamps && entry < 0.0 { &rules } else { &rules[..1] }) {
+            let of_entry: &[Variant] =
+                if clamps && entry < 0.0 { &[Variant::B9, Variant::B10] } else { &[] };
+            if let Some(rule) = at_work(&[of_children, of_entry].concat()) {
                 let state = strong(&state.0.to_string());
                 return words.say("first-printed", &[("state", state), ("rule", rule)]);
             }
@@ -146,7 +148,11 @@ fn candidates<const D: usize>(
             let mid = before.frame().and_then(|frame| frame.mid);
             with_mirrored(mid.map_or_else(Vec::new, |mid| if_no_number(&mid, &[B5, B6])))
         }
-        Event::Step { exits, .. } => with_mirrored(if_no_number(&exits, &[B5, B6])),
+        // Table 3 counts in another order than the state is read.
+        Event::Step { exits, .. } => {
+            let rules = [vec![Variant::B2Morton], if_no_number(&exits, &[B5, B6])].concat();
+            with_mirrored(rules)
+        }
         // Only the code of an upper face is one by the printed rule.
         Event::Encode { code, .. } if code.contains(&grid_size) => vec![B21],
         Event::Difference { .. } => vec![B24a, B24b, B25Leftmost, B25Rightmost],

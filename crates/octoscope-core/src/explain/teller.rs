@@ -74,8 +74,15 @@ impl<const D: usize> Teller<'_, D> {
                     return words.say("visit-root", &[("node", words.node(node))]);
                 };
                 let mask = self.mask();
-                let child = strong(&state.mirrored(mask).0.to_string());
+                let variants = self.trace.query.variants_at_work();
+                let child = strong(&variants.child_of_state(state, mask).0.to_string());
                 let mut arguments = vec![("child", child), ("node", words.node(node))];
+                if variants.has(Variant::B2Morton) {
+                    let rule = Variant::B2Morton.id().to_owned();
+                    let number = state.mirrored(mask).0.to_string();
+                    arguments.extend([("number", number), ("rule", rule)]);
+                    return words.say("visit-morton", &arguments);
+                }
                 if mask.is_empty() {
                     return words.say("visit-plain", &arguments);
                 }

@@ -26,7 +26,9 @@ pub fn counterexample(variant: Variant) -> AnyScenario {
         }),
         Variant::Gem => Octree(rays([0.0, 0.0, 0.5], [1.0, 0.0, -0.5], along(Algorithm::Bsp))),
         Variant::B1 => Quadtree(rays([-2.0, 0.0], [1.0, 1.0], along(table))),
-        Variant::B2 => Octree(rays([0.75, 0.25, -1.0], [0.0625, 0.0625, 1.0], along(table))),
+        Variant::B2 | Variant::B2Morton => {
+            Octree(rays([0.75, 0.25, -1.0], [0.0625, 0.0625, 1.0], along(table)))
+        }
         Variant::B3 | Variant::B4 => Quadtree(rays([-1.0, 0.1], [1.0, 0.1], along(table))),
         Variant::B5 => Octree(rays([1.0, 0.25, -1.0], [0.0, 0.0, 1.0], along(table))),
         Variant::B6 => Octree(rays([0.75, 0.75, -1.0], [0.0, 0.0, 1.0], along(table))),
@@ -34,9 +36,7 @@ pub fn counterexample(variant: Variant) -> AnyScenario {
             domain: Cube { min: [1.0; 2], side: 2.0 },
             ..rays([4.0, 1.25], [-1.0, 0.5], along(table))
         }),
-        Variant::B9 => {
-            Octree(rays([0.75, 0.75, 0.328_125], [1.0, 0.5, 0.0625], along(Algorithm::Parametric)))
-        }
+        Variant::B9 => Octree(rays([0.625, 0.75, 0.875], [1.0; 3], along(Algorithm::Parametric))),
         Variant::B10 => Octree(rays([2.0; 3], [1.0; 3], along(table))),
         Variant::B11 => Quadtree(rays([1.0, -1.0], [0.0, 1.0], along(table))),
         Variant::B18 | Variant::B19 => Quadtree(asked(2, [1, 1], point([0.375; 2], variants))),

@@ -71,7 +71,7 @@ pub const ERRATA: [Erratum; 37] = {
     use Severity::{Cosmetic, Misleading, Wrong};
     [
         erratum("B-1", Wrong, &[Variant::B1]),
-        erratum("B-2", Wrong, &[Variant::B2]),
+        erratum("B-2", Wrong, &[Variant::B2, Variant::B2Morton]),
         erratum("B-3", Wrong, &[Variant::B3]),
         erratum("B-4", Misleading, &[Variant::B4]),
         erratum("B-5", Wrong, &[Variant::B5]),

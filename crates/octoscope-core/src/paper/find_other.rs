@@ -242,7 +242,8 @@ mod tests {
 
     #[test]
     fn misprints_go_wrong_on_other_rays_with_few_digits() {
-        check_all(&[Variant::B1, Variant::B2, Variant::B3, Variant::B6, Variant::B7]);
+        use Variant::{B1, B2, B2Morton, B3, B6, B7};
+        check_all(&[B1, B2, B2Morton, B3, B6, B7]);
     }
 
     #[test]

@@ -209,9 +209,12 @@ impl<const D: usize, O: Observer<D>> Walk<'_, D, O> {
         state: Child<D>,
     ) -> ControlFlow<Outcome, [f64; D]> {
         let half = 1 << (place.level - 1);
-        let (near, far) = (state.pick(place.near, mid), state.pick(mid, place.far));
-        let code = state.code_in(place.code, half);
-        let node = self.tree.child(place.node, state.mirrored(self.mirror));
+        let [halves, child] =
+            [Axes::NONE, self.mirror].map(|mask| self.rules.0.child_of_state(state, mask));
+        let (near, far) = (halves.pick(place.near, mid), halves.pick(mid, place.far));
+        // Where it is a wrong child, it has its own mid planes nevertheless.
+        let code = child.mirrored(self.mirror).code_in(place.code, half);
+        let node = self.tree.child(place.node, child);
         self.observe.observe(Event::Visit { node: node.id, state: Some(state), near, far });
         self.visit(Place { node, level: place.level - 1, code, near, far })?;
         self.observe.observe(Event::Up { node: Some(place.node.id) });

@@ -102,10 +102,10 @@ pub fn mirrored_origin<const D: usize>(domain: &Domain<D>, ray: &Ray<D>, rules: 
     })
 }
 
-/// First child from the upper halves that are past: Table 2. As printed, x sets
-/// bit 0 and z bit 2; in the plane there is no such table.
+/// State of the first child from the upper halves that are past: Table 2. As printed,
+/// x sets bit 0 and z bit 2; in the plane there is no such table.
 pub fn first_child<const D: usize>(upper: [bool; D], rules: Rules) -> Child<D> {
-    let printed = D == 3 && rules.has(Variant::B2);
+    let printed = D == 3 && (rules.has(Variant::B2) || rules.has(Variant::B2Morton));
     Child::from_upper_halves(std::array::from_fn(|e| upper[if printed { D - 1 - e } else { e }]))
 }
 

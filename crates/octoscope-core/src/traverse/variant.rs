@@ -3,6 +3,8 @@
 pub use crate::variant::{UnknownVariant, Variant, Variants};
 
 use super::Algorithm;
+use crate::geometry::Axes;
+use crate::tree::Child;
 
 impl Variant {
     /// Whether a traversal has the rule.
@@ -15,6 +17,7 @@ impl Variant {
             Self::Gem => algorithm == Bsp,
             Self::B1
             | Self::B2
+            | Self::B2Morton
             | Self::B3
             | Self::B4
             | Self::B5
@@ -37,5 +40,15 @@ impl Variant {
             | Self::B25Rightmost
             | Self::B28 => false,
         }
+    }
+}
+
+impl Variants {
+    /// The child of the tree that a state of the parametric automaton means, as
+    /// f(i) = i xor a numbers it. Where Table 2 is read in Morton order, the number
+    /// is as well.
+    pub fn child_of_state<const D: usize>(self, state: Child<D>, mask: Axes<D>) -> Child<D> {
+        let child = state.mirrored(mask);
+        if D == 3 && self.has(Variant::B2Morton) { Child(child.morton_index()) } else { child }
     }
 }

@@ -81,8 +81,9 @@ fn counts<const D: usize>() -> BTreeMap<Variant, [usize; 2]> {
                 for query in misprinted(question, &mut random) {
                     let agrees = check(&tree, &ray, &query);
                     let variants: Vec<Variant> = query.variants().iter().collect();
-                    // Elsewhere it may be the doubles that are wrong.
-                    let suffice = doubles_suffice(tree.domain(), &ray);
+                    // Elsewhere it may be the doubles that are wrong: where planes are
+                    // rounded, so is the mirrored origin.
+                    let suffice = n % 4 < 2 && doubles_suffice(tree.domain(), &ray);
                     if let (&[variant], true) = (&variants[..], suffice) {
                         counts.entry(variant).or_insert([0; 2])[usize::from(!agrees)] += 1;
                     }
@@ -99,7 +100,8 @@ fn misprints_come_to_an_end_and_go_wrong_on_random_input() {
     for variant in Variant::ALL.into_iter().filter(|variant| variant.is_misprint()) {
         let wrong = [&plane, &space].map(|counts| counts.get(&variant).map(|[_, wrong]| *wrong));
         // Table 2 is of space, the selection of the plane.
-        let exists = [variant != Variant::B2, variant != Variant::B3];
+        let of_table_2 = matches!(variant, Variant::B2 | Variant::B2Morton);
+        let exists = [!of_table_2, variant != Variant::B3];
         // The walk of B-9 is longer, but what lies behind is not reported.
         let expected = exists.map(|exists| exists.then_some(variant != Variant::B9));
         let goes_wrong = wrong.map(|wrong| wrong.map(|wrong| wrong > 0));

@@ -10,14 +10,16 @@ use octoscope_core::explain::sentence;
 use octoscope_core::geometry::{AXIS_NAMES, Axes};
 use octoscope_core::text::Texts;
 use octoscope_core::trace::Moment;
-use octoscope_core::traverse::{entry_axes, transition};
+use octoscope_core::traverse::{Variant, Variants, entry_axes, transition};
 use octoscope_core::tree::Child;
 
 /// State of the automaton at a moment.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Automaton<const D: usize> {
     /// The mirror mask.
-    pub mask: Axes<D>,
+    mask: Axes<D>,
+    /// Rules in another form than the right one.
+    variants: Variants,
     /// The state that it is in, or leaves.
     pub state: Option<Child<D>>,
     /// The planes through which it leaves its state and the next one, if this is
@@ -29,7 +31,7 @@ pub struct Automaton<const D: usize> {
 
 impl<const D: usize> Automaton<D> {
     /// State after `event`, the last one before `moment`.
-    pub fn of(moment: &Moment<D>, event: Option<&Event<D>>) -> Self {
+    pub fn of(moment: &Moment<D>, event: Option<&Event<D>>, variants: Variants) -> Self {
         let mask = moment.clip.map_or(Axes::NONE, |clip| clip.mirror);
         let (state, step) = if let Some(&Event::Step { state, axes, next, .. }) = event {
             (Some(state), Some((axes, next)))
@@ -40,14 +42,29 @@ impl<const D: usize> Automaton<D> {
             Some(Event::First { entry_axis, .. }) => *entry_axis,
             Some(_) | None => None,
         };
-        Self { mask, state, step, entered }
+        Self { mask, variants, state, step, entered }
+    }
+
+    /// What the mirror mask means, and how states are read.
+    pub fn note(&self, texts: &Texts) -> String {
+        let morton = D == 3 && self.variants.has(Variant::B2Morton);
+        let key = if morton { "automaton-morton" } else { "automaton-mask" };
+        texts.format(key, &[("mask", self.mask.0.into())])
+    }
+
+    /// The child of the tree that a state means.
+    fn child_of(&self, state: Child<D>) -> Child<D> {
+        self.variants.child_of_state(state, self.mask)
     }
 
     /// States as corners of a square or cube in a square of this side, with the
     /// transitions between them and the lit one.
     pub fn diagram(&self, side: f64) -> Figure {
         let mut sheet = Sheet::default();
-        let place = |child: Child<D>| corner(child, 0.5 * side, 0.5 * side - 20.0);
+        let place = |state: Child<D>| {
+            let halves = self.variants.child_of_state(state, Axes::NONE);
+            corner(halves, 0.5 * side, 0.5 * side - 20.0)
+        };
         self.draw_transitions(&mut sheet, &place);
         self.draw_states(&mut sheet, [side; 2], &place);
         sheet.figure([side; 2])
@@ -74,15 +91,17 @@ impl<const D: usize> Automaton<D> {
         }
     }
 
-    /// Table 2: which mid planes decide, by the plane of entry; in space.
+    /// Table 2: which mid planes decide, by the plane of entry, and the bits that they
+    /// set, as printed if this is asked; in space.
     pub fn entry_table(&self) -> Table {
+        let printed = self.variants.has(Variant::B2) || self.variants.has(Variant::B2Morton);
         let row = |axis: usize| {
             let plane: String =
                 (0..D).filter(|&e| e != axis).map(|e| AXIS_NAMES[e].to_uppercase()).collect();
             let used = self.entered == Some(axis);
             let plane = Entry::new(plane, tone(used, used));
             let rules = entry_axes::<D>(axis).iter().map(|other| {
-                let bit = Axes::<D>::one(other).0;
+                let bit = if printed { 1 << other } else { Axes::<D>::one(other).0 };
                 let rule = joined([
                     parameter(other, "m"),
                     " < ".into(),
@@ -137,8 +156,8 @@ impl<const D: usize> Automaton<D> {
             };
             sheet.disc(role, at);
             sheet.text(role, at, Anchor::Middle, child.0.to_string());
-            if !self.mask.is_empty() {
-                let text = format!("→{}", child.mirrored(self.mask).0);
+            if Child::all().any(|state| self.child_of(state) != state) {
+                let text = format!("→{}", self.child_of(child).0);
                 let x = (at[0] + 16.0).min(page[0] - 10.0);
                 sheet.text(Role::Note, [x, at[1] + 16.0], Anchor::Middle, text);
             }
@@ -150,14 +169,14 @@ impl<const D: usize> Automaton<D> {
 pub(super) fn view<const D: usize>(subject: &Subject<D>, width: f64) -> Figure {
     const GAP: f64 = 20.0;
     let texts = subject.texts;
-    let automaton = Automaton::of(subject.moment, subject.event());
+    let variants = subject.query().variants_at_work();
+    let automaton = Automaton::of(subject.moment, subject.event(), variants);
     let setting = Setting { least: 20.0, ..Setting::default() };
     let exits = automaton.exit_table(texts);
     let [table_width, table_height] = exits.size(setting);
     let side = if D == 2 { 132.0 } else { 196.0 };
     let mut sheet = Sheet::default();
-    let note = mask_note(texts, automaton.mask);
-    sheet.text(Role::Note, [0.0, 8.0], Anchor::Start, note);
+    sheet.text(Role::Note, [0.0, 8.0], Anchor::Start, automaton.note(texts));
     let top = 24.0;
     sheet.place(automaton.diagram(side).drawn, [0.0, top]);
 
@@ -190,11 +209,6 @@ pub(super) fn view<const D: usize>(subject: &Subject<D>, width: f64) -> Figure {
         bottom += sheet.paragraph(Role::Words, [0.0, bottom], width, &said);
     }
     sheet.figure([width, bottom])
-}
-
-/// What the mirror mask means.
-pub fn mask_note<const D: usize>(texts: &Texts, mask: Axes<D>) -> String {
-    texts.format("automaton-mask", &[("mask", mask.0.into())])
 }
 
 /// Place of a state: x to the right, y up, z towards the upper right.

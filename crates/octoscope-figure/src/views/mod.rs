@@ -26,7 +26,7 @@ mod table;
 mod words;
 mod worksheet;
 
-pub use automaton::{Automaton, mask_note};
+pub use automaton::Automaton;
 pub use bits::{BitRow, BitTable, Carries, Conclusion};
 pub use codes::{CodeTable, child_rule, code_table};
 pub use exercise::{Exercise, ExerciseError};

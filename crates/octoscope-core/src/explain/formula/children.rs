@@ -22,13 +22,14 @@ impl<const D: usize> Writer<'_, D> {
             return self.selected(mid);
         }
         let name = entry_axis.map_or(Formula::from(0), |axis| self.t(axis, "0"));
-        let swapped = D == 3 && self.has(Variant::B2);
-        // As printed, x sets the bit of z.
+        // As printed, x sets the bit of z, unless the number is read in Morton order.
+        let swapped = D == 3 && self.has(Variant::B2) && !self.reads_morton();
+        let halves = self.halves(state);
         let bit_of = |e: usize| if swapped { D - 1 - e } else { e };
         let strict = self.by_tables() || self.has(Variant::OneByOne);
         let mut all: Vec<Statement> = Vec::new();
         for e in (0..D).filter(|&e| compared.contains(e) && entry_axis != Some(e)) {
-            let is_set = state.is_upper(bit_of(e));
+            let is_set = halves.is_upper(bit_of(e));
             let sign = match (is_set, strict) {
                 (true, true) => Sign::Less,
                 (true, false) => Sign::LessOrEqual,
@@ -49,7 +50,11 @@ impl<const D: usize> Writer<'_, D> {
                 numbers: Some(numbers),
             });
         }
-        all.push(self.index(state));
+        all.push(if self.reads_morton() {
+            self.index_from(halves, |e| 1 << e, i64::from(state.0))
+        } else {
+            self.index(state)
+        });
         all
     }
 
@@ -84,7 +89,8 @@ impl<const D: usize> Writer<'_, D> {
         axes: Axes<D>,
         next: Option<Child<D>>,
     ) -> Vec<Statement> {
-        let planes: [&str; D] = std::array::from_fn(|e| if state.is_upper(e) { "1" } else { "m" });
+        let halves = self.halves(state);
+        let planes: [&str; D] = std::array::from_fn(|e| if halves.is_upper(e) { "1" } else { "m" });
         let letter = self.notation.child();
         let (and, or) = (self.notation.and(), self.notation.or());
         let (from, mask) = (self.index_of(state), self.mask_of(axes));

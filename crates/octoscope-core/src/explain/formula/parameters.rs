@@ -80,9 +80,10 @@ impl<const D: usize> Writer<'_, D> {
                 ]),
             });
         }
-        let planes = |e: usize| if state.is_upper(e) { ["m", "1"] } else { ["0", "m"] };
+        let halves = self.halves(state);
+        let planes = |e: usize| if halves.is_upper(e) { ["m", "1"] } else { ["0", "m"] };
         all.extend((0..D).map(|e| {
-            let bit = i64::from(state.is_upper(e));
+            let bit = i64::from(halves.is_upper(e));
             let interval = Formula::list(planes(e).map(|plane| self.t(e, plane)));
             let values = Formula::list(told_apart([near[e], far[e]]));
             Statement {

@@ -25,6 +25,7 @@ pub fn misprint_formula(variant: Variant) -> Option<Misprint> {
             [interval("min", "max"), interval("max", "min")]
         }
         Variant::B2 => [sets(1), sets(4)],
+        Variant::B2Morton => [[X, Y, Z], [Z, Y, X]].map(numbered),
         Variant::B3 => [
             row![
                 t(X, "m"),
@@ -154,6 +155,16 @@ fn bound(name: &str, operator: &str, plane: &str) -> Formula {
 /// t_xm < t_z0 sets a bit of this weight.
 fn sets(weight: i64) -> Formula {
     row![t(X, "m"), Sign::Less, t(Z, "0"), Sign::Implies, "i", Sign::Takes, "i", Sign::Or, weight,]
+}
+
+/// i = i_x + 2 i_y + 4 i_z: the axes in the order of their weights.
+fn numbered(axes: [usize; 3]) -> Formula {
+    let [one, two, four] = axes.map(|e| Formula::on(e, "i", ""));
+    let mut terms = [one, row![2, two], row![4, four]];
+    if axes[0] == Z {
+        terms.reverse();
+    }
+    row!["i", Sign::Equal, Formula::separated(terms, Sign::Plus)]
 }
 
 /// i_x = (code >> by) ∧ 1

@@ -122,8 +122,21 @@ impl<const D: usize> Writer<'_, D> {
         Formula::on(axis, self.notation.child(), "")
     }
 
+    /// Whether states are read in Morton order although they are not in it.
+    pub(super) fn reads_morton(&self) -> bool {
+        D == 3 && self.has(Variant::B2Morton)
+    }
+
+    /// The halves in which the child of a state lies.
+    pub(super) fn halves(&self, state: Child<D>) -> Child<D> {
+        self.query.variants_at_work().child_of_state(state, Axes::NONE)
+    }
+
     /// Index of a child, as this notation counts.
     pub(super) fn index_of(&self, child: Child<D>) -> i64 {
+        if self.reads_morton() {
+            return i64::from(child.0);
+        }
         match self.notation {
             Notation::Seed | Notation::Revelles => i64::from(child.0),
             Notation::FriskenPerry => i64::from(child.morton_index()),

@@ -163,6 +163,11 @@ fn steps_by_a_printed_rule_say_so() {
     for (variant, expected) in [
         (Variant::B1, "By the printed rule, B-1, the root is hit, from t = 0 to t = 3."),
         (Variant::B2, "By the printed rule, B-2, the ray enters in state 1."),
+        (Variant::B2Morton, "By the printed rule, B-2-morton, the ray enters in state 1."),
+        (
+            Variant::B2Morton,
+            "1 is read as x + 2y + 4z, B-2-morton, which means child 4 of the tree; it is visited: the node (1, 0, 0) of level 0.",
+        ),
         (Variant::B3, "By the printed rule, B-3, the ray enters in state 0."),
         (
             Variant::B1,
