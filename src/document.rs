@@ -141,6 +141,11 @@ impl<const D: usize> Document<D> {
         self.scenario = Question { domain, recipe, ray, query };
     }
 
+    /// Asks for the query of `other`, along its ray, in the present tree.
+    fn ask_as(&mut self, other: &Self) {
+        (self.scenario.ray, self.scenario.query) = (other.scenario.ray, other.scenario.query);
+    }
+
     /// Takes the file of `other` over, if both are states of one opened scenario:
     /// where it is saved to is undone by nothing.
     fn keep_file(&mut self, other: &Self) {

@@ -7,4 +7,4 @@ mod measure;
 
 pub use asked::{Asked, Colouring, Rays};
 pub use colour::{Scale, colours};
-pub use drawing::{Drawing, Maps};
+pub use drawing::{Drawing, Maps, Raster};

@@ -14,7 +14,7 @@ use std::sync::Arc;
 pub const MOST_EVENTS: usize = 100_000;
 
 /// Runs of no more events than this take a small part of a frame.
-const QUICK_EVENTS: usize = 4000;
+pub const QUICK_EVENTS: usize = 4000;
 
 /// In trees of no more nodes than this all can be linked, or all leaves be tested,
 /// in a small part of a frame.
@@ -65,7 +65,7 @@ impl<const D: usize> Traced<D> {
 }
 
 /// Whether a query can begin at once, without a look at all nodes of a large tree.
-fn is_prepared<const D: usize>(tree: &Tree<D>, query: &Query<D>) -> bool {
+pub fn is_prepared<const D: usize>(tree: &Tree<D>, query: &Query<D>) -> bool {
     match query {
         Query::Ray { algorithm: Algorithm::Exhaustive, .. } => tree.n_nodes() <= QUICK_NODES,
         Query::Ray { algorithm: Algorithm::SametNet, .. } => {

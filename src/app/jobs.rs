@@ -95,7 +95,7 @@ impl App {
                 let other = find_other(&d.tree, asked, seed, progress);
                 other.map(|other| (d.scenario.ray, d.scenario.query) = other).is_some()
             });
-            progress.advance(0)?;
+            progress.check()?;
             if found { Ok(document) } else { Err(anyhow!(none)) }
         };
         self.job = Some((Job::start(title, context, work), Purpose::Aim));
@@ -285,18 +285,11 @@ impl App {
                 self.follow(step);
                 (self.tracing, self.judging) = (None, None);
             }
-            (Ok(aimed), Purpose::Aim) => match (&mut self.document, aimed) {
-                (AnyDocument::Plane(now), AnyDocument::Plane(aimed)) => {
-                    now.scenario.ray = aimed.scenario.ray;
-                    now.scenario.query = aimed.scenario.query;
-                }
-                (AnyDocument::Space(now), AnyDocument::Space(aimed)) => {
-                    now.scenario.ray = aimed.scenario.ray;
-                    now.scenario.query = aimed.scenario.query;
-                }
-                (AnyDocument::Plane(_), AnyDocument::Space(_))
-                | (AnyDocument::Space(_), AnyDocument::Plane(_)) => {}
-            },
+            (Ok(aimed), Purpose::Aim) => {
+                // What was asked meanwhile can be brought back.
+                self.settle_now();
+                self.document.ask_as(&aimed);
+            }
             (Err(error), Purpose::Open | Purpose::Rebuild | Purpose::Aim) => {
                 if purpose == Purpose::Rebuild {
                     with_document!(&mut self.document, document => document.keep_tree());

@@ -171,7 +171,7 @@ impl App {
         };
         match results {
             Ok(results) => {
-                let was_stopped = job.progress.advance(0).is_err();
+                let was_stopped = job.progress.check().is_err();
                 // What was there is worth more than nothing.
                 if was_stopped && results.sites.is_empty() {
                     return;

@@ -139,12 +139,7 @@ impl App {
             with_document!(&mut self.document, d => d.back_to_ray());
         }
         with_document!(&mut self.document, d => {
-            if let Query::Ray { algorithm: present, options, .. } = &mut d.scenario.query {
-                *present = algorithm;
-                // Those of another algorithm mean nothing here.
-                let own = options.variants.iter().filter(|variant| variant.belongs_to(algorithm));
-                options.variants = own.collect();
-            }
+            d.scenario.query = d.scenario.query.with_algorithm(algorithm);
         });
     }
 

@@ -45,6 +45,7 @@ impl App {
             Ok(()) => {
                 with_document!(&mut self.document, d => d.path = Some(path.to_owned()));
                 self.saved = self.document.clone();
+                self.unrestored = None;
                 self.exporting.saved = Some((path.to_owned(), self.scenario_now()));
                 let name = file_name(path);
                 self.notice.say(self.look.texts.format("status-saved", &[("name", name.into())]));

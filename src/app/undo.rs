@@ -39,10 +39,10 @@ impl App {
         &mut self,
         direction: impl FnOnce(&mut History<Shown>, Shown) -> Option<Shown>,
     ) {
-        // What is being changed right now is a state of its own, and a tree
-        // that is being built for it belongs to no other document.
+        // What is being changed right now is a state of its own, and a tree that is
+        // being built for it, or a question sought, belongs to no other document.
         self.settle_now();
-        self.job.take_if(|(_, purpose)| *purpose == Purpose::Rebuild);
+        self.job.take_if(|(_, purpose)| matches!(purpose, Purpose::Rebuild | Purpose::Aim));
         let present = self.shown();
         if let Some(shown) = direction(&mut self.history, present) {
             if !shown.document.is_same_place(&self.document) {

@@ -41,7 +41,7 @@ pub fn run(plan: &Plan, progress: &Progress) -> anyhow::Result<Results> {
                 Ok(site) => results.sites.push(site),
                 Err(error) if error.root_cause().is::<Cancelled>() => return Ok(results),
                 // Cancelled while the tree was built.
-                Err(_) if progress.advance(0).is_err() => return Ok(results),
+                Err(_) if progress.check().is_err() => return Ok(results),
                 Err(error) => return Err(error),
             }
         }

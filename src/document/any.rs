@@ -61,6 +61,15 @@ impl AnyDocument {
         document
     }
 
+    /// Asks for the query of `other`, along its ray; not if that is of the other dimension.
+    pub fn ask_as(&mut self, other: &Self) {
+        match (self, other) {
+            (Self::Plane(now), Self::Plane(other)) => now.ask_as(other),
+            (Self::Space(now), Self::Space(other)) => now.ask_as(other),
+            (Self::Plane(_), Self::Space(_)) | (Self::Space(_), Self::Plane(_)) => {}
+        }
+    }
+
     /// Takes the file of `other` over, if both are states of one opened scenario.
     pub fn keep_file(&mut self, other: &Self) {
         match (self, other) {

@@ -119,7 +119,7 @@ impl<const D: usize> Document<D> {
     /// does, and that is known by now.
     pub fn first_wrong_step(&mut self) -> Option<usize> {
         let is_misprint = |variant| erratum_of(variant).is_some();
-        if !self.trace.query.variants().iter().any(is_misprint) {
+        if !self.trace.query.variants_at_work().iter().any(is_misprint) {
             return None;
         }
         match self.verdict() {

@@ -94,13 +94,13 @@ fn read_pipe(path: &Path, progress: &Progress) -> anyhow::Result<Vec<u8>> {
                 return Err(FileFault::NobodyWrites.at(path));
             }
             Err(RecvTimeoutError::Timeout) => {
-                progress.advance(0)?;
+                progress.check()?;
                 continue;
             }
             Err(RecvTimeoutError::Disconnected) => return Ok(bytes),
         }
         opened = true;
-        progress.advance(0)?;
+        progress.check()?;
         if bytes.len() as u64 > MOST_BYTES {
             return Err(too_long(Kind::Pipe, MOST_BYTES, path));
         }

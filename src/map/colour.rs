@@ -2,7 +2,7 @@
 
 use super::asked::Colouring;
 use super::drawing::Raster;
-use super::measure::{NOTHING, WRONG};
+use super::measure::{NOTHING, UNKNOWN, WRONG};
 use octoscope_figure::{Colour, Theme, ramp};
 
 /// Colour of every cell, over the background of the theme.
@@ -19,6 +19,8 @@ pub struct Scale {
     pub range: [u32; 2],
     /// Number of rays that are not right, where that is told.
     pub n_wrong: usize,
+    /// Number of rays of which that is not known, as the run was given up.
+    pub n_unknown: usize,
 }
 
 impl Scale {
@@ -26,13 +28,13 @@ impl Scale {
     pub fn of(colouring: Colouring, raster: &Raster) -> Self {
         let values = || raster.values.iter().copied().filter(|&value| value != NOTHING);
         let range = [values().min().unwrap_or(0), values().max().unwrap_or(0)];
-        let n_wrong = match colouring {
-            Colouring::Differences => values().filter(|&value| value == WRONG).count(),
+        let count = |what| match colouring {
+            Colouring::Differences => values().filter(|&value| value == what).count(),
             Colouring::Sequence | Colouring::Leaves | Colouring::Steps | Colouring::Comparisons => {
                 0
             }
         };
-        Self { colouring, range, n_wrong }
+        Self { colouring, range, n_wrong: count(WRONG), n_unknown: count(UNKNOWN) }
     }
 
     /// Colour of a value.
@@ -53,6 +55,7 @@ impl Scale {
                 ramp(theme, (f64::from(value) - least) / (most - least).max(1.0))
             }
             Colouring::Differences if value == WRONG => palette.rejected,
+            Colouring::Differences if value == UNKNOWN => palette.quiet_ink,
             Colouring::Differences => palette.grid.faded(0.6).over(palette.background),
         }
     }

@@ -7,9 +7,10 @@ use eframe::egui::Context;
 use octoscope_core::progress::{Cancelled, Progress};
 use std::any::Any;
 use std::num::NonZeroUsize;
+use std::panic::resume_unwind;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
-use std::thread;
+use std::thread::{self, ScopedJoinHandle};
 
 /// Rows that a thread takes at once.
 const BLOCK: usize = 8;
@@ -58,12 +59,14 @@ pub struct Drawing<const D: usize> {
     /// What is there, and what it shows.
     pub done: Option<(Asked<D>, Arc<Raster>)>,
     job: Option<(Asked<D>, Job<Result<Raster, Cancelled>>)>,
+    /// What could not be made, and is not tried again.
+    broken: Option<Asked<D>>,
     is_wanted: bool,
 }
 
 impl<const D: usize> Default for Drawing<D> {
     fn default() -> Self {
-        Self { done: None, job: None, is_wanted: false }
+        Self { done: None, job: None, broken: None, is_wanted: false }
     }
 }
 
@@ -78,13 +81,19 @@ impl<const D: usize> Drawing<D> {
         if is_shown && shown.is_some_and(|done| done.size == asked.size) {
             return;
         }
-        if self.job.as_ref().is_some_and(|(made, _)| made.shows_the_same(asked)) {
+        let is_coming = self.job.as_ref().is_some_and(|(made, _)| made.shows_the_same(asked));
+        if is_coming || self.is_broken(asked) {
             return;
         }
         let next = if is_shown { asked.clone() } else { asked.coarser(COARSE) };
         let made = next.clone();
         let work = move |progress: &Progress| raster(&made, progress);
         self.job = Some((next, Job::start(String::new(), context, work)));
+    }
+
+    /// Whether what is asked could not be made.
+    pub fn is_broken(&self, asked: &Asked<D>) -> bool {
+        self.broken.as_ref().is_some_and(|broken| broken.shows_the_same(asked))
     }
 
     /// Part of the present work that is done, 0 to 1, if there is work that takes long.
@@ -98,7 +107,8 @@ impl<const D: usize> Drawing<D> {
         match if waits { job.wait() } else { job.poll() } {
             Poll::Running => return,
             Poll::Done(Ok(raster)) => self.done = Some((asked.clone(), Arc::new(raster))),
-            Poll::Done(Err(Cancelled)) | Poll::Broken => {}
+            Poll::Done(Err(Cancelled)) => {}
+            Poll::Broken => self.broken = Some(asked.clone()),
         }
         self.job = None;
     }
@@ -135,7 +145,10 @@ fn raster<const D: usize>(asked: &Asked<D>, progress: &Progress) -> Result<Raste
     thread::scope(|scope| {
         let others: Vec<_> = (2..n_threads).map(|_| scope.spawn(work)).collect();
         let own = work();
-        let others = others.into_iter().map(|other| other.join().unwrap_or(Err(Cancelled)));
+        // What breaks a worker breaks the job.
+        let join =
+            |other: ScopedJoinHandle<_>| other.join().unwrap_or_else(|why| resume_unwind(why));
+        let others = others.into_iter().map(join);
         others.fold(own, Result::and)
     })?;
     let values = values.into_inner().unwrap_or_else(PoisonError::into_inner);

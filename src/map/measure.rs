@@ -1,7 +1,7 @@
 //! What becomes of the rays of a map, as numbers.
 
 use super::asked::{Asked, Colouring};
-use crate::counted::counted;
+use crate::counted::{Counted, counted};
 use octoscope_core::geometry::Ray;
 use octoscope_core::progress::{Cancelled, Progress};
 use octoscope_core::query::Query;
@@ -15,6 +15,8 @@ pub const NOTHING: u32 = 0;
 /// Values of [`Colouring::Differences`].
 pub const RIGHT: u32 = 1;
 pub const WRONG: u32 = 2;
+/// The run was given up before it came to an end, and is right so far.
+pub const UNKNOWN: u32 = 3;
 
 /// The options of a search along the ray.
 fn options_of<const D: usize>(query: &Query<D>) -> Options {
@@ -68,7 +70,7 @@ pub fn rows<const D: usize>(
             });
         }
     }
-    progress.advance(0)?;
+    progress.check()?;
     Ok(values)
 }
 
@@ -79,11 +81,14 @@ fn verdict<const D: usize>(
     expected: &[Leaf],
     progress: &Progress,
 ) -> Result<u32, Cancelled> {
-    let found = counted(&asked.tree, ray, &asked.query, progress)?.leaves;
+    let Counted { leaves: found, is_cut, .. } = counted(&asked.tree, ray, &asked.query, progress)?;
+    let expected: Vec<NodeId> = expected.iter().map(|leaf| leaf.node()).collect();
+    if is_cut && expected.starts_with(&found) {
+        return Ok(UNKNOWN);
+    }
     if found.is_empty() && expected.is_empty() {
         return Ok(NOTHING);
     }
-    let expected: Vec<NodeId> = expected.iter().map(|leaf| leaf.node()).collect();
     let options = options_of(&asked.query);
     let slivers = Slivers::Ignore;
     let difference = first_difference_of_run(&asked.tree, ray, options, &expected, &found, slivers);

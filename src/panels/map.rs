@@ -1,8 +1,8 @@
 //! The map of rays: every place is a ray, coloured by what becomes of it.
 
-use crate::counted::counted;
+use crate::counted::counted_quickly;
 use crate::look::Look;
-use crate::map::{Asked, Colouring, Drawing, Rays, Scale, colours};
+use crate::map::{Asked, Colouring, Drawing, Raster, Rays, Scale, colours};
 use crate::theme::color32;
 use crate::view::{MapView, RaysOf};
 use crate::widgets::{caption, segments};
@@ -14,7 +14,6 @@ use eframe::egui::{
 use octoscope_core::explain::approx;
 use octoscope_core::family::Family;
 use octoscope_core::geometry::{Aabb, Ray};
-use octoscope_core::progress::Progress;
 use octoscope_core::query::Query;
 use octoscope_core::trace::Counter;
 use octoscope_core::tree::Tree;
@@ -156,17 +155,17 @@ fn texture<const D: usize>(
     }
     // Made once for every raster and theme, and kept by the window.
     let id = Id::unique(("map-texture", D));
-    let key = (Arc::as_ptr(raster) as usize, theme);
-    type Kept = ((usize, Theme), TextureHandle);
-    if let Some((of, kept)) = ui.data(|data| data.get_temp::<Kept>(id))
-        && of == key
+    type Kept = (Arc<Raster>, Theme, TextureHandle);
+    if let Some((of, in_theme, kept)) = ui.data(|data| data.get_temp::<Kept>(id))
+        && Arc::ptr_eq(&of, raster)
+        && in_theme == theme
     {
         return Some(kept);
     }
     let pixels = colours(theme, done.colouring, raster).into_iter().map(color32).collect();
     let image = ColorImage::new(raster.size, pixels);
     let texture = ui.ctx().load_texture("map", image, TextureOptions::NEAREST);
-    ui.data_mut(|data| data.insert_temp::<Kept>(id, (key, texture.clone())));
+    ui.data_mut(|data| data.insert_temp::<Kept>(id, (Arc::clone(raster), theme, texture.clone())));
     Some(texture)
 }
 
@@ -217,10 +216,11 @@ fn pointed<const D: usize>(
     ray_at(rect, at, asked)
 }
 
-/// What a ray is, and what becomes of it.
+/// What becomes of a ray, if that is quickly found out.
 fn told<const D: usize>(look: &Look, asked: &Asked<D>, ray: &Ray<D>) -> String {
-    // Nobody cancels it.
-    let counted = counted(&asked.tree, ray, &asked.query, &Progress::default()).unwrap_or_default();
+    let Some(counted) = counted_quickly(&asked.tree, ray, &asked.query) else {
+        return look.text("map-ray-long");
+    };
     look.texts.format(
         "map-ray",
         &[
@@ -272,6 +272,10 @@ fn legend<const D: usize>(ui: &mut Ui, look: &Look, drawing: &Drawing<D>, asked:
                 let rays = raster.values.len();
                 let arguments = [("wrong", scale.n_wrong.into()), ("rays", rays.into())];
                 caption(ui, look, look.texts.format("map-differences-legend", &arguments));
+                if scale.n_unknown > 0 {
+                    let arguments = [("rays", scale.n_unknown.into())];
+                    caption(ui, look, look.texts.format("map-unknown-legend", &arguments));
+                }
             }
         }
     }
@@ -281,6 +285,9 @@ fn legend<const D: usize>(ui: &mut Ui, look: &Look, drawing: &Drawing<D>, asked:
         Colouring::Differences => "map-by-both",
     };
     caption(ui, look, look.text(by));
+    if drawing.is_broken(asked) {
+        caption(ui, look, look.text("job-broken"));
+    }
     if let Some(fraction) = drawing.progress() {
         let bar = ProgressBar::new(fraction as f32).desired_height(6.0);
         let name = look.text("map-progress");

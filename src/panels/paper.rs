@@ -38,7 +38,7 @@ pub fn ui<const D: usize>(
         }
     });
 
-    let printed: Vec<Variant> = query.variants().iter().filter(misprints).collect();
+    let printed: Vec<Variant> = query.variants_at_work().iter().filter(misprints).collect();
     for &variant in &printed {
         if let Some(erratum) = erratum_of(variant) {
             ui.add_space(4.0);

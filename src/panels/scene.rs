@@ -3,10 +3,12 @@
 use crate::document::Document;
 use crate::look::Look;
 use crate::widgets::heading;
-use eframe::egui::{ComboBox, Grid, Slider, Ui};
+use eframe::egui::emath::Numeric;
+use eframe::egui::{ComboBox, Grid, Slider, SliderClamping, Ui};
 use octoscope_core::scenario::{BUILT_IN, Source};
 use octoscope_core::scene::Content;
 use octoscope_core::tree::MAX_ROOT_LEVEL;
+use std::ops::RangeInclusive;
 
 /// Shows the source and edits the recipe. Returns the identifier of a built-in
 /// scene to open.
@@ -39,18 +41,18 @@ pub fn ui<const D: usize>(
     Grid::new("recipe").num_columns(2).spacing([8.0, 4.0]).show(ui, |ui| {
         let label = ui.label(look.text("scene-depth"));
         let most = if matches!(*document.content, Content::Image(_)) { 12 } else { MAX_ROOT_LEVEL };
-        ui.add(Slider::new(&mut recipe.depth, 0..=most)).labelled_by(label.id);
+        ui.add(slider(&mut recipe.depth, 0..=most)).labelled_by(label.id);
         ui.end_row();
         match &*document.content {
             Content::Points(_) => {
                 let label = ui.label(look.text("scene-capacity"));
-                ui.add(Slider::new(&mut recipe.capacity, 1..=64).logarithmic(true))
-                    .labelled_by(label.id);
+                let capacity = slider(&mut recipe.capacity, 1..=64).logarithmic(true);
+                ui.add(capacity).labelled_by(label.id);
                 ui.end_row();
             }
             Content::Image(_) => {
                 let label = ui.label(look.text("scene-threshold"));
-                ui.add(Slider::new(&mut recipe.threshold, 0..=255)).labelled_by(label.id);
+                ui.add(slider(&mut recipe.threshold, 0..=255)).labelled_by(label.id);
                 ui.end_row();
             }
             Content::Cells(_) | Content::Spheres(_) | Content::Boxes(_) | Content::Triangles(_) => {
@@ -58,6 +60,11 @@ pub fn ui<const D: usize>(
         }
     });
     chosen
+}
+
+/// A slider that leaves what a file says as it is, until it is moved.
+fn slider<T: Numeric>(value: &mut T, range: RangeInclusive<T>) -> Slider<'_> {
+    Slider::new(value, range).clamping(SliderClamping::Edits)
 }
 
 fn content_key<const D: usize>(content: &Content<D>) -> &'static str {

@@ -246,7 +246,7 @@ fn comparison<const D: usize>(ui: &mut Ui, look: &Look, document: &mut Document<
         }
     };
     let chosen = compare::ui(ui, look, runs, shown);
-    if let (Some(chosen), Query::Ray { algorithm, .. }) = (chosen, &mut document.scenario.query) {
-        *algorithm = chosen;
+    if let Some(chosen) = chosen {
+        document.scenario.query = document.scenario.query.with_algorithm(chosen);
     }
 }

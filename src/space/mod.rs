@@ -136,7 +136,8 @@ fn shown_now(ui: &Ui, view: &View, show: Show) -> Show {
 /// What would be right, where a misprint is followed and the panel about it has
 /// asked for a verdict.
 fn expected<const D: usize>(document: &Document<D>) -> Vec<Mark<D>> {
-    let misprinted = document.trace.query.variants().iter().any(|v| erratum_of(v).is_some());
+    let misprinted =
+        document.trace.query.variants_at_work().iter().any(|v| erratum_of(v).is_some());
     let Some(verdict) = document.known_verdict().filter(|_| misprinted) else {
         return Vec::new();
     };

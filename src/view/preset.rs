@@ -202,7 +202,7 @@ impl Preset {
                 panels.insert(2.min(panels.len()), Stack);
             }
         }
-        if query.variants().iter().any(|variant| erratum_of(variant).is_some()) {
+        if query.variants_at_work().iter().any(|variant| erratum_of(variant).is_some()) {
             panels.insert(0, Paper);
         }
         panels

@@ -1,7 +1,7 @@
 //! A slider along the steps of a trace, for keys and screen readers.
 
 use eframe::egui::accesskit::{Action, ActionData};
-use eframe::egui::{EventFilter, Key, Response, Ui};
+use eframe::egui::{Event, EventFilter, Key, Response, Ui};
 
 /// Makes a drawn slider one that also keys and screen readers move: arrows, Home and
 /// End while it is focused. It is at `step` of `n_steps`. Returns the step to go to.
@@ -23,7 +23,15 @@ pub fn step_slider(ui: &Ui, response: &Response, step: usize, n_steps: usize) ->
         ui.memory_mut(|memory| memory.set_focus_lock_filter(id, filter));
     }
     let wanted = ui.input(|input| {
-        let presses = |key| if focused { input.num_presses(key) } else { 0 };
+        // With another key they are a command.
+        let plain = |event: &&Event| matches!(event, Event::Key { modifiers, .. } if modifiers.is_none());
+        let is_press_of = |event: &Event, wanted: Key| {
+            matches!(event, Event::Key { key, pressed: true, .. } if *key == wanted)
+        };
+        let presses = |key| {
+            let events = input.events.iter().filter(|_| focused).filter(plain);
+            events.filter(|event| is_press_of(event, key)).count()
+        };
         let asked = |action| input.num_accesskit_action_requests(id, action);
         let set = input.accesskit_action_requests(id, Action::SetValue).filter_map(|request| {
             let Some(ActionData::NumericValue(value)) = request.data else { return None };

@@ -1,6 +1,7 @@
 //! Files, opened as a user opens them.
 
 use crate::desk::{Desk, sample};
+use crate::drawn::plane;
 use eframe::egui::{self, Key, Modifiers};
 use octoscope::files::{Chosen, Purpose};
 use octoscope::view::{Dialog, Typed};
@@ -265,4 +266,12 @@ impl egui::DroppedFile for Dropped {
     fn bytes(&self) -> Result<Vec<u8>, String> {
         fs::read(&self.0).map_err(|error| error.to_string())
     }
+}
+
+#[test]
+fn a_recipe_that_the_sliders_do_not_reach_stays_as_the_file_has_it() {
+    let mut desk = Desk::new();
+    desk.open_scenario(&plane("quadtree-82", |scenario| scenario.recipe.capacity = 200));
+    assert_eq!(desk.plane().scenario.recipe.capacity, 200);
+    assert!(!desk.state().is_changed());
 }

@@ -1,6 +1,7 @@
 //! The map of rays: its rays are taken by mouse and keyboard.
 
 use crate::desk::{Desk, spoken};
+use crate::drawn::{asked, plane};
 use eframe::egui::{Key, Modifiers, Rect, Vec2};
 use octoscope::document::AnyDocument;
 use octoscope::map::Colouring;
@@ -84,4 +85,18 @@ fn a_press_in_the_picture_takes_its_line_of_sight() {
     let apart = to_centre.iter().map(|x| x * x).sum::<f64>().sqrt();
     assert!(apart < 0.02 * domain.side(), "{ray:?}");
     assert!(desk.says("The lines of sight"));
+}
+
+#[test]
+fn what_would_hold_up_the_window_is_not_counted_under_the_pointer() {
+    let mut desk = Desk::new().with_map();
+    assert!(!desk.says("too long to be counted here"));
+    let grid = plane("quadtree-82", |scenario| {
+        scenario.recipe.depth = 16;
+        scenario.query = asked(Algorithm::Dda);
+    });
+    desk.open_scenario(&grid);
+    desk.state_mut().view.preset = Preset::Map;
+    desk.finish_maps();
+    assert!(desk.says("too long to be counted here"));
 }

@@ -119,3 +119,15 @@ fn every_choice_has_a_name_in_the_accessibility_tree() {
         assert!(desk.query_by_role_and_label(Role::CheckBox, name).is_some(), "{name}");
     }
 }
+
+#[test]
+fn a_look_at_where_an_octree_is_cut_does_not_move_the_cut() {
+    let mut desk = Desk::with_file(sample("knot.octo"));
+    let kept = Some(Slice { axis: 0, at: 0.3 });
+    desk.state_mut().view.space_show.slice = kept;
+    desk.state_mut().view.space_show.explosion = 0.75;
+    desk.run();
+    desk.click(Role::DisclosureTriangle, "cells, cut, distance");
+    assert!(desk.query_by_role_and_label(Role::Slider, "place of the cut").is_some());
+    assert_eq!((space(&desk).slice, space(&desk).explosion), (kept, 0.75));
+}

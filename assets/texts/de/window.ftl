@@ -453,6 +453,7 @@ map-ray = { $leaves ->
     [one] 1 Vergleich
    *[other] { $comparisons } Vergleiche
 }
+map-ray-long = Sein Lauf ist zu lang, um ihn hier zu zählen
 map-extent-lines = → Winkel der Richtung, 0° bis 360°   ↑ Abstand von der Mitte, −{ $radius } bis { $radius }
 map-extent-sight = → zur Seite, −{ $turn }° bis { $turn }°   ↑ nach oben, −{ $rise }° bis { $rise }°
 map-extent-picture = Die Sehstrahlen der Raumansicht
@@ -461,6 +462,10 @@ map-differences-legend = { $wrong ->
     [0] Keiner von { $rays } Strahlen geht falsch
     [one] 1 von { $rays } Strahlen geht falsch
    *[other] { $wrong } von { $rays } Strahlen gehen falsch
+}
+map-unknown-legend = { $rays ->
+    [one] Grau: Ein Lauf wurde nach einer Million Schritten abgebrochen, bis dahin richtig
+   *[other] Grau: { $rays } Läufe wurden nach einer Million Schritten abgebrochen, bis dahin richtig
 }
 map-by-batch = Gefunden vom Kern für viele Strahlen, der exakt rechnet
 map-by-algorithm = Gefunden vom gezeigten Verfahren, Strahl für Strahl

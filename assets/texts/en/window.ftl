@@ -453,6 +453,7 @@ map-ray = { $leaves ->
     [one] 1 comparison
    *[other] { $comparisons } comparisons
 }
+map-ray-long = Its run is too long to be counted here
 map-extent-lines = → angle of the direction, 0° to 360°   ↑ offset from the centre, −{ $radius } to { $radius }
 map-extent-sight = → to the side, −{ $turn }° to { $turn }°   ↑ upwards, −{ $rise }° to { $rise }°
 map-extent-picture = The lines of sight of the space view
@@ -461,6 +462,10 @@ map-differences-legend = { $wrong ->
     [0] None of { $rays } rays goes wrong
     [one] 1 of { $rays } rays goes wrong
    *[other] { $wrong } of { $rays } rays go wrong
+}
+map-unknown-legend = { $rays ->
+    [one] Grey: one run was given up after a million steps, right so far
+   *[other] Grey: { $rays } runs were given up after a million steps, right so far
 }
 map-by-batch = Found by the kernel for many rays, which is exact
 map-by-algorithm = Found by the algorithm that is shown, ray by ray

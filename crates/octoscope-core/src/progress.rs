@@ -43,6 +43,14 @@ impl Progress {
     /// Returns [`Cancelled`] when nobody wants the result any more.
     pub fn advance(&self, units: u64) -> Result<(), Cancelled> {
         self.done.fetch_add(units, Ordering::Relaxed);
+        self.check()
+    }
+
+    /// Asks whether the result is still wanted.
+    ///
+    /// # Errors
+    /// Returns [`Cancelled`] when nobody wants it any more.
+    pub fn check(&self) -> Result<(), Cancelled> {
         if self.cancelled.load(Ordering::Relaxed) { Err(Cancelled) } else { Ok(()) }
     }
 

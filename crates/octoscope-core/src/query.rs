@@ -135,6 +135,19 @@ impl<const D: usize> Query<D> {
         }
     }
 
+    /// The same search along the ray by another algorithm, with the variants that this has, too:
+    /// those of another mean nothing. Other queries stay as they are.
+    pub fn with_algorithm(self, algorithm: Algorithm) -> Self {
+        match self {
+            Self::Ray { options, arithmetic, .. } => {
+                let own = options.variants.iter().filter(|variant| variant.belongs_to(algorithm));
+                let options = Options { variants: own.collect(), ..options };
+                Self::Ray { algorithm, options, arithmetic }
+            }
+            Self::Point { .. } | Self::Region { .. } | Self::Neighbour { .. } => self,
+        }
+    }
+
     /// The rules that are not in their right form.
     pub fn variants(&self) -> Variants {
         match *self {

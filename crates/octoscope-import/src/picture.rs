@@ -19,7 +19,7 @@ pub const MAX_PIXELS: u64 = 1 << 26;
 /// decoder refuses.
 pub fn read(bytes: &[u8], format: ImageFormat, progress: &Progress) -> Result<Image, ImportError> {
     progress.start(0);
-    progress.advance(0)?;
+    progress.check()?;
     if format == ImageFormat::Jpeg && !jpeg_is_whole(bytes) {
         return Err(damaged(&"it ends too early"));
     }
@@ -27,7 +27,7 @@ pub fn read(bytes: &[u8], format: ImageFormat, progress: &Progress) -> Result<Im
     // of it is used afterwards.
     let decoded = catch_unwind(AssertUnwindSafe(|| decode(bytes, format)));
     let picture = decoded.unwrap_or_else(|_| Err(damaged(&"its decoder gave up")))?;
-    progress.advance(0)?;
+    progress.check()?;
     let (width, height) = (picture.width(), picture.height());
     let pixels = picture.into_rgba8().pixels().map(|pixel| on_white(pixel.0)).collect();
     Ok(Image { width, height, pixels })

@@ -4,7 +4,7 @@ use super::{Of, SIZE, part_box};
 use crate::look::Look;
 use crate::show_change::{ShownPart, set_levels};
 use crate::widgets::explained_segments;
-use eframe::egui::{DragValue, Grid, Response, RichText, Slider, Ui, WidgetInfo};
+use eframe::egui::{DragValue, Grid, Response, RichText, Slider, SliderClamping, Ui, WidgetInfo};
 use octoscope_core::geometry::AXIS_NAMES;
 use octoscope_figure::{Rest, Show, Slice};
 
@@ -35,7 +35,8 @@ pub(super) fn ui(ui: &mut Ui, look: &Look, show: &mut Show, of: Of) {
 
         let label = name(ui, look, "show-apart");
         let apart = Slider::new(&mut show.explosion, 0.0..=Show::MOST_APART).step_by(0.1);
-        ui.add(apart.max_decimals(3)).labelled_by(label.id);
+        // A look at a value does not round it.
+        ui.add(apart.max_decimals(3).clamping(SliderClamping::Edits)).labelled_by(label.id);
         ui.end_row();
     });
     if of.dimension == 3 {
@@ -88,7 +89,8 @@ fn slice(ui: &mut Ui, look: &Look, show: &mut Show) {
     if let Some(slice) = &mut show.slice {
         let spoken = look.text("show-slice-at");
         let slider = Slider::new(&mut slice.at, 0.0..=1.0).step_by(1.0 / 256.0).max_decimals(8);
-        let response = ui.add(slider).on_hover_text(spoken.as_str());
+        let response =
+            ui.add(slider.clamping(SliderClamping::Edits)).on_hover_text(spoken.as_str());
         let shown = slice.at;
         response.widget_info(|| WidgetInfo::slider(true, shown, spoken.as_str()));
     }
