@@ -152,6 +152,54 @@ fn b_5_hits_the_root_from_its_upper_face() {
     }
 }
 
+/// Parameters of the root's planes across x, near and far, for rays along z.
+fn clip_along_x(x: f64, id: &str) -> [f64; 2] {
+    let trace = run(&divided(Domain::unit(1)), [x, 0.25, -1.0], [0.0, 0.0, 1.0], id);
+    let Event::Clip { near, far, .. } = trace.events[0] else { panic!("a walk begins with it") };
+    [near[0], far[0]]
+}
+
+#[test]
+fn b_5_leaves_0_by_0_open_where_half_open_cells_settle_it() {
+    let infinity = f64::INFINITY;
+    for base in BOTH {
+        // The origin on the lower face, in the middle, on the upper face of the root.
+        assert_eq!(clip_along_x(0.0, base), [-infinity, infinity]);
+        assert_eq!(clip_along_x(0.5, base), [-infinity, infinity]);
+        // The far plane of the upper face is passed already.
+        assert_eq!(clip_along_x(1.0, base), [-infinity, -infinity]);
+        let printed = format!("{base}@B-5");
+        let [near, far] = clip_along_x(0.0, &printed);
+        assert!(near.is_nan() && far == infinity);
+        assert_eq!(clip_along_x(0.5, &printed), [-infinity, infinity]);
+        let [near, far] = clip_along_x(1.0, &printed);
+        assert!(near == -infinity && far.is_nan());
+        check(&printed, [0.0, 0.25, -1.0], [0.0, 0.0, 1.0], [&[0, 1], &[0, 1]]);
+    }
+}
+
+#[test]
+fn b_6_finds_no_number_for_the_mid_plane_of_an_axis_at_rest() {
+    for base in BOTH {
+        let mids = |id: &str| {
+            let tree = divided(Domain::unit(1));
+            let trace = run(&tree, [0.75, 0.75, -1.0], [0.0, 0.0, 1.0], id);
+            let mid = trace.events.iter().find_map(|event| match event {
+                Event::Halve { mid, .. } => Some(*mid),
+                _ => None,
+            });
+            mid.expect("the root is halved")
+        };
+        assert_eq!(mids(base), [f64::NEG_INFINITY, f64::NEG_INFINITY, 1.5]);
+        let [x, y, z] = mids(&format!("{base}@B-6"));
+        assert!(x.is_nan() && y.is_nan() && z == 1.5);
+        // In motion along every axis eq. 13 is right.
+        let (origin, direction) = ([-1.0, 0.1, 0.2], [1.0, 0.2, 0.1]);
+        let printed = format!("{base}@B-6");
+        check(&printed, origin, direction, [&[0, 4], &[0, 4]]);
+    }
+}
+
 #[test]
 fn b_6_puts_rays_along_an_axis_into_the_lower_halves() {
     for base in BOTH {

@@ -3,6 +3,7 @@
 use super::rich::strong;
 use super::words::{Words, approx};
 use crate::event::Event;
+use crate::geometry::Axes;
 use crate::query::Query;
 use crate::trace::{Moment, Trace};
 use crate::traverse::Algorithm;
@@ -109,7 +110,38 @@ pub(super) fn with_printed_rules<const D: usize>(
                 return words.say("follow-difference", &[&arguments(rule)[..], &bit].concat());
             }
         }
-        _ => {}
+        Event::Test { .. }
+        | Event::Sort { .. }
+        | Event::Visit { .. }
+        | Event::Skip { .. }
+        | Event::Halve { .. }
+        | Event::Step { .. }
+        | Event::Up { .. }
+        | Event::Enter { .. }
+        | Event::Cuts { .. }
+        | Event::Classify { .. }
+        | Event::Flip { .. }
+        | Event::Split { .. }
+        | Event::Pop { .. }
+        | Event::Grid { .. }
+        | Event::Cross { .. }
+        | Event::Parent { .. }
+        | Event::Mirror { .. }
+        | Event::Facing { .. }
+        | Event::Rope { .. }
+        | Event::Push { .. }
+        | Event::Begin { .. }
+        | Event::Encode { .. }
+        | Event::Compare { .. }
+        | Event::Exits { .. }
+        | Event::Target { .. }
+        | Event::Border { .. }
+        | Event::Leave { .. }
+        | Event::Resume { .. }
+        | Event::Climb { .. }
+        | Event::Corners { .. }
+        | Event::Found { .. }
+        | Event::End(_) => {}
     }
     let grid_size = words.tree.domain().grid_size();
     let Some(rule) = at_work(&candidates(event, before, grid_size)) else {
@@ -126,11 +158,12 @@ fn candidates<const D: usize>(
 ) -> Vec<Variant> {
     let has_no_number = |parameters: &[f64]| parameters.iter().any(|t| t.is_nan());
     // Along mirrored axes all parameters are those of the mirrored origin.
-    let is_mirrored = match *event {
-        Event::Clip { mirror, .. } => !mirror.is_empty(),
-        _ => before.clip.is_some_and(|clip| !clip.mirror.is_empty()),
+    let mirror = if let Event::Clip { mirror, .. } = *event {
+        mirror
+    } else {
+        before.clip.map_or(Axes::NONE, |clip| clip.mirror)
     };
-    let mirrored = is_mirrored.then_some(B7);
+    let mirrored = (!mirror.is_empty()).then_some(B7);
     let if_no_number = |parameters: &[f64], rules: &[Variant]| {
         if has_no_number(parameters) { rules.to_vec() } else { Vec::new() }
     };
@@ -157,6 +190,37 @@ fn candidates<const D: usize>(
         Event::Encode { code, .. } if code.contains(&grid_size) => vec![B21],
         Event::Difference { .. } => vec![B24a, B24b, B25Leftmost, B25Rightmost],
         Event::Target { .. } => vec![B28],
-        _ => Vec::new(),
+        Event::Encode { .. }
+        | Event::Test { .. }
+        | Event::Sort { .. }
+        | Event::Visit { .. }
+        | Event::Skip { .. }
+        | Event::Up { .. }
+        | Event::Enter { .. }
+        | Event::Cuts { .. }
+        | Event::Classify { .. }
+        | Event::Flip { .. }
+        | Event::Split { .. }
+        | Event::Pop { .. }
+        | Event::Grid { .. }
+        | Event::Cross { .. }
+        | Event::Parent { .. }
+        | Event::Mirror { .. }
+        | Event::Facing { .. }
+        | Event::Rope { .. }
+        | Event::Push { .. }
+        | Event::Begin { .. }
+        | Event::Compare { .. }
+        | Event::Follow { .. }
+        | Event::Exits { .. }
+        | Event::Border { .. }
+        | Event::Leave { .. }
+        | Event::Resume { .. }
+        | Event::Climb { .. }
+        | Event::Corners { .. }
+        | Event::Leaf { .. }
+        | Event::Touch { .. }
+        | Event::Found { .. }
+        | Event::End(_) => Vec::new(),
     }
 }

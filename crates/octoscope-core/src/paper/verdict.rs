@@ -1,6 +1,6 @@
 //! Whether a run with misprints came to the right result.
 
-use crate::event::Event;
+use crate::event::{End, Event};
 use crate::geometry::Ray;
 use crate::query::{Arithmetic, Query};
 use crate::trace::{Trace, record};
@@ -32,37 +32,59 @@ impl Verdict {
 /// Compares a trace with the oracle, or, of a query without a ray, with the
 /// right rules. Slivers may be there or not.
 pub fn verdict<const D: usize>(tree: &Tree<D>, ray: &Ray<D>, trace: &Trace<D>) -> Verdict {
-    let right = match trace.query {
-        Query::Ray { options, .. } => Query::Ray {
-            algorithm: Algorithm::Exhaustive,
-            options: Options { variants: Variants::NONE, ..options },
-            arithmetic: Arithmetic::Exact,
-        },
+    match trace.query {
+        Query::Ray { options, .. } => of_ray(tree, ray, trace, options),
         Query::Point { .. } | Query::Region { .. } | Query::Neighbour { .. } => {
-            trace.query.corrected()
+            let right = record(tree, ray, &trace.query.corrected());
+            let (expected, found) = (results(&right.events), results(&trace.events));
+            let first_wrong_step = (expected != found).then(|| step_off_path(trace, &right));
+            Verdict { expected, first_wrong_step }
         }
+    }
+}
+
+fn of_ray<const D: usize>(
+    tree: &Tree<D>,
+    ray: &Ray<D>,
+    trace: &Trace<D>,
+    options: Options,
+) -> Verdict {
+    // All leaves on the ray, wherever the run is to stop.
+    let options = Options { variants: Variants::NONE, ..options };
+    let oracle = Query::Ray {
+        algorithm: Algorithm::Exhaustive,
+        options: Options { stop_at: StopAt::End, ..options },
+        arithmetic: Arithmetic::Exact,
     };
-    let right = record(tree, ray, &right);
-    let results = |trace: &Trace<D>| -> Vec<NodeId> {
-        trace.events.iter().filter_map(Event::result_node).collect()
-    };
-    let (expected, found) = (results(&right), results(trace));
-    let first_wrong_step = match trace.query {
-        Query::Ray { options, .. } => {
-            // Both stop where they are to: a misprint must not stop at a touch.
-            let whole = Options { stop_at: StopAt::End, ..options };
-            let slivers = Slivers::Ignore;
-            let difference = first_difference_of_run(tree, ray, whole, &expected, &found, slivers);
-            difference.map(|difference| {
-                let corrected = corrected(tree, ray, &trace.query);
-                step_of(trace, difference.found).min(step_apart(trace, &corrected))
-            })
-        }
-        Query::Point { .. } | Query::Region { .. } | Query::Neighbour { .. } => {
-            (expected != found).then(|| step_off_path(trace, &right))
-        }
-    };
+    let (mut expected, found) =
+        (results(&record(tree, ray, &oracle).events), results(&trace.events));
+    let corrected = corrected(tree, ray, &trace.query);
+
+    // What the misprint does not change is right, slivers included. Else the run may
+    // stop at a full leaf, but at none that is not on the ray at all.
+    let slivers = Slivers::Ignore;
+    let stopped_beside = trace.outcome.end == End::FirstFull
+        && found.last().is_some_and(|leaf| !expected.contains(leaf));
+    let difference = first_difference_of_run(tree, ray, options, &expected, &found, slivers);
+    let wrong = difference.map(|difference| difference.found);
+    let wrong = wrong.or_else(|| stopped_beside.then(|| found.last().copied()));
+    let wrong = wrong.filter(|_| results(&corrected) != found);
+    let first_wrong_step =
+        wrong.map(|leaf| step_of(trace, leaf).min(step_apart(trace, &corrected)));
+
+    // Expected is what lies before the place where the right run stops.
+    let is_full = |&leaf: &NodeId| tree.node(leaf).is_full();
+    if options.stop_at == StopAt::FirstFull
+        && let Some(first) = expected.iter().position(is_full)
+    {
+        expected.truncate(first + 1);
+    }
     Verdict { expected, first_wrong_step }
+}
+
+/// Visited leaves, or the nodes that were found.
+fn results<const D: usize>(events: &[Event<D>]) -> Vec<NodeId> {
+    events.iter().filter_map(Event::result_node).collect()
 }
 
 /// The events of the run with every rule in its right form, by the same walk: a
@@ -177,6 +199,51 @@ mod tests {
             let step = verdict(&tree, &ray, &trace).first_wrong_step.unwrap();
             assert!(matches!(trace.events[step - 1], Event::First { .. }), "{id}: {step}");
         }
+    }
+
+    #[test]
+    fn a_run_that_stops_at_a_full_leaf_is_judged_up_to_it() {
+        // Leaves 0, 1, 3 along the ray; those of the numbers in `full` are full.
+        let judged = |full: &'static [u32], id: &str, origin: [f64; 2], direction: [f64; 2]| {
+            let divided = |cell: Cell<2>, number: u32| match cell.level {
+                0 if full.contains(&number) => Split::Full(vec![]),
+                0 => Split::Empty,
+                _ => Split::Inner(vec![0, 1, 2, 3]),
+            };
+            let tree = grow(Domain::unit(1), 0, &Progress::default(), divided).unwrap();
+            let ray = Ray::new(origin, direction).unwrap();
+            let Query::Ray { algorithm, options, arithmetic } =
+                Query::<2>::default().along_the_ray_by(id.parse().unwrap())
+            else {
+                panic!()
+            };
+            let options = Options { stop_at: StopAt::FirstFull, ..options };
+            let trace = record(&tree, &ray, &Query::Ray { algorithm, options, arithmetic });
+            let verdict = verdict(&tree, &ray, &trace);
+            let expected: Vec<u32> = verdict.expected.iter().map(|leaf| leaf.0 - 1).collect();
+            (expected, verdict.first_wrong_step.map(|step| trace.events[step - 1]))
+        };
+        let (to_right, up) = ([-1.0, 0.1], [1.0, 0.1]);
+        // B-3 reports leaves 0, 1, 3 instead of 0, 2; what comes after a full leaf 0
+        // is not walked any more.
+        assert_eq!(judged(&[0], "parametric@B-3", to_right, up), (vec![0], None));
+        // It stops at leaf 1, which is not on the ray.
+        let (expected, wrong) = judged(&[1, 2], "parametric@B-3", to_right, up);
+        assert_eq!(expected, [0, 2]);
+        assert!(matches!(wrong, Some(Event::Visit { node: NodeId(2), .. })), "{wrong:?}");
+        // It walks past leaf 2 and stops nowhere.
+        let (expected, wrong) = judged(&[2], "parametric@B-3", to_right, up);
+        assert_eq!(expected, [0, 2]);
+        assert!(matches!(wrong, Some(Event::Visit { node: NodeId(2), .. })), "{wrong:?}");
+        // By the diagonal, B-11 stops at leaf 1, which is only touched.
+        let diagonal = ([-1.0; 2], [1.0; 2]);
+        let (expected, wrong) = judged(&[1, 2], "parametric-table@B-11", diagonal.0, diagonal.1);
+        assert_eq!(expected, [0, 3]);
+        assert!(matches!(wrong, Some(Event::Leaf { node: NodeId(2 | 3), .. })), "{wrong:?}");
+        // So is a sliver, but the right rules stop at it, too.
+        let sliver = ([0.0, 1e-13], [1.0; 2]);
+        assert_eq!(judged(&[1], "parametric@B-7", sliver.0, sliver.1), (vec![0, 1], None));
+        assert_eq!(judged(&[3], "parametric@B-7", sliver.0, sliver.1), (vec![0, 1, 3], None));
     }
 
     #[test]

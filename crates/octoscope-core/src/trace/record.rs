@@ -23,9 +23,9 @@ impl<const D: usize> Trace<D> {
     /// Visited leaves in order, with the parameters at which the ray enters
     /// and leaves them.
     pub fn leaves(&self) -> impl Iterator<Item = (NodeId, [f64; 2])> + '_ {
-        self.events.iter().filter_map(|event| match *event {
-            Event::Leaf { node, enter, exit, .. } => Some((node, [enter, exit])),
-            _ => None,
+        self.events.iter().filter_map(|event| {
+            let Event::Leaf { node, enter, exit, .. } = *event else { return None };
+            Some((node, [enter, exit]))
         })
     }
 

@@ -95,10 +95,9 @@ impl<const D: usize> Rounding<'_, D> {
                 self.first(entry, entry_axis, compared, state)
             }
             Event::Step { exits, axes, .. } => {
-                let in_doubles = match self.algorithm {
-                    Algorithm::ParametricTable => last_of_the_first(exits),
-                    _ => self.first_of(exits),
-                };
+                let by_tables = self.algorithm == Algorithm::ParametricTable;
+                let in_doubles =
+                    if by_tables { last_of_the_first(exits) } else { self.first_of(exits) };
                 between(axes, in_doubles, |e| ulps(exits[e], f64::earliest(exits)))
             }
             Event::Cuts { order, inside, .. } => self.cuts(order.map(usize::from), inside),

@@ -200,8 +200,9 @@ fn check_stack(tree: &Tree<3>, query: &Query<3>, moment: &Moment<3>) {
     }
     for frame in &moment.stack {
         if frame.planes().is_some() {
-            let real =
-                frame.state.zip(moment.clip).map(|(state, clip)| state.mirrored(clip.mirror));
+            let variants = query.variants_at_work();
+            let real = frame.state.zip(moment.clip);
+            let real = real.map(|(state, clip)| variants.child_of_state(state, clip.mirror));
             assert_eq!(real, tree.child_index(frame.node));
         }
     }

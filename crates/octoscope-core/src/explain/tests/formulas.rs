@@ -47,9 +47,12 @@ fn is_told<const D: usize>(event: &Event<D>) -> bool {
 }
 
 fn check_formulas<const D: usize>() {
+    let mut strange = BTreeMap::new();
     for_all_runs::<D>(|tree, ray, _, query| {
         let trace = record(tree, ray, query);
+        let mut before = Moment::default();
         for (index, event) in trace.events.iter().enumerate() {
+            let mut known = None;
             let notation = Notation::ALL[index % 3];
             let language = Language::ALL[index % 2];
             let told = formulas(tree, ray, &trace, index + 1, notation, language);
@@ -63,6 +66,22 @@ fn check_formulas<const D: usize>() {
                 assert_eq!(latex.matches("\\left").count(), latex.matches("\\right").count());
                 assert!(!latex.contains("U+"), "{latex}");
             }
+            for number in told.iter().filter_map(|s| s.numbers.as_ref()).flat_map(numbers_in) {
+                let known = known.get_or_insert_with(|| {
+                    numbers_of(
+                        tree,
+                        ray,
+                        &[&format!("{event:?} {query:?}"), &format!("{before:?}")],
+                    )
+                });
+                let is_known = known.contains(&number.to_bits()) || number.is_nan();
+                if !is_known {
+                    strange.entry(format!("{event:?}")[..6].to_owned()).or_insert_with(|| {
+                        format!("{number} in {text}: {query:?} {event:?} {ray:?}")
+                    });
+                }
+            }
+            before.apply(tree, event);
             let is_exact = query.is_exact(tree.domain(), ray);
             let numbers = told.iter().filter_map(|statement| statement.numbers.as_ref());
             for numbers in numbers.filter(|_| !is_exact) {
@@ -75,6 +94,44 @@ fn check_formulas<const D: usize>() {
             "nothing has happened yet"
         );
     });
+    assert!(strange.is_empty(), "{strange:#?}");
+}
+
+/// The doubles that are set in a formula.
+fn numbers_in(formula: &Formula) -> Vec<f64> {
+    match formula {
+        Formula::Number { value, .. } => vec![*value],
+        Formula::Row(parts) => parts.iter().flat_map(numbers_in).collect(),
+        Formula::Fraction { over, under } => [numbers_in(over), numbers_in(under)].concat(),
+        Formula::Sub { body, .. } | Formula::Sup { body, .. } => numbers_in(body),
+        Formula::Fenced { body, .. } => numbers_in(body),
+        Formula::Over { limit, .. } => numbers_in(limit),
+        Formula::Digits(_) | Formula::Symbol { .. } | Formula::Words(_) | Formula::Sign(_) => {
+            Vec::new()
+        }
+    }
+}
+
+/// The numbers of which these texts tell, those of the ray, and the planes of the tree.
+fn numbers_of<const D: usize>(tree: &Tree<D>, ray: &Ray<D>, texts: &[&str]) -> BTreeSet<u64> {
+    let domain = tree.domain();
+    let is_part = |c: char| c.is_ascii_alphanumeric() || c == '.' || c == '-';
+    let words = texts.iter().flat_map(|text| text.split(|c| !is_part(c)));
+    let told = words.filter_map(|word| word.parse().ok());
+    let planes = (0..D).flat_map(|e| (0..=domain.grid_size()).map(move |k| domain.plane(e, k)));
+    // As it is, and as misprinted rules and right ones mirror it.
+    let of_ray = (0..D).flat_map(|e| {
+        let (p, d) = (ray.origin()[e], ray.direction()[e]);
+        let ends = domain.plane(e, 0) + domain.plane(e, domain.grid_size());
+        [p, d, d.abs(), domain.side() - p, ends - p]
+    });
+    // When the planes are met.
+    let at_planes = (0..D).flat_map(|e| {
+        let (p, d) = (ray.origin()[e], ray.direction()[e]);
+        (0..=domain.grid_size()).map(move |k| (domain.plane(e, k) - p) / d)
+    });
+    let all = told.chain(planes).chain(of_ray).chain(at_planes).chain([0.0]);
+    all.map(f64::to_bits).collect()
 }
 
 /// Value of a number, sum, difference, quotient, minimum or maximum.
