@@ -5,7 +5,8 @@
 mod clock;
 
 use clock::Clock;
-use octoscope_core::geometry::{Exact, Parameter, Ray};
+use octoscope_core::event::Outcome;
+use octoscope_core::geometry::Ray;
 use octoscope_core::progress::Progress;
 use octoscope_core::random::Random;
 use octoscope_core::traverse::{Algorithm, Options};
@@ -24,8 +25,9 @@ fn main() {
         // In turns, so that both meet the same weather.
         let mut times: [Vec<f64>; 2] = Default::default();
         for _ in 0..N_ROUNDS {
-            times[0].push(time::<f64>(&tree, &rays, algorithm));
-            times[1].push(time::<Exact>(&tree, &rays, algorithm));
+            let options = Options::default();
+            times[0].push(time(&rays, |ray| algorithm.run::<3, f64>(&tree, ray, options, &mut ())));
+            times[1].push(time(&rays, |ray| algorithm.run_exactly(&tree, ray, options, &mut ())));
         }
         let [doubles, exact] = times.map(median);
         let ratio = exact / doubles;
@@ -62,10 +64,10 @@ fn ray(random: &mut Random) -> Ray<3> {
 }
 
 /// Nanoseconds a ray.
-fn time<P: Parameter>(tree: &Tree<3>, rays: &[Ray<3>], algorithm: Algorithm) -> f64 {
+fn time(rays: &[Ray<3>], run: impl Fn(&Ray<3>) -> Outcome) -> f64 {
     let start = Clock::start();
     for ray in rays {
-        black_box(algorithm.run::<3, P>(tree, ray, Options::default(), &mut ()));
+        black_box(run(ray));
     }
     start.seconds() * 1e9 / rays.len() as f64
 }

@@ -1,7 +1,7 @@
 //! What can be asked of a tree.
 
 use crate::event::{End, Event, Observer, Outcome};
-use crate::geometry::{Exact, Ray};
+use crate::geometry::Ray;
 use crate::locate::{
     Direction, NeighbourMethod, Reach, locate_by_codes_as_printed, locate_by_comparison,
     locate_region_as_printed, neighbour_as_printed, neighbour_by_tables,
@@ -193,7 +193,7 @@ impl<const D: usize> Query<D> {
                 let variants = self.variants_at_work();
                 let options = Options { segment_end, variants, ..options };
                 if self.is_exact(tree.domain(), ray) {
-                    algorithm.run::<D, Exact>(tree, ray, options, observe)
+                    algorithm.run_exactly(tree, ray, options, observe)
                 } else {
                     algorithm.run::<D, f64>(tree, ray, options, observe)
                 }

@@ -7,6 +7,9 @@ use super::Event;
 /// Watches an algorithm. An observer that does nothing costs nothing: the
 /// compiler removes the events with it.
 pub trait Observer<const D: usize> {
+    /// Whether it looks at any event.
+    const LOOKS: bool = true;
+
     /// Called once for every step, in order.
     fn observe(&mut self, event: Event<D>);
 
@@ -20,6 +23,8 @@ pub trait Observer<const D: usize> {
 
 /// Watches nothing.
 impl<const D: usize> Observer<D> for () {
+    const LOOKS: bool = false;
+
     #[inline(always)]
     fn observe(&mut self, _: Event<D>) {}
 }

@@ -122,7 +122,7 @@ impl Parameter for Exact {
 
     #[inline]
     fn latest<const D: usize>(parameters: [Self; D]) -> Self {
-        match leading(&parameters, 1.0) {
+        match told(&parameters, 1.0) {
             Some(index) => parameters[index],
             None => parameters.into_iter().fold(Self::BEFORE_ALL, Self::later),
         }
@@ -130,7 +130,7 @@ impl Parameter for Exact {
 
     #[inline]
     fn earliest<const D: usize>(parameters: [Self; D]) -> Self {
-        match leading(&parameters, -1.0) {
+        match told(&parameters, -1.0) {
             Some(index) => parameters[index],
             None => parameters.into_iter().fold(Self::BEYOND_ALL, Self::earlier),
         }
@@ -145,12 +145,12 @@ impl Parameter for Exact {
 
     #[inline(always)]
     fn index_of_latest<const D: usize>(parameters: [Self; D]) -> usize {
-        leading(&parameters, 1.0).unwrap_or_else(|| first_of_latest(&parameters))
+        told(&parameters, 1.0).unwrap_or_else(|| first_of_latest(&parameters))
     }
 
     #[inline(always)]
     fn first<const D: usize>(parameters: [Self; D]) -> (Self, Axes<D>) {
-        match leading(&parameters, -1.0) {
+        match told(&parameters, -1.0) {
             Some(axis) => (parameters[axis], Axes::one(axis)),
             None => all_first(parameters),
         }
@@ -195,23 +195,32 @@ fn all_passed<const D: usize>(parameters: [Exact; D], now: Exact) -> Axes<D> {
 /// quotient is too small for that.
 const ERROR: f64 = 6.0 * f64::EPSILON;
 
-/// Whether the order of two values tells that of their parameters; `size` is the
-/// size of one of them. If the other is of more than twice that size, they are far
-/// enough from each other anyway. Infinite values tell nothing: a difference that
-/// overflows may have a small quotient.
+/// The gap between two values above which their order is that of their parameters;
+/// `size` is the size of one of them. If the other is of more than twice that size, they
+/// are far enough from each other anyway.
+#[inline(always)]
+pub(super) fn bound(size: f64) -> f64 {
+    ERROR * size + f64::MIN_POSITIVE
+}
+
+/// Whether the order of two values tells that of their parameters. Infinite values tell
+/// nothing: a difference that overflows may have a small quotient.
 #[inline(always)]
 fn is_told(a: f64, b: f64, size: f64) -> bool {
     let gap = (a - b).abs();
-    (gap > ERROR * size + f64::MIN_POSITIVE) & (gap < f64::INFINITY)
+    (gap > bound(size)) & (gap < f64::INFINITY)
 }
 
-/// Index of the largest of some values, or of the smallest if `sign` is −1; `None`
-/// if rounding may have made it so.
-#[inline]
-fn leading<const D: usize>(parameters: &[Exact; D], sign: f64) -> Option<usize> {
-    let mut values = [0.0; D];
+/// Index of the largest of some values, or of the smallest if `sign` is −1, of the first
+/// of equal ones; and whether it is told from all others.
+#[inline(always)]
+pub(super) fn leading<const D: usize>(
+    mut values: [f64; D],
+    sign: f64,
+    is_told: impl Fn(f64, f64, f64) -> bool,
+) -> (usize, bool) {
     for index in 0..D {
-        values[index] = sign * parameters[index].value;
+        values[index] *= sign;
     }
     let mut first = 0;
     for index in 1..D {
@@ -222,6 +231,14 @@ fn leading<const D: usize>(parameters: &[Exact; D], sign: f64) -> Option<usize> 
         let told = is_told(values[first], values[index], values[first].abs());
         all_told &= (index == first) | told;
     }
+    (first, all_told)
+}
+
+/// Index of the latest of some parameters, or of the earliest if `sign` is −1; `None`
+/// if rounding may have made it so.
+#[inline(always)]
+fn told<const D: usize>(parameters: &[Exact; D], sign: f64) -> Option<usize> {
+    let (first, all_told) = leading(parameters.map(|p| p.value), sign, is_told);
     all_told.then_some(first)
 }
 

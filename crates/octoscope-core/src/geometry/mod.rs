@@ -3,6 +3,7 @@
 mod aabb;
 mod axes;
 mod exact;
+mod guarded;
 mod parameter;
 mod per_axis;
 mod ray;
@@ -12,6 +13,7 @@ mod short;
 pub use aabb::Aabb;
 pub use axes::{AXIS_NAMES, Axes};
 pub use exact::Exact;
+pub use guarded::{Guarded, doubt, trust};
 pub use parameter::Parameter;
 pub(crate) use per_axis::{either, per_axis};
 pub use ray::{Ray, RayError};

@@ -47,7 +47,7 @@ pub fn traverse<const D: usize, P: Parameter>(
     let mut level = domain.root_level();
     let mut code: Code<D> = [0; D];
     let mut stack = [Level { node, mid: far, far }; MAX_ROOT_LEVEL as usize + 1];
-    observe.observe(entered(node, entry, far));
+    enter(node, entry, far, observe);
 
     loop {
         // Down: into the half of every axis in which the ray is.
@@ -63,7 +63,7 @@ pub fn traverse<const D: usize, P: Parameter>(
             code = child.code_in(code, half);
             far = state.pick(mid, far);
             level -= 1;
-            observe.observe(entered(node, entry, far));
+            enter(node, entry, far, observe);
         }
 
         // Leave: through the planes that are met first.
@@ -102,7 +102,7 @@ pub fn traverse<const D: usize, P: Parameter>(
         code = per_axis(|e| next[e] >> level << level);
         far = state.pick(ancestor.mid, ancestor.far);
         entry = exit;
-        observe.observe(entered(node, entry, far));
+        enter(node, entry, far, observe);
     }
 }
 
@@ -112,8 +112,16 @@ fn signed<const D: usize>(code: Code<D>) -> [i64; D] {
     per_axis(|e| i64::from(code[e] as i32))
 }
 
+/// Tells that a node is entered; if nobody looks, its exit is not even looked for.
 #[inline(always)]
-fn entered<const D: usize, P: Parameter>(node: Node, entry: P, far: [P; D]) -> Event<D> {
-    let interval = [entry.value(), earliest(far).value()];
-    Event::Enter { node: node.id, interval, call: false }
+fn enter<const D: usize, P: Parameter, O: Observer<D>>(
+    node: Node,
+    entry: P,
+    far: [P; D],
+    observe: &mut O,
+) {
+    if O::LOOKS {
+        let interval = [entry.value(), earliest(far).value()];
+        observe.observe(Event::Enter { node: node.id, interval, call: false });
+    }
 }

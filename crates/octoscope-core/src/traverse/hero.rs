@@ -104,10 +104,10 @@ impl<const D: usize, P: Parameter, O: Observer<D>> Walk<'_, D, P, O> {
             self.observe.observe(Event::Up { node: Some(node.id) });
 
             // Flip: the bits of all planes that are met there.
-            let Some(at) = next else {
+            let (Some(at), Some(axis)) = (next, ahead.next()) else {
                 return ControlFlow::Continue(());
             };
-            let mut axes = Axes::NONE;
+            let mut axes = Axes::<D>::one(axis);
             while let Some(axis) = ahead.next_if(|&axis| mid[axis].not_after(at)) {
                 axes = Axes(axes.0 | Axes::<D>::one(axis).0);
             }

@@ -14,6 +14,7 @@ mod clip;
 mod codes;
 mod dda;
 mod esvo;
+mod exactly;
 mod exhaustive;
 mod gargantini;
 mod glassner;

@@ -135,9 +135,8 @@ impl<const D: usize, P: Parameter, O: Observer<D>> Walk<'_, D, P, O> {
         self.observe.observe(event);
 
         // Enter: Table 2, from the near plane that is reached last.
-        let entry = latest(near);
-        let axis =
-            (0..D).find(|&e| entry.not_after(near[e])).expect("one of the planes is the last");
+        let axis = P::index_of_latest(near);
+        let entry = near[axis];
         let compared = entry_axes::<D>(axis);
         let upper = std::array::from_fn(|e| compared.contains(e) && mid[e].before(entry));
         let mut state = Child::from_upper_halves(upper);

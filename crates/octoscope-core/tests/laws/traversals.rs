@@ -3,11 +3,11 @@
 use crate::agreement::{compare, oracle, run_with};
 use crate::rays::{Class, random_ray};
 use crate::trees::{domain, random_tree};
-use octoscope_core::geometry::Ray;
+use octoscope_core::geometry::{Exact, Ray};
 use octoscope_core::query::{Arithmetic, Query};
 use octoscope_core::random::Random;
 use octoscope_core::traverse::{
-    Algorithm, Method, Options, Slivers, doubles_suffice, first_difference,
+    Algorithm, Method, Options, Slivers, StopAt, doubles_suffice, first_difference,
 };
 use octoscope_core::tree::Tree;
 
@@ -21,6 +21,41 @@ fn check<const D: usize>(tree: &Tree<D>, ray: &Ray<D>, context: &str) -> usize {
         }
     }
     oracle.0.leaves.len()
+}
+
+/// The run that begins in doubles and is made exact where these are in doubt has the
+/// events of the one that is exact throughout.
+fn check_guarded<const D: usize>(seed: u64) {
+    let mut random = Random::new(seed);
+    for n in 0..30 {
+        let tree = random_tree(domain::<D>(1 + (n % 8) as u8, n / 8), 25, &mut random);
+        for class in Class::ALL {
+            for (stop_at, segment_end) in
+                [(StopAt::End, None), (StopAt::FirstFull, None), (StopAt::End, Some(0.75))]
+            {
+                let ray = random_ray(&tree, class, &mut random);
+                for algorithm in Algorithm::ALL {
+                    let options = Options { stop_at, segment_end, ..Options::default() };
+                    let (mut whole, mut guarded) = (Vec::new(), Vec::new());
+                    let outcomes = [
+                        algorithm.run::<D, Exact>(&tree, &ray, options, &mut whole),
+                        algorithm.run_exactly(&tree, &ray, options, &mut guarded),
+                        algorithm.run_exactly(&tree, &ray, options, &mut ()),
+                    ];
+                    // A point may be at no number, which does not equal itself.
+                    let same = guarded == whole || format!("{guarded:?}") == format!("{whole:?}");
+                    assert!(same, "{algorithm:?} {class:?} {ray:?}");
+                    assert_eq!(outcomes, [outcomes[0]; 3], "{algorithm:?} {class:?} {ray:?}");
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn doubles_without_doubt_take_exact_steps() {
+    check_guarded::<2>(8);
+    check_guarded::<3>(9);
 }
 
 /// Planes that are crossed one by one, or mid planes that are means, cost extra
