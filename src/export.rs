@@ -73,8 +73,12 @@ pub fn space<const D: usize>(
 }
 
 /// Diagram of the tree of `document` after `step` events, on a page that is no wider
-/// than what is drawn; what is off the path is folded.
-pub fn whole_tree<const D: usize>(document: &Document<D>, step: usize) -> Figure {
+/// than what is drawn, nor than `most`; what is off the path is folded.
+pub fn whole_tree<const D: usize>(
+    document: &Document<D>,
+    step: usize,
+    most: Option<f64>,
+) -> Figure {
     let moment = document.moment(step);
     let of = DiagramOf {
         tree: &document.tree,
@@ -84,7 +88,8 @@ pub fn whole_tree<const D: usize>(document: &Document<D>, step: usize) -> Figure
         event: step.checked_sub(1).and_then(|index| document.trace.events.get(index)),
     };
     let on = |page| -> Diagram { tree_diagram(&of, &[], None, page, DiagramLens::default()) };
-    let width = on(PAGE).natural.width.min(PAGE.width);
+    let most = most.unwrap_or(PAGE.width);
+    let width = on(PAGE).natural.width.min(most);
     on(Page { width, ..PAGE }).figure
 }
 

@@ -156,10 +156,14 @@ fn settings(ui: &mut Ui, look: &Look, shown: &mut Shown) {
         }
 
         ui.label(name("export-extent"));
-        let extents = [(Extent::Cropped, "export-cropped"), (Extent::Sized, "export-sized")];
+        let extents = [
+            (Extent::Cropped, "export-cropped"),
+            (Extent::Wide, "export-wide"),
+            (Extent::Sized, "export-sized"),
+        ];
         segments(ui, &mut choice.extent, &extents.map(|(extent, key)| (extent, name(key))));
         ui.end_row();
-        if choice.extent == Extent::Sized {
+        if choice.extent != Extent::Cropped {
             ui.label(name("export-size"));
             sides(ui, look, choice);
             ui.end_row();
@@ -285,7 +289,9 @@ fn exercise(ui: &mut Ui, look: &Look, choice: &mut Choice) {
 
 fn sides(ui: &mut Ui, look: &Look, choice: &mut Choice) {
     ui.horizontal(|ui| {
-        for (index, key) in ["export-width", "export-height"].into_iter().enumerate() {
+        let n_sides = if choice.extent == Extent::Wide { 1 } else { 2 };
+        let keys = ["export-width", "export-height"].into_iter().take(n_sides);
+        for (index, key) in keys.enumerate() {
             if index == 1 {
                 ui.label("×");
             }

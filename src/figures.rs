@@ -29,6 +29,8 @@ pub struct Wanted<const D: usize> {
     pub exercise: (Option<u64>, Fields),
     /// Page of the view in space.
     pub page: Page,
+    /// Width in which other views are laid out; without it, the usual one.
+    pub column: Option<f64>,
     /// Camera of pictures of space; none fits everything.
     pub camera: Option<Camera<D>>,
     /// What such pictures show.
@@ -146,10 +148,11 @@ pub fn figure_of<const D: usize>(
     document: &Document<D>,
     wanted: &Wanted<D>,
 ) -> anyhow::Result<Figure> {
-    let Wanted { view, step, page, camera, show, language, .. } = *wanted;
+    let Wanted { view, step, page, camera, show, language, column, .. } = *wanted;
+    let width = view.width_in::<D>(column);
     let figure = match view {
         FigureView::Space => return Ok(space(document, camera, page, &show, step)),
-        FigureView::Tree => whole_tree(document, step),
+        FigureView::Tree => whole_tree(document, step, column),
         FigureView::Storyboard => story(document, wanted),
         FigureView::Worksheet => exercise(document, wanted)?,
         FigureView::Automaton
@@ -169,7 +172,7 @@ pub fn figure_of<const D: usize>(
                 texts: &texts(language),
                 notation: wanted.notation,
             };
-            figure(view, &subject, view.width::<D>())?
+            figure(view, &subject, width)?
         }
     };
     Ok(figure.cropped(Order::MARGIN))
@@ -179,7 +182,7 @@ pub fn figure_of<const D: usize>(
 fn story<const D: usize>(document: &Document<D>, wanted: &Wanted<D>) -> Figure {
     let Wanted { camera, show, language, .. } = *wanted;
     let steps = wanted.moments.steps(document);
-    let width = FigureView::Storyboard.width::<D>();
+    let width = FigureView::Storyboard.width_in::<D>(wanted.column);
     let layout = Layout::of(steps.len(), width);
     let panels = |page: Page| -> Vec<Panel> {
         let panel = |&step: &usize| Panel {
@@ -265,6 +268,7 @@ mod tests {
             moments: moments.clone(),
             exercise: (None, Fields::Empty),
             page: Page { width: 960.0, height: 720.0 },
+            column: None,
             camera: None,
             show: Show::at_first::<D>(),
             language,

@@ -86,8 +86,9 @@ pub struct Export {
     #[arg(long, value_name = "OX,OY,OZ,DX,DY,DZ|gallery:ID", allow_hyphen_values = true)]
     ray: Option<RayChoice>,
     /// Extent in mm, pt or px (without a unit), into which the figure is
-    /// fitted; without it, the file ends around the figure.
-    #[arg(long, value_name = "WIDTHxHEIGHT[UNIT]", allow_negative_numbers = true)]
+    /// fitted; or a width with its unit, such as 85mm for a column, in which the figure
+    /// is laid out, as high as it then is; without it, the file ends around the figure.
+    #[arg(long, value_name = "WIDTH[xHEIGHT][UNIT]", allow_negative_numbers = true)]
     size: Option<Size>,
     /// Enlarges the file so many times. Of a PNG whose size is in mm or pt, the
     /// pixels per point; without it, it has 300 dots per inch.

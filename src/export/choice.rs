@@ -65,6 +65,8 @@ pub enum Extent {
     /// Around the figure.
     #[default]
     Cropped,
+    /// Around the figure, which is laid out in a width.
+    Wide,
     /// At a size.
     Sized,
 }
@@ -165,7 +167,8 @@ impl Choice {
         let [width, height] = self.sides.map(|side| rounded(side).clamp(1.0, longest));
         match self.extent {
             Extent::Cropped => None,
-            Extent::Sized => Some(Size { width, height, unit: self.unit }),
+            Extent::Wide => Some(Size { width, height: None, unit: self.unit }),
+            Extent::Sized => Some(Size { width, height: Some(height), unit: self.unit }),
         }
     }
 
@@ -199,7 +202,7 @@ impl Choice {
     /// Whether the enlargement counts.
     pub fn can_be_enlarged(&self) -> bool {
         let on_paper = matches!(self.unit, Unit::Millimetre | Unit::Point);
-        self.format.is_of_pixels() && !(self.extent == Extent::Sized && on_paper)
+        self.format.is_of_pixels() && (self.extent == Extent::Cropped || !on_paper)
     }
 
     /// What is asked for of `document` as `view` shows it.
@@ -338,5 +341,7 @@ mod tests {
         assert_eq!(choice.size().unwrap().to_string(), "16384x1px");
         let choice = Choice { sides: [33.333_333, 20.0], unit: Unit::Millimetre, ..choice };
         assert_eq!(choice.size().unwrap().to_string(), "33.33x20mm");
+        let choice = Choice { extent: Extent::Wide, ..choice };
+        assert_eq!(choice.size().unwrap().to_string(), "33.33mm");
     }
 }

@@ -47,30 +47,41 @@ impl Order {
     /// Room around a figure that is cropped, in page units.
     pub const MARGIN: f64 = 6.0;
     /// Size in which figures are laid out that are cropped then.
-    const USUAL: Size = Size { width: 960.0, height: 720.0, unit: Unit::Pixel };
+    const USUAL: Size = Size { width: 960.0, height: Some(720.0), unit: Unit::Pixel };
     /// The same on slides, which are 128 mm wide.
-    const SLIDE: Size = Size { width: 120.0, height: 90.0, unit: Unit::Millimetre };
+    const SLIDE: Size = Size { width: 120.0, height: Some(90.0), unit: Unit::Millimetre };
+    /// Size of type on slides against the usual.
+    const SLIDE_TYPE: f64 = 4.0 / 3.0;
     /// Dots per inch of pictures whose size is one on paper.
     const DOTS_PER_INCH: f64 = 300.0;
 
-    /// Size in which a figure is laid out that is cropped then: on slides the
-    /// type has to be legible.
-    fn usual(&self) -> Size {
+    /// Size in which a figure is laid out that is cropped then, and that of its type:
+    /// on slides it has to be legible from afar.
+    fn usual(&self) -> (Size, f64) {
         match self.tikz {
-            TikzForm::Standalone | TikzForm::Snippet => Self::USUAL,
-            TikzForm::Beamer | TikzForm::BeamerSnippet => Self::SLIDE,
+            TikzForm::Standalone | TikzForm::Snippet => (Self::USUAL, 1.0),
+            TikzForm::Beamer | TikzForm::BeamerSnippet => (Self::SLIDE, Self::SLIDE_TYPE),
         }
     }
 
     /// The page on which the figure is laid out.
     pub fn page(&self) -> Page {
-        self.size.unwrap_or(self.usual()).page(self.type_scale)
+        let (size, type_scale) = self.usual();
+        self.size.unwrap_or(size).page(self.type_scale * type_scale)
+    }
+
+    /// Width of that page within its margins, if the figure is as high as what is drawn
+    /// on it.
+    pub fn column(&self) -> Option<f64> {
+        let has_own_height = self.size.is_some_and(|size| size.height.is_none());
+        has_own_height.then(|| self.page().width - 2.0 * Self::MARGIN)
     }
 
     /// Length of the page's units in the file. That of pictures is in pixels:
     /// so many that a size on paper has 300 dots per inch.
     pub fn scale(&self) -> Scale {
-        let scale = self.size.unwrap_or(self.usual()).scale(self.type_scale);
+        let (size, type_scale) = self.usual();
+        let scale = self.size.unwrap_or(size).scale(self.type_scale * type_scale);
         let is_of_pixels = self.format.is_of_pixels();
         let (factor, unit) = match scale.unit {
             Unit::Millimetre | Unit::Point if is_of_pixels => {
@@ -100,6 +111,7 @@ mod tests {
     #[test]
     fn files_are_as_large_as_asked_for() {
         check(Format::Svg, "120x80mm", None, 120.0);
+        check(Format::Pdf, "85mm", None, 85.0);
         check(Format::Svg, "120x80mm", Some(2.0), 240.0);
         check(Format::Pdf, "300x200pt", None, 300.0);
         check(Format::Png, "640x480", None, 640.0);

@@ -245,6 +245,7 @@ impl Request {
             moments: self.moments.clone(),
             exercise: self.exercise,
             page,
+            column: self.order.column(),
             camera,
             show: self.show::<D>(),
             language: self.language,

@@ -102,15 +102,16 @@ pub(super) struct Frames {
 }
 
 impl Frames {
-    /// The page around all figures, or the one of the size that is asked for. A
-    /// figure that has a page of its own, whatever it is offered, is shown whole,
-    /// as large as there is room.
+    /// The page around all figures, or the one of the size that is asked for, which may
+    /// be a width. A figure that has a page of its own, whatever it is offered, is shown
+    /// whole, as large as there is room.
     pub(super) fn of(order: &Order, series: &Series, progress: &Progress) -> anyhow::Result<Self> {
         let page = order.page();
         let whole = Self { page, kept: None, zoom: 1.0 };
         let first = (series.figure)(page, *series.steps.start())?;
         let has_own_page = first.page != page;
-        if order.size.is_some() && !has_own_page {
+        let height = order.size.map(|size| size.height);
+        if matches!(height, Some(Some(_))) && !has_own_page {
             return Ok(whole);
         }
         let mut kept: Option<Extent> = None;
@@ -127,10 +128,25 @@ impl Frames {
             };
             progress.advance(1)?;
         }
-        match kept {
-            Some(kept) if order.size.is_some() => Ok(whole.fitting(kept)),
-            kept => Ok(Self { kept, ..whole }),
-        }
+        Ok(match (kept, height) {
+            (Some(kept), Some(Some(_))) => whole.fitting(kept),
+            (Some(kept), Some(None)) => whole.as_wide(kept),
+            (kept, _) => Self { kept, ..whole },
+        })
+    }
+
+    /// What is kept as wide as the page, or in its middle where that would make its type
+    /// much larger than usual.
+    fn as_wide(self, kept: Extent) -> Self {
+        const MOST: f64 = 1.25;
+        let wide = kept.max[0] - kept.min[0];
+        let zoom = (self.page.width / wide).min(MOST);
+        let room = 0.5 * (self.page.width / zoom - wide);
+        let kept = Extent {
+            min: [kept.min[0] - room, kept.min[1]],
+            max: [kept.max[0] + room, kept.max[1]],
+        };
+        Self { kept: Some(kept), zoom, ..self }
     }
 
     /// What is kept in the middle of the page, as large as there is room.
@@ -297,6 +313,10 @@ mod tests {
         check(own_page, Some("640x480"), [640.0, 480.0]);
         check(own_page, Some("120x80mm"), [120.0, 80.0]);
         check(on_page, Some("640x480"), [640.0, 480.0]);
+        // A width: type becomes a quarter larger at most.
+        check(own_page, Some("330px"), [330.0, 110.0]);
+        check(own_page, Some("600px"), [600.0, 125.0]);
+        check(on_page, Some("80px"), [80.0, 67.5]);
         // Two circles, their line and the margin.
         check(on_page, None, [50.0 + 2.0 * 7.0, 40.0 + 2.0 * 7.0]);
     }

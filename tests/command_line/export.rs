@@ -260,11 +260,11 @@ fn a_size_on_paper_is_kept_in_every_format() {
     desk.prints("export a.octo --size 127x101.6mm -o a.svg");
     assert!(text("a.svg").contains("width=\"127mm\" height=\"101.6mm\""));
     desk.prints("export a.octo --size 127x101.6mm --type-scale 2 -o a.svg");
-    assert!(text("a.svg").contains("width=\"127mm\" height=\"101.6mm\" viewBox=\"0 0 180 144\""));
+    assert!(text("a.svg").contains("width=\"127mm\" height=\"101.6mm\" viewBox=\"0 0 240 192\""));
     desk.prints("export a.octo --size 127x101.6mm -o a.pdf");
     assert!(text("a.pdf").contains("[0 0 360 288]"));
     desk.prints("export a.octo --size 127x101.6mm -o a.tex");
-    assert!(text("a.tex").contains("(0,0) rectangle (360,288)"));
+    assert!(text("a.tex").contains("(0,0) rectangle (480,384)"));
 }
 
 #[test]

@@ -166,6 +166,26 @@ impl FigureView {
         }
     }
 
+    /// Width for which the view is laid out in a column of this width, if there is one:
+    /// texts are broken there, what is drawn keeps its size.
+    pub fn width_in<const D: usize>(self, column: Option<f64>) -> f64 {
+        let (usual, least) = (self.width::<D>(), 280.0);
+        let Some(column) = column else { return usual };
+        match self {
+            Self::Codes | Self::Region | Self::Neighbour | Self::Automaton | Self::Worksheet => {
+                usual
+            }
+            Self::Space
+            | Self::Tree
+            | Self::TRail
+            | Self::Listing
+            | Self::Table
+            | Self::Chart
+            | Self::Formula
+            | Self::Storyboard => column.clamp(least, 1.5 * usual),
+        }
+    }
+
     /// Whether a query has what the view shows.
     ///
     /// # Errors

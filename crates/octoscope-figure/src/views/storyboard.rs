@@ -33,10 +33,13 @@ const GAP: [f64; 2] = [14.0, 16.0];
 impl Layout {
     /// Layout of so many panels on a page of this width.
     pub fn of(n_panels: usize, width: f64) -> Self {
+        /// Narrower ones have no room for a picture and its sentence.
+        const NARROWEST: f64 = 140.0;
+        let most = ((width + GAP[0]) / (NARROWEST + GAP[0])).floor().max(1.0) as usize;
         let n_columns = match n_panels {
             0 | 1 => 1,
-            2 | 4 => 2,
-            _ => 3,
+            2 | 4 => most.min(2),
+            _ => most.min(3),
         };
         let n = n_columns as f64;
         Self { n_columns, column: (width - (n - 1.0) * GAP[0]) / n }
