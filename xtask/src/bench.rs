@@ -1,9 +1,10 @@
 //! `cargo xtask bench`.
 
-use crate::cargo::cargo;
+use crate::cargo::{cargo, target_folder};
 use std::collections::BTreeMap;
 use std::fmt::Write;
 use std::fs;
+use std::process::Command;
 
 /// What is measured: the name of the bench and the title of its part.
 const BENCHES: [(&str, &str); 3] = [
@@ -24,19 +25,65 @@ pub fn bench() -> Result<(), String> {
     let _ = writeln!(page, "\n## The machine\n\n{}", machine());
     for (bench, title) in BENCHES {
         eprintln!("{title} …");
-        let output = cargo()
-            .args(["bench", "--quiet", "--package", "octoscope-core", "--bench", bench])
-            .output()
-            .map_err(|error| format!("cargo could not be started: {error}"))?;
-        if !output.status.success() {
-            let reason = String::from_utf8_lossy(&output.stderr);
-            return Err(format!("the bench {bench} has failed\n{reason}"));
-        }
-        let table = String::from_utf8_lossy(&output.stdout);
-        let _ = writeln!(page, "\n## {title}\n\n```text\n{}\n```", table.trim_matches('\n'));
+        let mut measure = cargo();
+        measure.args(["bench", "--quiet", "--package", "octoscope-core", "--bench", bench]);
+        write_part(&mut page, title, &printed(&mut measure)?);
+    }
+    eprintln!("Other systems …");
+    write_part(&mut page, "Other systems", &peers()?);
+    match octomap() {
+        Ok(table) => write_part(&mut page, "OctoMap", &table),
+        Err(reason) => eprintln!("OctoMap was not measured: {reason}"),
     }
     fs::write("BENCHMARKS.md", page)
         .map_err(|error| format!("BENCHMARKS.md cannot be written: {error}"))
+}
+
+fn write_part(page: &mut String, title: &str, table: &str) {
+    let _ = writeln!(page, "\n## {title}\n\n```text\n{}\n```", table.trim_matches('\n'));
+}
+
+/// What a command prints.
+fn printed(command: &mut Command) -> Result<String, String> {
+    let output = command.output();
+    let output = output.map_err(|error| format!("{command:?} could not be started: {error}"))?;
+    if !output.status.success() {
+        let reason = String::from_utf8_lossy(&output.stderr);
+        return Err(format!("{command:?} has failed\n{reason}"));
+    }
+    Ok(String::from_utf8_lossy(&output.stdout).into_owned())
+}
+
+/// Hierarchies from the package registry, beside our own traversals.
+fn peers() -> Result<String, String> {
+    let mut run = cargo();
+    run.args(["run", "--quiet", "--release", "--manifest-path", "benches/peers/Cargo.toml"]);
+    run.arg("--target-dir").arg(target_folder()?.join("peers"));
+    printed(&mut run)
+}
+
+/// OctoMap, if a C++ compiler and its files are there (on Debian and Ubuntu `g++` and
+/// `liboctomap-dev`).
+fn octomap() -> Result<String, String> {
+    let folder = target_folder()?.join("workload");
+    let program = folder.join("octomap");
+    let mut write = cargo();
+    write.args(["run", "--quiet", "--release", "--package", "octoscope-core"]);
+    write.args(["--example", "workload"]).arg(&folder);
+    fs::create_dir_all(&folder).map_err(|error| error.to_string())?;
+    let mut compile = Command::new("g++");
+    compile.args(["-O3", "-march=native", "benches/peers/octomap.cpp"]);
+    compile.args(["-loctomap", "-loctomath", "-o"]).arg(&program);
+    printed(&mut compile)?;
+    printed(&mut write)?;
+    let mut table = format!("{:<40} {:>9} {:>9}\n", "", "Mrays/s", "best");
+    for (tree, depth) in [("S3-d6", "6"), ("cloud-d8", "8"), ("S5-d8", "8")] {
+        let [cells, rays] =
+            [format!("{tree}.cells"), "ext100k.rays".to_owned()].map(|name| folder.join(name));
+        let mut run = Command::new(&program);
+        table += &printed(run.args([tree, depth]).arg(cells).arg(rays))?;
+    }
+    Ok(table)
 }
 
 /// Processor and system, without names that somebody has given.
