@@ -5,7 +5,7 @@
 //
 // Prints two rows as the other benches do: `enum` lists the cells of the finest grid on a
 // ray inside the unit cube and looks each of them up; `first` is OctoMap's own castRay
-// through unknown space. Times are those that the thread has computed.
+// through unknown space, from where the ray enters the cube. Times are those that the thread has computed.
 
 #include <algorithm>
 #include <cstdio>
@@ -79,10 +79,11 @@ static long enumerate(const OcTree &tree, const Ray &ray, octomap::KeyRay &keys)
 }
 
 static long first(const OcTree &tree, const Ray &ray) {
-    point3d origin(float(ray.origin[0]), float(ray.origin[1]), float(ray.origin[2]));
+    double from, to;
+    if (!clip(ray, from, to)) return 0;
     point3d direction(float(ray.direction[0]), float(ray.direction[1]), float(ray.direction[2]));
     point3d end;
-    return tree.castRay(origin, direction, end, true, 4.0);
+    return tree.castRay(at(ray, from), direction, end, true, 2.0);
 }
 
 template <class Walk>
