@@ -11,7 +11,7 @@ use crate::shortcut;
 use crate::view::{Dialog, Typed};
 use eframe::egui::{
     Align2, Area, Button, Context, Frame, Grid, Id, Key, Label, Modal, Order, ProgressBar, Rect,
-    RichText, ScrollArea, Spinner, TextEdit, Ui, WidgetInfo,
+    RichText, ScrollArea, Spinner, TextEdit, Ui,
     text::{CCursor, CCursorRange},
     text_edit::TextEditState,
     vec2,
@@ -93,7 +93,7 @@ fn path(ui: &mut Ui, look: &Look, typed: &mut Typed) -> bool {
     let field = TextEdit::singleline(&mut typed.path).desired_width(f32::INFINITY);
     let field = ui.add(field);
     let spoken = look.text(name);
-    field.widget_info(|| WidgetInfo::text_edit(true, "", &typed.path, &spoken));
+    ui.ctx().accesskit_node_builder(field.id, |node| node.set_label(spoken));
     if field.changed() {
         typed.replaces = false;
     }

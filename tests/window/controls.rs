@@ -87,10 +87,10 @@ fn unspoken(desk: &Desk) -> Vec<String> {
 #[test]
 fn everything_that_can_be_operated_has_a_name_in_every_state() {
     let mut faults = Vec::new();
-    // Other presets show the same panels of a question.
-    let is_other = |name: &str| name.contains("-bits-") || name.contains("-lecture-");
+    // Other presets show the same panels of a question, and so does space.
+    let is_other = |name: &str| name.starts_with("question-") && !name.ends_with("-rail-2d");
     let states: Vec<_> = states::all().into_iter().filter(|s| !is_other(&s.name)).collect();
-    assert!(states.len() > 80, "{}", states.len());
+    assert!(states.len() > 60, "{}", states.len());
     for state in states {
         let mut desk = Desk::new();
         state.reach(&mut desk);

@@ -16,6 +16,8 @@ pub fn ui(ui: &mut Ui, look: &Look, search: &mut Search) -> Option<Target> {
     let field = TextEdit::singleline(&mut search.wanted).hint_text(look.text("find-hint"));
     let field = ui.add(field.desired_width(f32::INFINITY));
     field.request_focus();
+    let name = look.text("command-find");
+    ui.ctx().accesskit_node_builder(field.id, |node| node.set_label(name));
     if field.changed() {
         search.chosen = 0;
     }
