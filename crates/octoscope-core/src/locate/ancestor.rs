@@ -9,6 +9,7 @@ use crate::tree::{Code, Node, Tree, common_level};
 /// A neighbour's code comes about by adding 1 at the node's own level or by
 /// subtracting 1, and the carry or borrow changes an unbroken run of bits
 /// upwards: their XOR has ones up to the level below the common ancestor.
+#[inline(always)]
 pub fn climb<const D: usize>(
     tree: &Tree<D>,
     mut node: Node,

@@ -70,6 +70,7 @@ pub fn locate_by_codes_as_printed<const D: usize>(
 
 /// Follows `code` from `node`, of this `level`, down to `stop_level` or a leaf;
 /// returns the node that is reached, with its level.
+#[inline(always)]
 pub(crate) fn descend<const D: usize>(
     tree: &Tree<D>,
     mut node: Node,
