@@ -176,7 +176,8 @@ impl Palette {
         };
         match theme {
             Theme::Light => light,
-            Theme::Print => Self { panel: light.background, ..light },
+            // Lines that are thin on paper are darker.
+            Theme::Print => Self { panel: light.background, grid: Colour::hex(0xa3adb7), ..light },
             Theme::Projector => Self {
                 panel: light.background,
                 hairline: Colour::hex(0x8a949e),
@@ -213,7 +214,8 @@ impl Palette {
 
 /// Place `share`, 0 … 1, on the ramp cividis [Nuñez, Anderton, Renslow 2018]:
 /// even in lightness, the same to colour-blind eyes. Dark themes begin at a
-/// fifth of it, so that nothing sinks into the background.
+/// fifth of it, and print ends before its lightest part, so that nothing sinks into the
+/// background.
 pub fn ramp(theme: Theme, share: f64) -> Colour {
     const STOPS: [u32; 10] = [
         0x00224e, 0x123570, 0x3b496c, 0x575d6d, 0x707173, 0x8a8678, 0xa59c74, 0xc3b369, 0xe1cc55,
@@ -221,7 +223,8 @@ pub fn ramp(theme: Theme, share: f64) -> Colour {
     ];
     let share = if share.is_finite() { share.clamp(0.0, 1.0) } else { 0.0 };
     let share = match theme {
-        Theme::Light | Theme::Print | Theme::Projector => share,
+        Theme::Light | Theme::Projector => share,
+        Theme::Print => 0.85 * share,
         Theme::Dark => 0.2 + 0.8 * share,
     };
     let place = share * (STOPS.len() - 1) as f64;

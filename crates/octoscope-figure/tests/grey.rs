@@ -41,6 +41,7 @@ fn areas_are_told_apart_in_grey() {
         (first, middle),
         (middle, last),
         (first, Role::Current),
+        (last, Role::EmptyLeaf),
         (Role::FullLeaf, Role::EmptyLeaf),
         (Role::FullSection, Role::EmptySection),
         (Role::Taken, Role::EmptyLeaf),
@@ -71,4 +72,11 @@ fn lines_are_told_apart_in_grey() {
     ] {
         check_lines(a, b);
     }
+}
+
+#[test]
+fn cells_can_be_counted_on_paper() {
+    let paper = Palette::of(Theme::Print).background;
+    let ratio = contrast(line(Role::EmptyLeaf).0, paper);
+    assert!(ratio >= 2.0, "{ratio:.2}");
 }
