@@ -194,7 +194,7 @@ fn b_6_finds_no_number_for_the_mid_plane_of_an_axis_at_rest() {
         let [x, y, z] = mids(&format!("{base}@B-6"));
         assert!(x.is_nan() && y.is_nan() && z == 1.5);
         // In motion along every axis eq. 13 is right.
-        let (origin, direction) = ([-1.0, 0.1, 0.2], [1.0, 0.2, 0.1]);
+        let (origin, direction) = ([-1.0, 0.125, 0.25], [1.0, 0.125, 0.0625]);
         let printed = format!("{base}@B-6");
         check(&printed, origin, direction, [&[0, 4], &[0, 4]]);
     }
