@@ -189,9 +189,8 @@ impl<const D: usize> Query<D> {
     pub fn run(&self, tree: &Tree<D>, ray: &Ray<D>, observe: &mut impl Observer<D>) -> Outcome {
         match *self {
             Self::Ray { algorithm, options, .. } => {
-                let segment_end = options.segment_end.filter(|end| end.is_finite());
                 let variants = self.variants_at_work();
-                let options = Options { segment_end, variants, ..options };
+                let options = Options { variants, ..options };
                 if self.is_exact(tree.domain(), ray) {
                     algorithm.run_exactly(tree, ray, options, observe)
                 } else {

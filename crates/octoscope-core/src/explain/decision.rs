@@ -34,7 +34,7 @@ impl<const D: usize> Teller<'_, D> {
         ];
         if !hit {
             let end = match self.trace.query {
-                Query::Ray { options, .. } => options.segment_end,
+                Query::Ray { options, .. } => options.end(),
                 Query::Point { .. } | Query::Region { .. } | Query::Neighbour { .. } => None,
             };
             // What the line has no part in is missed, wherever the ray begins.

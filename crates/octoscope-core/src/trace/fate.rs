@@ -132,7 +132,7 @@ pub fn fate<const D: usize>(
         Query::Ray { options, .. } => {
             // The last ones most often.
             let visited = moment.leaves.iter().rev().any(|leaf| is_in(leaf.node));
-            let interval = match met(tree, ray, options.segment_end, node) {
+            let interval = match met(tree, ray, options.end(), node) {
                 Ok(interval) => interval,
                 Err(reason) if visited => return Some(Fate::Strayed(reason)),
                 Err(reason) => return Some(Fate::RuledOut(reason)),

@@ -173,7 +173,7 @@ impl<const D: usize> Rounding<'_, D> {
 
     fn clip(&self, enter: f64, exit: f64, exact: bool) -> Option<Disagreement<D>> {
         let (in_doubles, _) = clip::<D, f64>(self.tree.domain(), self.ray, self.options);
-        let segment = self.options.segment_end.map(|end| ulps(enter.max(0.0), end));
+        let segment = self.options.end().map(|end| ulps(enter.max(0.0), end));
         let nearest = ulps(enter, exit).min(ulps(exit, 0.0)).min(segment.unwrap_or(u64::MAX));
         disagreement(exact == in_doubles.is_some(), Axes::NONE, nearest)
     }

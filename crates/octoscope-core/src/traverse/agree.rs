@@ -61,7 +61,7 @@ pub fn first_difference_of_run<const D: usize>(
     } else {
         expected.len()
     };
-    let end = options.segment_end.unwrap_or(f64::INFINITY);
+    let end = options.end().unwrap_or(f64::INFINITY);
     first_difference_until(tree, ray, end, &expected[..n_expected], found, slivers)
 }
 

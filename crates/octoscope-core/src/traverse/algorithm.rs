@@ -56,12 +56,19 @@ pub struct Options {
     /// Where the traversal ends.
     pub stop_at: StopAt,
     /// Parameter t at which the ray ends, if it does not go on for ever. What is no
-    /// finite number ends nothing.
+    /// finite number ends nothing, see [`Options::end`].
     #[serde(skip_serializing_if = "Option::is_none")]
     pub segment_end: Option<f64>,
     /// Rules in another form than the right one.
     #[serde(skip_serializing_if = "Variants::is_empty")]
     pub variants: Variants,
+}
+
+impl Options {
+    /// Parameter t at which the ray ends, if it does.
+    pub fn end(&self) -> Option<f64> {
+        self.segment_end.filter(|end| end.is_finite())
+    }
 }
 
 /// Where a traversal ends.

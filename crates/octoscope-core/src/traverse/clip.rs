@@ -33,8 +33,7 @@ pub fn clip<const D: usize, P: Parameter>(
     let first_in = latest(near);
     let exit = earliest(far);
     let in_time = |end: f64| first_in.later(P::ORIGIN).before(P::given(end));
-    let hit =
-        first_in.before(exit) && P::ORIGIN.before(exit) && options.segment_end.is_none_or(in_time);
+    let hit = first_in.before(exit) && P::ORIGIN.before(exit) && options.end().is_none_or(in_time);
     let event = Event::Clip {
         near: near.map(P::value),
         far: far.map(P::value),

@@ -29,12 +29,12 @@ pub fn traverse<const D: usize>(
     let position = Unit::common(corners.chain(ray.origin()));
     let direction = Unit::common(ray.direction());
     let short = position.bits + direction.bits + 2 < i128::BITS;
-    let met = if short && options.segment_end.is_none() {
+    let met = if short && options.end().is_none() {
         let integer = |x: f64, unit: Unit| unit.count(x);
         test_all::<D, i128>(boxes(), ray, [position, direction], integer, None, observe)
     } else {
         let integer = |x: f64, unit: Unit| unit.count_at_any_length(x);
-        let end = options.segment_end.map(|t| parameter(t, position, direction));
+        let end = options.end().map(|t| parameter(t, position, direction));
         test_all::<D, BigInt>(boxes(), ray, [position, direction], integer, end, observe)
     };
 

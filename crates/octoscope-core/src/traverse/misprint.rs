@@ -48,7 +48,7 @@ pub fn traverse<const D: usize>(
     let far = std::array::from_fn(|e| at(e, domain.grid_size(), Plane::Far));
     let [enter, exit] = rules.interval(near, far);
     let in_time = |end: f64| enter.max(0.0) < end;
-    let hit = rules.is_crossed(enter, exit) && options.segment_end.is_none_or(in_time);
+    let hit = rules.is_crossed(enter, exit) && options.end().is_none_or(in_time);
     observe.observe(Event::Clip { near, far, enter, exit, hit, mirror });
     if !hit {
         return missed(observe);

@@ -16,7 +16,7 @@ pub struct Report<P> {
 impl<P: Parameter> Report<P> {
     /// As the options say.
     pub fn of(options: Options) -> Self {
-        Self { stop_at: options.stop_at, segment_end: options.segment_end.map(P::given) }
+        Self { stop_at: options.stop_at, segment_end: options.end().map(P::given) }
     }
 
     /// Reports that the ray is in leaf `node` from `enter` to `exit`: as a touch

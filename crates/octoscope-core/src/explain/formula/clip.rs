@@ -74,18 +74,19 @@ impl<const D: usize> Writer<'_, D> {
         let from = if self.has(Variant::B10) { enter } else { enter.max(0.0) };
         let precedes = if is_closed { from <= exit } else { from < exit };
         let end = match self.query {
-            Query::Ray { options, .. } => options.segment_end,
+            Query::Ray { options, .. } => options.end(),
             Query::Point { .. } | Query::Region { .. } | Query::Neighbour { .. } => None,
         };
         // It meets the root, but ends before.
-        let (name, last) = match end.filter(|_| precedes && !hit) {
+        let ended = end.filter(|_| precedes && !hit);
+        let (name, last) = match ended {
             Some(end) => (Formula::from("t").sub("end"), end),
             None => (t_max, exit),
         };
         let sign = match (hit, is_closed) {
             (true, true) => Sign::LessOrEqual,
             (true, false) => Sign::Less,
-            (false, true) if end.is_none() => Sign::Greater,
+            (false, true) if ended.is_none() => Sign::Greater,
             (false, _) => Sign::GreaterOrEqual,
         };
         let [enter, last] = told_apart([enter, last]);
@@ -130,7 +131,8 @@ impl<const D: usize> Writer<'_, D> {
         }
     }
 
-    /// A node by itself: whether the latest near plane comes before the first far one.
+    /// A node by itself: whether the latest near plane, or the ray's begin, comes before
+    /// the first far one.
     pub(super) fn tested(&self, interval: Option<[f64; 2]>, touch: bool) -> Statement {
         let sign = match (interval, touch) {
             (Some(_), false) => Sign::Less,
@@ -141,21 +143,16 @@ impl<const D: usize> Writer<'_, D> {
             let one = Formula::from("t").sub(row!["e", plane]);
             row![Formula::Over { operator, limit: Box::new("e".into()) }, one]
         };
-        let mut symbols = vec![bound("max", "0"), sign.into(), bound("min", "1")];
-        if interval.is_none() {
-            let behind = row![bound("min", "1"), Sign::LessOrEqual, 0];
-            symbols.extend([Sign::Or.into(), behind]);
-        }
+        let from = Formula::call("max", [bound("max", "0"), 0.into()]);
         let follows = self.word(match (interval, touch) {
             (Some(_), false) => "formula-hit",
             (Some(_), true) => "formula-touch",
             (None, _) => "formula-miss",
         });
-        symbols.extend([Sign::Implies.into(), follows]);
         let numbers = interval.map(|interval| {
             let [enter, exit] = told_apart(interval);
             row![enter, sign, exit]
         });
-        Statement { symbols: Formula::Row(symbols), numbers }
+        Statement { symbols: row![from, sign, bound("min", "1"), Sign::Implies, follows], numbers }
     }
 }
