@@ -248,8 +248,7 @@ fn shown_in<'a, const D: usize>(view: &'a View, _document: &Document<D>) -> &'a 
 /// Layers for the space view, if there is a graphics adapter.
 fn layers(creation: &eframe::CreationContext<'_>) -> Option<Layers> {
     let state = creation.wgpu_render_state.as_ref()?;
-    render::install(state);
-    Some(Layers::default())
+    Some(Layers::new(render::install(state)))
 }
 
 /// The scene that a first start shows.

@@ -352,16 +352,24 @@ impl<const D: usize> Document<D> {
 
     /// Mean colours of the leaves by node number, if the tree is of a picture.
     pub fn leaf_colours(&self) -> Option<Vec<Option<[u8; 3]>>> {
-        let Content::Image(image) = &*self.content else { return None };
-        // The tree of a picture is a quadtree.
-        let tree: &dyn Any = &*self.tree;
-        tree.downcast_ref::<Tree<2>>().map(|tree| leaf_colours(image, tree))
+        colours_of_leaves(&self.tree, &self.content)
     }
 
     /// State of the algorithm after `step` events.
     pub fn moment(&self, step: usize) -> Moment<D> {
         Moment::after(&self.tree, &self.trace, step)
     }
+}
+
+/// Mean colours of the leaves by node number, if the tree is of a picture.
+pub fn colours_of_leaves<const D: usize>(
+    tree: &Tree<D>,
+    content: &Content<D>,
+) -> Option<Vec<Option<[u8; 3]>>> {
+    let Content::Image(image) = content else { return None };
+    // The tree of a picture is a quadtree.
+    let tree: &dyn Any = tree;
+    tree.downcast_ref::<Tree<2>>().map(|tree| leaf_colours(image, tree))
 }
 
 fn content_bytes<const D: usize>(content: &Content<D>) -> usize {

@@ -184,8 +184,8 @@ impl App {
         self.judging = None;
     }
 
-    /// Waits until what is being opened, built, traced or found out is there; without
-    /// work, not at all.
+    /// Waits until what is being opened, built, traced, found out or drawn is there;
+    /// without work, not at all.
     pub fn finish_work(&mut self) {
         if let Some(job) = &self.judging {
             self.conclude_judging(job.wait());
@@ -197,6 +197,9 @@ impl App {
             self.conclude_tracing(job.wait());
         }
         self.maps.finish_work();
+        if let Some(layers) = &mut self.layers {
+            layers.finish();
+        }
     }
 
     /// Cancels the trace that is being made, if there is one.

@@ -4,6 +4,7 @@
 use super::camera::{self, Plane, View};
 use super::instance::{Grid, Group};
 use super::layer::{Data, Layer};
+use super::mesh;
 use eframe::egui::Color32;
 use glam::{Mat4, Vec3, Vec4};
 use std::ops::Range;
@@ -50,8 +51,27 @@ pub(super) struct Call {
     pub layer: usize,
     pub kind: Kind,
     pub uniform: Uniform,
-    /// Instances of cells; all of the layer's otherwise.
+    /// Instances, or triangles; what marks there are is one.
     pub instances: Range<u32>,
+    /// How finely spheres are cut, see [`mesh::sphere`].
+    pub rounds: u32,
+}
+
+impl Call {
+    /// Vertices of an instance or triangle; of marks, as if there were one.
+    pub fn vertices(&self) -> u32 {
+        match self.kind {
+            Kind::Cells | Kind::Edges | Kind::Points | Kind::Marks => 6,
+            Kind::OpaqueFaces | Kind::ClearFaces => 18,
+            Kind::Triangles => 3,
+            Kind::Spheres => mesh::sphere_corners(self.rounds),
+        }
+    }
+}
+
+/// Vertices of all calls: what a picture costs where a processor draws it.
+pub(super) fn n_vertices(calls: &[Call]) -> u64 {
+    calls.iter().map(|call| call.instances.len() as u64 * u64::from(call.vertices())).sum()
 }
 
 /// The draw calls of a picture: what hides first, then what shines through,
@@ -67,7 +87,7 @@ pub(super) fn calls(
     let mut calls = Vec::new();
     for (index, layer) in layers.iter().enumerate() {
         let mut push = |kind, uniform, instances| {
-            calls.push(Call { layer: index, kind, uniform, instances });
+            calls.push(Call { layer: index, kind, uniform, instances, rounds: 0 });
         };
         match (view, layer.data()) {
             (View::Plane(plane), Data::Cells { grid, edge, width, cells, .. }) => {
@@ -92,7 +112,7 @@ pub(super) fn calls(
                     let kind = if fill.is_opaque() { Kind::OpaqueFaces } else { Kind::ClearFaces };
                     push(kind, Uniform { fill: colour(fill), shape, ..base }, group.range.clone());
                 }
-                let pixels = pixels_per_unit(*clip_from_world, grid, size);
+                let pixels = pixels_per_unit(*clip_from_world, grid.bounds(), size);
                 for group in &edges.groups {
                     if side(group) * grid.cell as f32 * pixels < SMALLEST {
                         continue;
@@ -105,7 +125,7 @@ pub(super) fn calls(
                 }
             }
             (View::Space(clip_from_world), Data::Marks(marks)) if !marks.is_empty() => {
-                push(Kind::Marks, blank(*clip_from_world, size, pixels_per_point), 0..0);
+                push(Kind::Marks, blank(*clip_from_world, size, pixels_per_point), 0..1);
             }
             (View::Space(clip_from_world), Data::Points { points, colour: fill, radius })
                 if !points.is_empty() =>
@@ -120,14 +140,22 @@ pub(super) fn calls(
             {
                 let mut uniform = blank(*clip_from_world, size, pixels_per_point);
                 uniform.fill = colour(*fill);
-                push(Kind::Triangles, uniform, 0..1);
+                push(Kind::Triangles, uniform, 0..(corners.len() / 3) as u32);
             }
-            (View::Space(clip_from_world), Data::Spheres { spheres, colour: fill })
-                if !spheres.is_empty() =>
-            {
+            (
+                View::Space(clip_from_world),
+                Data::Spheres { spheres, colour: fill, rounds, bounds, largest },
+            ) if !spheres.is_empty() => {
                 let mut uniform = blank(*clip_from_world, size, pixels_per_point);
                 uniform.fill = colour(*fill);
-                push(Kind::Spheres, uniform, 0..spheres.len() as u32);
+                let radius = largest * pixels_per_unit(*clip_from_world, *bounds, size);
+                calls.push(Call {
+                    layer: index,
+                    kind: Kind::Spheres,
+                    uniform,
+                    instances: 0..spheres.len() as u32,
+                    rounds: mesh::rounds_for(radius).min(*rounds),
+                });
             }
             (View::Plane(_) | View::Space(_), _) => {}
         }
@@ -177,14 +205,13 @@ fn in_space(clip_from_world: Mat4, grid: &Grid, size: [u32; 2], pixels_per_point
     uniform
 }
 
-/// Pixels per world unit where the grid is nearest to the eye.
-fn pixels_per_unit(clip_from_world: Mat4, grid: &Grid, size: [u32; 2]) -> f32 {
-    let side = grid.side() as f32;
-    let min = Vec3::from(grid.min.map(|x| x as f32));
+/// Pixels per world unit where a box from the first to the second corner is nearest to
+/// the eye.
+fn pixels_per_unit(clip_from_world: Mat4, [min, max]: [Vec3; 2], size: [u32; 2]) -> f32 {
     let nearest = (0..8u8)
         .map(|corner| {
             let upper = |axis: u8| f32::from(corner >> axis & 1);
-            let point = min + side * Vec3::new(upper(0), upper(1), upper(2));
+            let point = min + (max - min) * Vec3::new(upper(0), upper(1), upper(2));
             (clip_from_world * point.extend(1.0)).w
         })
         .fold(f32::INFINITY, f32::min);

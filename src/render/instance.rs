@@ -6,6 +6,7 @@
 //! edges are instances of their own: a third of the vertices of whole boxes,
 //! and no line is drawn twice.
 
+use glam::Vec3;
 use std::ops::Range;
 
 /// The grid of smallest cells that codes count on, in world units.
@@ -23,6 +24,12 @@ impl Grid {
     /// Edge length of the root in world units.
     pub fn side(&self) -> f64 {
         self.cell * f64::from(1u32 << self.root_level)
+    }
+
+    /// Lowest and highest corner of the root.
+    pub(super) fn bounds(&self) -> [Vec3; 2] {
+        let min = Vec3::from(self.min.map(|x| x as f32));
+        [min, min + self.side() as f32]
     }
 }
 

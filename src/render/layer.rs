@@ -2,6 +2,7 @@
 
 use super::{BoxMark, Cell, Grid, instance, mesh};
 use eframe::egui::Color32;
+use glam::Vec3;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 
@@ -38,8 +39,15 @@ pub(super) enum Data {
     Points { points: Vec<[f32; 3]>, colour: Color32, radius: f32 },
     /// Corners of triangles with their normals.
     Triangles { corners: Vec<mesh::Corner>, colour: Color32 },
-    /// Centres and radii.
-    Spheres { spheres: Vec<[f32; 4]>, colour: Color32 },
+    /// Centres and radii; what holds them all, the largest radius, and how finely they
+    /// are cut at most.
+    Spheres {
+        spheres: Vec<[f32; 4]>,
+        colour: Color32,
+        rounds: u32,
+        bounds: [Vec3; 2],
+        largest: f32,
+    },
 }
 
 /// Packed codes in groups.
@@ -116,7 +124,49 @@ impl Layer {
 
     /// Spheres: x, y, z of the centre and the radius, in world units.
     pub fn spheres(spheres: Vec<[f32; 4]>, colour: Color32) -> Self {
-        Self::new(Data::Spheres { spheres, colour })
+        Self::spheres_of(spheres, colour, mesh::MOST_ROUNDS)
+    }
+
+    /// The same or a coarser layer that takes no more than about so many vertices: of
+    /// many points and triangles an even choice, spheres with fewer faces. Layers of
+    /// cells stay as they are.
+    pub fn within(&self, most_vertices: usize) -> Self {
+        match &*self.data {
+            Data::Points { points, colour, radius } if points.len() * 6 > most_vertices => {
+                Self::points(one_in(points, most_vertices / 6), *colour, *radius)
+            }
+            Data::Triangles { corners, colour } if corners.len() > most_vertices => {
+                let triangles: Vec<&[mesh::Corner]> = corners.chunks_exact(3).collect();
+                let corners = one_in(&triangles, most_vertices / 3).concat();
+                Self::new(Data::Triangles { corners, colour: *colour })
+            }
+            Data::Spheres { spheres, colour, .. } => {
+                let cost = |rounds: u32| spheres.len() * mesh::sphere_corners(rounds) as usize;
+                let rounds = (0..=mesh::MOST_ROUNDS).rev().find(|&n| cost(n) <= most_vertices);
+                let spheres = match rounds {
+                    Some(mesh::MOST_ROUNDS) => return self.clone(),
+                    Some(_) => spheres.clone(),
+                    None => one_in(spheres, most_vertices / mesh::sphere_corners(0) as usize),
+                };
+                let rounds = rounds.unwrap_or(0);
+                Self::spheres_of(spheres, *colour, rounds)
+            }
+            Data::Points { .. }
+            | Data::Triangles { .. }
+            | Data::Boxes { .. }
+            | Data::Cells { .. }
+            | Data::Marks(_) => self.clone(),
+        }
+    }
+
+    fn spheres_of(spheres: Vec<[f32; 4]>, colour: Color32, rounds: u32) -> Self {
+        let empty = [Vec3::INFINITY, Vec3::NEG_INFINITY];
+        let bounds = spheres.iter().fold(empty, |[min, max], &[x, y, z, radius]| {
+            let centre = Vec3::new(x, y, z);
+            [min.min(centre - radius), max.max(centre + radius)]
+        });
+        let largest = spheres.iter().fold(0.0, |most: f32, sphere| most.max(sphere[3]));
+        Self::new(Data::Spheres { spheres, colour, rounds, bounds, largest })
     }
 
     /// Number that no other layer has.
@@ -132,6 +182,11 @@ impl Layer {
         static NEXT: AtomicU64 = AtomicU64::new(0);
         Self { id: NEXT.fetch_add(1, Ordering::Relaxed), data: Arc::new(data) }
     }
+}
+
+/// At most `most` of the items, evenly chosen.
+fn one_in<T: Clone>(items: &[T], most: usize) -> Vec<T> {
+    items.iter().step_by(items.len().div_ceil(most.max(1)).max(1)).cloned().collect()
 }
 
 impl PartialEq for Layer {

@@ -1,6 +1,7 @@
 //! Triangles as the GPU reads them.
 
 use glam::Vec3;
+use std::f32::consts::FRAC_PI_4;
 
 /// Corner of a triangle: position in world units and unit normal.
 pub(super) type Corner = [[f32; 3]; 2];
@@ -14,6 +15,22 @@ pub(super) fn corners(triangles: &[[[f32; 3]; 3]]) -> Vec<Corner> {
         corners.extend(triangle.map(|corner| [corner, normal]));
     }
     corners
+}
+
+/// The finest sphere has 8 · 4³ triangles.
+pub(super) const MOST_ROUNDS: u32 = 3;
+
+/// Number of corners of [`sphere`].
+pub(super) const fn sphere_corners(rounds: u32) -> u32 {
+    3 * 8 * 4u32.pow(rounds)
+}
+
+/// How finely a sphere of a radius in pixels is cut so that its faces lie a quarter of
+/// a pixel inside it, or as finely as there is.
+pub(super) fn rounds_for(radius: f32) -> u32 {
+    // Half the angle of an edge, seen from the middle of the sphere.
+    let half = |rounds: u32| FRAC_PI_4 / (1 << rounds) as f32;
+    (0..MOST_ROUNDS).find(|&n| radius * (1.0 - half(n).cos()) < 0.25).unwrap_or(MOST_ROUNDS)
 }
 
 /// Corners of the triangles of a unit sphere: an octahedron whose faces are cut
@@ -44,8 +61,13 @@ mod tests {
     #[test]
     fn all_corners_of_the_sphere_lie_on_it() {
         let sphere = sphere(2);
-        assert_eq!(sphere.len(), 8 * 16 * 3);
+        assert_eq!(sphere.len(), sphere_corners(2) as usize);
         assert!(sphere.iter().all(|&corner| (Vec3::from(corner).length() - 1.0).abs() < 1e-6));
+    }
+
+    #[test]
+    fn small_spheres_have_few_faces() {
+        assert_eq!([0.5, 3.0, 10.0, 50.0].map(rounds_for), [0, 1, 2, MOST_ROUNDS]);
     }
 
     #[test]

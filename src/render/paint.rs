@@ -3,7 +3,7 @@
 use super::renderer::{Frame, Renderer, Stats};
 use super::{Layer, View};
 use eframe::egui::emath::GuiRounding as _;
-use eframe::egui::{Color32, Id, PaintCallbackInfo, Rect, Ui};
+use eframe::egui::{Color32, Context, Id, PaintCallbackInfo, Rect, Ui};
 use eframe::egui_wgpu::{self, CallbackResources, CallbackTrait, RenderState, ScreenDescriptor};
 use eframe::wgpu;
 
@@ -21,12 +21,27 @@ pub struct Picture {
     pub background: Color32,
 }
 
+/// What can be drawn in a small part of a second.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Speed {
+    /// Vertices that a frame may cost.
+    pub vertices: u32,
+}
+
+impl Speed {
+    /// Of a driver that lets the processor draw.
+    const SOFTWARE: Self = Self { vertices: 250_000 };
+    /// Of a small GPU.
+    const GPU: Self = Self { vertices: 6_000_000 };
+}
+
 /// Makes the window's renderer ready; without it, [`paint`] shows nothing.
 /// Software renderers get one sample a pixel, GPUs four.
-pub fn install(state: &RenderState) {
+pub fn install(state: &RenderState) -> Speed {
     let cpu = state.adapter.get_info().device_type == wgpu::DeviceType::Cpu;
     let renderer = Renderer::new(&state.device, state.target_format, if cpu { 1 } else { 4 });
     state.renderer.write().callback_resources.insert(renderer);
+    if cpu { Speed::SOFTWARE } else { Speed::GPU }
 }
 
 /// Work done so far in the window; `None` if nothing was installed.
@@ -37,27 +52,54 @@ pub fn stats(state: &RenderState) -> Option<Stats> {
 /// Shows a picture in `rect`, in points. `id` names the place: a picture there
 /// that did not change is not drawn again.
 pub fn paint(ui: &Ui, rect: Rect, id: Id, picture: &Picture) {
+    let (rect, frame) = framed(ui, rect, picture);
+    if let Some(frame) = frame {
+        add(ui, rect, Callback { id, frame, steps: None });
+    }
+}
+
+/// The same for a picture that may take long: while it changes from frame to frame,
+/// only a coarse one is shown, of the same view with other layers. Once it rests, it is
+/// drawn bit by bit and shown when it is finished.
+pub fn paint_in_steps(ui: &Ui, rect: Rect, id: Id, [coarse, whole]: [&Picture; 2], speed: Speed) {
+    let (rect, frame) = framed(ui, rect, whole);
+    if let (Some(frame), (_, Some(coarse))) = (frame, framed(ui, rect, coarse)) {
+        let steps = Steps { coarse, speed, context: ui.ctx().clone() };
+        add(ui, rect, Callback { id, frame, steps: Some(steps) });
+    }
+}
+
+/// The pixels of a place, and what is seen there, if it has any.
+fn framed(ui: &Ui, rect: Rect, picture: &Picture) -> (Rect, Option<Frame>) {
     let pixels_per_point = ui.ctx().pixels_per_point();
     let rect = rect.round_to_pixels(pixels_per_point);
     let size = [rect.width(), rect.height()].map(|side| (side * pixels_per_point).round());
-    if !size.iter().all(|&side| side >= 1.0) {
-        return;
-    }
-    let frame = Frame {
+    let is_seen = size.iter().all(|&side| side >= 1.0);
+    let frame = is_seen.then(|| Frame {
         view: picture.view,
         slice: picture.slice,
         layers: picture.layers.clone(),
         background: picture.background,
         size: size.map(|side| side as u32),
         pixels_per_point,
-    };
-    let callback = egui_wgpu::Callback::new_paint_callback(rect, Callback { id, frame });
-    ui.painter().add(callback);
+    });
+    (rect, frame)
+}
+
+fn add(ui: &Ui, rect: Rect, callback: Callback) {
+    ui.painter().add(egui_wgpu::Callback::new_paint_callback(rect, callback));
 }
 
 struct Callback {
     id: Id,
     frame: Frame,
+    steps: Option<Steps>,
+}
+
+struct Steps {
+    coarse: Frame,
+    speed: Speed,
+    context: Context,
 }
 
 impl CallbackTrait for Callback {
@@ -69,8 +111,16 @@ impl CallbackTrait for Callback {
         encoder: &mut wgpu::CommandEncoder,
         resources: &mut CallbackResources,
     ) -> Vec<wgpu::CommandBuffer> {
-        if let Some(renderer) = resources.get_mut::<Renderer>() {
-            renderer.prepare(device, encoder, self.id, &self.frame);
+        let Some(renderer) = resources.get_mut::<Renderer>() else { return Vec::new() };
+        match &self.steps {
+            None => renderer.prepare(device, encoder, self.id, &self.frame),
+            Some(Steps { coarse, speed, context }) => {
+                let both = [coarse, &self.frame];
+                let most = u64::from(speed.vertices);
+                if !renderer.prepare_in_steps(device, encoder, self.id, both, most) {
+                    context.request_repaint();
+                }
+            }
         }
         Vec::new()
     }

@@ -1,9 +1,11 @@
 //! What lives on the GPU: pipelines, layers, and a target for each picture.
 
+use super::buffers::{self, Buffers, Part};
 use super::camera::{self, View};
 use super::draw::{self, Call, Kind, Uniform};
 use super::layer::{Data, Layer};
 use super::pipelines::{self, DEPTH, FORMAT, Pipelines};
+use super::steps::{self, Cursor};
 use super::{mark, mesh};
 use eframe::egui::{Color32, Id};
 use eframe::wgpu::{self, util::DeviceExt};
@@ -14,16 +16,15 @@ use std::ops::Range;
 /// Room for a uniform: the largest alignment a device may ask for.
 const STRIDE: u64 = 256;
 
-/// A sphere has 8 · 4³ triangles.
-const SPHERE_ROUNDS: u32 = 3;
-
 /// How much work was done so far.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Stats {
-    /// Pictures drawn; one shown again unchanged does not count.
+    /// Pictures drawn to their end; one shown again unchanged does not count.
     pub frames: u64,
     /// Bytes sent to the GPU.
     pub uploaded_bytes: u64,
+    /// Whether what was shown last was coarse, see [`super::paint_in_steps`].
+    pub is_coarse: bool,
 }
 
 /// Everything a picture depends on.
@@ -37,6 +38,12 @@ pub(super) struct Frame {
     pub pixels_per_point: f32,
 }
 
+impl Frame {
+    fn calls(&self) -> Vec<Call> {
+        draw::calls(&self.view, self.slice, &self.layers, self.size, self.pixels_per_point)
+    }
+}
+
 /// The renderer's state on one device.
 #[derive(Debug)]
 pub(super) struct Renderer {
@@ -46,31 +53,20 @@ pub(super) struct Renderer {
     samples: u32,
     pipelines: Pipelines,
     blit: wgpu::RenderPipeline,
-    sphere: wgpu::Buffer,
-    sphere_corners: u32,
+    /// By the rounds in which they are cut.
+    spheres: Vec<wgpu::Buffer>,
     layers: HashMap<u64, Buffers>,
     targets: HashMap<Id, Target>,
-}
-
-/// Buffers of a layer: `codes` and `colours`, `faces` and `edges`, or one; each in
-/// parts that the device can make. Parts of codes and of their colours match.
-#[derive(Debug)]
-struct Buffers {
-    first: Vec<Part>,
-    second: Vec<Part>,
-}
-
-/// Some of the instances or triangles of a layer.
-#[derive(Debug)]
-struct Part {
-    buffer: wgpu::Buffer,
-    /// Which of them, of all.
-    range: Range<u32>,
+    /// Pictures that are drawn in steps: what was asked for last, and the target that
+    /// shows it.
+    in_steps: HashMap<Id, (Frame, Id)>,
 }
 
 #[derive(Debug)]
 struct Target {
     frame: Frame,
+    /// Where drawing goes on; `None` once all is drawn.
+    next: Option<Cursor>,
     colour: wgpu::Texture,
     samples: Option<wgpu::TextureView>,
     depth: wgpu::TextureView,
@@ -80,17 +76,18 @@ struct Target {
 impl Renderer {
     /// Renderer with 1 or 4 samples a pixel that shows pictures on `format`.
     pub fn new(device: &wgpu::Device, format: wgpu::TextureFormat, samples: u32) -> Self {
-        let sphere = mesh::sphere(SPHERE_ROUNDS);
+        let sphere =
+            |rounds| buffers::vertices(device, bytemuck::cast_slice(&mesh::sphere(rounds)));
         Self {
             stats: Stats::default(),
             most_bytes: device.limits().max_buffer_size,
             samples,
             pipelines: Pipelines::new(device, samples),
             blit: pipelines::blit(device, format),
-            sphere_corners: sphere.len() as u32,
-            sphere: vertices(device, bytemuck::cast_slice(&sphere)),
+            spheres: (0..=mesh::MOST_ROUNDS).map(sphere).collect(),
             layers: HashMap::new(),
             targets: HashMap::new(),
+            in_steps: HashMap::new(),
         }
     }
 
@@ -102,24 +99,45 @@ impl Renderer {
         id: Id,
         frame: &Frame,
     ) {
-        if self.targets.get(&id).is_some_and(|target| target.frame == *frame) {
-            return;
+        self.advance(device, encoder, id, frame, u64::MAX);
+    }
+
+    /// Draws the picture `id` unless it is there already. If `whole` takes more than
+    /// `most_vertices`, `coarse` is drawn as long as it changes from call to call; once
+    /// it does not, `whole` is drawn, so many vertices in each call, and shown when it
+    /// is finished. Returns whether it is.
+    pub fn prepare_in_steps(
+        &mut self,
+        device: &wgpu::Device,
+        encoder: &mut wgpu::CommandEncoder,
+        id: Id,
+        [coarse, whole]: [&Frame; 2],
+        most_vertices: u64,
+    ) -> bool {
+        let of_whole = id.with("whole");
+        let is_little =
+            coarse.layers == whole.layers || draw::n_vertices(&whole.calls()) <= most_vertices;
+        let rests = self.in_steps.get(&id).is_some_and(|(asked, _)| asked == whole);
+        let is_finished = if is_little {
+            self.targets.remove(&id);
+            self.advance(device, encoder, of_whole, whole, u64::MAX)
+        } else if rests || self.is_there(of_whole, whole) {
+            self.advance(device, encoder, of_whole, whole, most_vertices)
+        } else {
+            false
+        };
+        if !is_finished {
+            self.advance(device, encoder, id, coarse, u64::MAX);
         }
-        match self.targets.get_mut(&id) {
-            Some(target) if target.frame.size == frame.size => target.frame = frame.clone(),
-            Some(_) | None => {
-                let target = self.target(device, frame);
-                self.targets.insert(id, target);
-            }
-        }
-        self.forget_unused_layers();
-        self.upload(device, frame);
-        self.draw(device, encoder, id, frame);
-        self.stats.frames += 1;
+        let shown = if is_finished { of_whole } else { id };
+        self.in_steps.insert(id, (whole.clone(), shown));
+        self.stats.is_coarse = !is_finished;
+        is_finished
     }
 
     /// Copies the picture `id` into a running pass.
     pub fn show(&self, pass: &mut wgpu::RenderPass<'static>, id: Id) {
+        let id = self.in_steps.get(&id).map_or(id, |(_, shown)| *shown);
         let Some(target) = self.targets.get(&id) else { return };
         pass.set_pipeline(&self.blit);
         pass.set_bind_group(0, &target.blit, &[]);
@@ -129,6 +147,47 @@ impl Renderer {
     /// The picture `id` as drawn.
     pub fn texture(&self, id: Id) -> Option<&wgpu::Texture> {
         self.targets.get(&id).map(|target| &target.colour)
+    }
+
+    /// Whether the picture `id` is `frame`, drawn to its end.
+    fn is_there(&self, id: Id, frame: &Frame) -> bool {
+        let target = self.targets.get(&id);
+        target.is_some_and(|target| target.next.is_none() && target.frame == *frame)
+    }
+
+    /// Draws at most so many vertices more of the picture `id`. Returns whether it is
+    /// finished.
+    fn advance(
+        &mut self,
+        device: &wgpu::Device,
+        encoder: &mut wgpu::CommandEncoder,
+        id: Id,
+        frame: &Frame,
+        most_vertices: u64,
+    ) -> bool {
+        let cursor = match self.targets.get_mut(&id) {
+            Some(target) if target.frame == *frame => match target.next {
+                Some(next) => next,
+                None => return true,
+            },
+            Some(target) if target.frame.size == frame.size => {
+                target.frame = frame.clone();
+                Cursor::default()
+            }
+            Some(_) | None => {
+                let target = self.target(device, frame);
+                self.targets.insert(id, target);
+                Cursor::default()
+            }
+        };
+        self.forget_unused_layers();
+        self.upload(device, frame);
+        let next = self.draw(device, encoder, id, frame, cursor, most_vertices);
+        if let Some(target) = self.targets.get_mut(&id) {
+            target.next = next;
+        }
+        self.stats.frames += u64::from(next.is_none());
+        next.is_none()
     }
 
     fn target(&self, device: &wgpu::Device, frame: &Frame) -> Target {
@@ -159,7 +218,8 @@ impl Renderer {
             }],
         });
         let depth = view(texture(DEPTH, self.samples, drawn));
-        Target { frame: frame.clone(), colour, samples, depth, blit }
+        let next = Some(Cursor::default());
+        Target { frame: frame.clone(), next, colour, samples, depth, blit }
     }
 
     fn forget_unused_layers(&mut self) {
@@ -172,48 +232,29 @@ impl Renderer {
 
     fn upload(&mut self, device: &wgpu::Device, frame: &Frame) {
         for layer in &frame.layers {
-            if self.layers.contains_key(&layer.id()) {
-                continue;
+            if !self.layers.contains_key(&layer.id()) {
+                let buffers = Buffers::of(device, layer.data(), self.most_bytes);
+                self.stats.uploaded_bytes += buffers.n_bytes;
+                self.layers.insert(layer.id(), buffers);
             }
-            // Bytes, and bytes of an instance or triangle.
-            type List<'a> = (&'a [u8], usize);
-            const NONE: List<'static> = (&[], 1);
-            let (first, second): (List<'_>, List<'_>) = match layer.data() {
-                Data::Boxes { edges, faces, .. } => (list(&faces.packed), list(&edges.packed)),
-                Data::Cells { cells, colours, .. } => (list(&cells.packed), list(colours)),
-                Data::Points { points, .. } => (list(points), NONE),
-                Data::Triangles { corners, .. } => {
-                    ((bytemuck::cast_slice(corners), TRIANGLE), NONE)
-                }
-                Data::Spheres { spheres, .. } => (list(spheres), NONE),
-                // Sorted anew for every view.
-                Data::Marks(_) => (NONE, NONE),
-            };
-            self.stats.uploaded_bytes += (first.0.len() + second.0.len()) as u64;
-            let largest = first.1.max(second.1) as u64;
-            let most = (self.most_bytes / largest).max(1) as usize;
-            let parts = |list| parts(device, list, most);
-            let buffers = Buffers { first: parts(first), second: parts(second) };
-            self.layers.insert(layer.id(), buffers);
         }
     }
 
+    /// Draws from `cursor` on; returns where to go on.
     fn draw(
         &mut self,
         device: &wgpu::Device,
         encoder: &mut wgpu::CommandEncoder,
         id: Id,
         frame: &Frame,
-    ) {
-        let calls = draw::calls(
-            &frame.view,
-            frame.slice,
-            &frame.layers,
-            frame.size,
-            frame.pixels_per_point,
-        );
+        cursor: Cursor,
+        most_vertices: u64,
+    ) -> Option<Cursor> {
+        let calls = frame.calls();
+        let (shares, next) = steps::share(&calls, cursor, most_vertices);
         let uniforms = self.uniforms(device, &calls);
-        let marks: Vec<_> = calls.iter().map(|call| self.marks(device, frame, call)).collect();
+        let marks: Vec<_> =
+            shares.iter().map(|&(number, _)| self.marks(device, frame, &calls[number])).collect();
 
         let target = &self.targets[&id];
         let colour = target.colour.create_view(&Default::default());
@@ -221,6 +262,7 @@ impl Renderer {
             Some(samples) => (samples, Some(&colour)),
             None => (&colour, None),
         };
+        let is_start = cursor.is_start();
         let [r, g, b, a] = frame.background.to_array().map(|byte| f64::from(byte) / 255.0);
         let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
             label: Some("picture"),
@@ -229,29 +271,39 @@ impl Renderer {
                 depth_slice: None,
                 resolve_target,
                 ops: wgpu::Operations {
-                    load: wgpu::LoadOp::Clear(wgpu::Color { r, g, b, a }),
+                    load: match is_start {
+                        true => wgpu::LoadOp::Clear(wgpu::Color { r, g, b, a }),
+                        false => wgpu::LoadOp::Load,
+                    },
                     store: wgpu::StoreOp::Store,
                 },
             })],
             depth_stencil_attachment: Some(wgpu::RenderPassDepthStencilAttachment {
                 view: &target.depth,
                 depth_ops: Some(wgpu::Operations {
-                    load: wgpu::LoadOp::Clear(1.0),
-                    store: wgpu::StoreOp::Discard,
+                    load: match is_start {
+                        true => wgpu::LoadOp::Clear(1.0),
+                        false => wgpu::LoadOp::Load,
+                    },
+                    store: match next {
+                        Some(_) => wgpu::StoreOp::Store,
+                        None => wgpu::StoreOp::Discard,
+                    },
                 }),
                 stencil_ops: None,
             }),
             ..Default::default()
         });
-        for (number, (call, marks)) in calls.iter().zip(&marks).enumerate() {
+        for ((number, instances), marks) in shares.iter().zip(&marks) {
+            let call = &calls[*number];
             let buffers = &self.layers[&frame.layers[call.layer].id()];
             pass.set_pipeline(self.pipelines.of(call.kind));
-            pass.set_bind_group(0, &uniforms, &[(number as u64 * STRIDE) as u32]);
-            let mut draw = |slots: [Option<&wgpu::Buffer>; 2], n_vertices, instances| {
+            pass.set_bind_group(0, &uniforms, &[(*number as u64 * STRIDE) as u32]);
+            let mut draw = |slots: [Option<&wgpu::Buffer>; 2], vertices, instances| {
                 for (slot, buffer) in (0..).zip(slots.into_iter().flatten()) {
                     pass.set_vertex_buffer(slot, buffer.slice(..));
                 }
-                pass.draw(0..n_vertices, instances);
+                pass.draw(vertices, instances);
             };
             let parts = match call.kind {
                 Kind::Edges => &buffers.second,
@@ -263,36 +315,40 @@ impl Renderer {
                 | Kind::Spheres => &buffers.first,
                 Kind::Marks => {
                     if let Some((buffer, n)) = marks {
-                        draw([Some(buffer), None], 6, 0..*n);
+                        draw([Some(buffer), None], 0..call.vertices(), 0..*n);
                     }
                     continue;
                 }
             };
             for (index, Part { buffer, range }) in parts.iter().enumerate() {
-                let begin = call.instances.start.max(range.start);
-                let end = call.instances.end.min(range.end);
-                if begin >= end && call.kind != Kind::Triangles {
+                let begin = instances.start.max(range.start);
+                let end = instances.end.min(range.end);
+                if begin >= end {
                     continue;
                 }
-                let instances = begin - range.start..end.saturating_sub(range.start);
+                let items: Range<u32> = begin - range.start..end - range.start;
+                let vertices = call.vertices();
                 match call.kind {
-                    // All of them, which are vertices.
-                    Kind::Triangles => draw([Some(buffer), None], 3 * range.len() as u32, 0..1),
+                    Kind::Triangles => {
+                        let corners = vertices * items.start..vertices * items.end;
+                        draw([Some(buffer), None], corners, 0..1);
+                    }
                     Kind::Cells => {
                         let colours = buffers.second.get(index).map(|part| &part.buffer);
-                        draw([Some(buffer), colours], 6, instances);
+                        draw([Some(buffer), colours], 0..vertices, items);
                     }
-                    Kind::OpaqueFaces | Kind::ClearFaces => {
-                        draw([Some(buffer), None], 18, instances);
+                    Kind::OpaqueFaces | Kind::ClearFaces | Kind::Edges | Kind::Points => {
+                        draw([Some(buffer), None], 0..vertices, items);
                     }
-                    Kind::Edges | Kind::Points => draw([Some(buffer), None], 6, instances),
                     Kind::Spheres => {
-                        draw([Some(&self.sphere), Some(buffer)], self.sphere_corners, instances);
+                        let sphere = &self.spheres[call.rounds as usize];
+                        draw([Some(sphere), Some(buffer)], 0..vertices, items);
                     }
                     Kind::Marks => {}
                 }
             }
         }
+        next
     }
 
     fn uniforms(&mut self, device: &wgpu::Device, calls: &[Call]) -> wgpu::BindGroup {
@@ -335,33 +391,6 @@ impl Renderer {
         let items = mark::sorted(marks, camera::eye(*clip_from_world), frame.pixels_per_point);
         let bytes: &[u8] = bytemuck::cast_slice(&items);
         self.stats.uploaded_bytes += bytes.len() as u64;
-        (!items.is_empty()).then(|| (vertices(device, bytes), items.len() as u32))
+        (!items.is_empty()).then(|| (buffers::vertices(device, bytes), items.len() as u32))
     }
-}
-
-/// Bytes of a triangle's three corners.
-const TRIANGLE: usize = 3 * size_of::<mesh::Corner>();
-
-/// Bytes of `items`, and of one of them.
-fn list<T: bytemuck::NoUninit>(items: &[T]) -> (&[u8], usize) {
-    (bytemuck::cast_slice(items), size_of::<T>())
-}
-
-/// Buffers of a list, at most `most` of its items in each.
-fn parts(device: &wgpu::Device, (bytes, item): (&[u8], usize), most: usize) -> Vec<Part> {
-    let mut start = 0;
-    let mut part = |bytes: &[u8]| {
-        let range = start..start + (bytes.len() / item) as u32;
-        start = range.end;
-        Part { buffer: vertices(device, bytes), range }
-    };
-    bytes.chunks(most * item).map(&mut part).collect()
-}
-
-fn vertices(device: &wgpu::Device, contents: &[u8]) -> wgpu::Buffer {
-    device.create_buffer_init(&wgpu::util::BufferInitDescriptor {
-        label: Some("vertices"),
-        contents,
-        usage: wgpu::BufferUsages::VERTEX,
-    })
 }

@@ -2,14 +2,17 @@
 
 mod ask;
 mod base;
+mod coarse;
 mod flight;
 mod gesture;
 mod hover;
+mod leaves;
 pub(crate) mod paint;
 mod pick;
 mod run;
 mod section;
 mod standpoint;
+mod tree_layers;
 mod why;
 
 use crate::document::Document;

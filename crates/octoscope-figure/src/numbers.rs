@@ -151,7 +151,7 @@ impl Crowd<'_> {
             && !self.taken.iter().any(|[middle, reach]| {
                 let beyond: [f64; 2] =
                     std::array::from_fn(|e| ((stand.at[e] - middle[e]).abs() - reach[e]).max(0.0));
-                beyond[0].hypot(beyond[1]) < radius
+                square(beyond) < radius * radius
             })
     }
 }
@@ -161,7 +161,9 @@ fn collide((radius, stand): (f64, Stand), (other_radius, other): (f64, Stand)) -
     let crosses = |line: Option<[[f64; 2]; 2]>, at, radius| {
         line.is_some_and(|line| distance_to_segment(at, line) < radius + BETWEEN)
     };
-    distance(stand.at, other.at) < radius + other_radius + BETWEEN
+    // All pairs are asked: a root would take most of the time.
+    let apart = std::array::from_fn(|e| stand.at[e] - other.at[e]);
+    square(apart) < (radius + other_radius + BETWEEN).powi(2)
         || crosses(stand.leader, other.at, other_radius)
         || crosses(other.leader, stand.at, radius)
 }
@@ -184,6 +186,10 @@ fn between([from, to]: [[f64; 2]; 2], share: f64) -> [f64; 2] {
 
 fn moved(from: [f64; 2], along: [f64; 2], by: f64) -> [f64; 2] {
     std::array::from_fn(|e| from[e] + by * along[e])
+}
+
+fn square([x, y]: [f64; 2]) -> f64 {
+    x * x + y * y
 }
 
 fn distance(a: [f64; 2], b: [f64; 2]) -> f64 {
