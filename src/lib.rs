@@ -27,6 +27,7 @@ pub mod panels;
 pub mod playback;
 pub mod render;
 pub mod save;
+pub mod short_number;
 pub mod shortcut;
 pub mod show_change;
 pub mod sidebar;

@@ -104,7 +104,12 @@ pub fn open_bytes(
         let text = files::as_text(bytes)?;
         return open_scenario(AnyScenario::parse(text)?, folder, progress);
     }
-    if let Some(scenario) = scenario_inside(bytes) {
+    // A picture of that size may be one to be imported.
+    let is_too_large = bytes.len() > MOST_BYTES_OF_A_SCENARIO;
+    if is_too_large && is_figure(name) {
+        return Err(OpenFault::TooLarge.into());
+    }
+    if let Some(scenario) = (!is_too_large).then(|| scenario_inside(bytes)).flatten() {
         return open_scenario(AnyScenario::parse(&scenario)?, folder, progress);
     }
     if is_figure(name) {

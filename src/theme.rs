@@ -61,6 +61,8 @@ pub fn install_fonts(context: &Context) {
         fonts.families.insert(family, vec![name.to_owned(), "mono".to_owned(), "sans".to_owned()]);
     }
     context.set_fonts(fonts);
+    // The window has a scale of its own, by the same keys.
+    context.options_mut(|options| options.zoom_with_keyboard = false);
 }
 
 /// How long controls take to open, or to light up.

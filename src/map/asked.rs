@@ -1,5 +1,6 @@
 //! What a map is to show.
 
+use crate::short_number::rounded;
 use octoscope_core::family::Family;
 use octoscope_core::geometry::Ray;
 use octoscope_core::query::Query;
@@ -109,10 +110,16 @@ pub struct Asked<const D: usize> {
 }
 
 impl<const D: usize> Asked<D> {
-    /// The ray in the middle of a cell of the grid; row 0 is on top.
+    /// The ray in the middle of a cell of the grid; row 0 is on top. Its numbers are as
+    /// short as those of a ray that is dragged.
     pub fn ray_of(&self, column: usize, row: usize) -> Option<Ray<D>> {
         let [columns, rows] = self.size.map(|n| n as f64);
-        self.rays.ray([(column as f64 + 0.5) / columns, 1.0 - (row as f64 + 0.5) / rows])
+        let place = [(column as f64 + 0.5) / columns, 1.0 - (row as f64 + 0.5) / rows];
+        let ray = self.rays.ray(place)?;
+        let resolution = self.tree.domain().side() / columns.max(rows).max(500.0);
+        let short = |p: [f64; D]| p.map(|x| rounded(x, resolution));
+        // What is shorter than that stays as it is.
+        Ray::new(short(ray.origin()), short(ray.direction())).ok().or(Some(ray))
     }
 
     /// The same with a `factor` times coarser grid.

@@ -209,6 +209,68 @@ fn the_window_shows_the_colour_and_draws_only_what_changed() {
 }
 
 #[test]
+fn a_picture_that_moves_is_coarse_and_becomes_the_whole_one_bit_by_bit() {
+    with_gpu(|_| {
+        let code = |n: u32| [n % 4, n / 4 % 4, n / 16];
+        let cell = |n: u32| Cell { level: 0, style: u8::from(n == 9), code: code(n) };
+        let style = |fill| BoxStyle { fill, edge: Color32::BLACK, width: 1.0 };
+        let styles = [style(Color32::TRANSPARENT), style(ORANGE)];
+        let many = Layer::boxes(GRID, &(0..64).map(cell).collect::<Vec<_>>(), &styles);
+        let root = Cell { level: 2, style: 0, code: [0; 3] };
+        let few = Layer::boxes(GRID, &[root], &styles);
+        let pictures = [picture(front(), vec![few]), picture(front(), vec![many])];
+        let state = create_render_state(default_wgpu_setup(), RendererOptions::PREDICTABLE);
+        let speed = Speed { vertices: 300, ..install(&state) };
+        let mut harness = egui_kittest::Harness::builder()
+            .with_size(egui::vec2(100.0, 80.0))
+            .renderer(WgpuTestRenderer::from_render_state(state.clone()))
+            .build_ui_state(
+                |ui, (pictures, in_steps): &mut ([Picture; 2], Option<Speed>)| {
+                    let (rect, [coarse, whole]) = (ui.max_rect(), pictures);
+                    match in_steps {
+                        Some(speed) => {
+                            paint_in_steps(ui, rect, Id::unique("a"), [coarse, whole], *speed);
+                        }
+                        None => paint(ui, rect, Id::unique("b"), whole),
+                    }
+                },
+                (pictures.clone(), None),
+            );
+        let mut next = || {
+            harness.step();
+            harness.render().unwrap()
+        };
+        let expected = next();
+        harness.state_mut().1 = Some(speed);
+        let mut next = || {
+            harness.step();
+            (harness.render().unwrap(), stats(&state).unwrap())
+        };
+        let (first, at_first) = next();
+        assert!(at_first.is_coarse && first != expected);
+        let mut n_frames = 1;
+        while next().1.is_coarse {
+            n_frames += 1;
+            assert!(n_frames < 20);
+        }
+        assert!(n_frames > 3, "300 edges at 50 a frame");
+        let (last, at_rest) = next();
+        assert_eq!(last, expected);
+        assert_eq!(next().1, at_rest, "it is not drawn again");
+
+        for picture in &mut harness.state_mut().0 {
+            picture.view = looking_from(Vec3::new(3.0, 2.0, 12.0));
+        }
+        harness.step();
+        harness.render().unwrap();
+        let moved = stats(&state).unwrap();
+        assert!(moved.is_coarse);
+        let sent = moved.uploaded_bytes - at_rest.uploaded_bytes;
+        assert!(sent < 2000, "{sent} bytes: the layers are there");
+    });
+}
+
+#[test]
 fn without_a_driver_painting_does_nothing() {
     let picture = picture(front(), vec![Layer::marks(vec![mark(ORANGE)])]);
     let mut harness = egui_kittest::Harness::new_ui(|ui| {

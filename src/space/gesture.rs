@@ -10,6 +10,7 @@ use super::ask::{ask_point, ask_region, click};
 use super::pick::{leaf_at, side_at};
 use crate::document::Document;
 use crate::look::Look;
+use crate::short_number::rounded;
 use eframe::egui::{
     CursorIcon, Id, Painter, PointerButton, Pos2, Rect, Response, Stroke, StrokeKind, Ui, pos2,
 };
@@ -281,12 +282,6 @@ fn drag<const D: usize>(
     }
 }
 
-/// `x` to a power of ten below `resolution`, so that numbers stay short.
-pub(super) fn rounded(x: f64, resolution: f64) -> f64 {
-    let digits = (-(resolution * 0.5).log10().floor()).clamp(0.0, 320.0) as usize;
-    format!("{x:.digits$}").parse().unwrap_or(x)
-}
-
 /// Pans the plane; orbits space, or pans it with the other buttons or Ctrl.
 fn turn<const D: usize>(ui: &Ui, response: &Response, frame: PageInWindow, camera: &mut Camera<D>) {
     let pan = response.dragged_by(PointerButton::Secondary)
@@ -327,15 +322,4 @@ fn distance_to_segment(at: Pos2, from: Pos2, to: Pos2) -> f32 {
     }
     let share = ((at - from).dot(along) / length).clamp(0.0, 1.0);
     at.distance(pos2(from.x + share * along.x, from.y + share * along.y))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::rounded;
-
-    #[test]
-    fn numbers_are_as_short_as_the_view_is_coarse() {
-        assert_eq!(rounded(0.123_456, 0.01), 0.123);
-        assert_eq!(rounded(1.234_567e-18, 1e-20), 1.235e-18);
-    }
 }
