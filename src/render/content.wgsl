@@ -7,15 +7,16 @@ struct Sprite {
 }
 
 @vertex
-fn point_vertex(@builtin(vertex_index) index: u32, @location(0) world: vec3<f32>) -> Sprite {
+fn point_vertex(@builtin(vertex_index) index: u32, @location(0) point: vec3<f32>) -> Sprite {
+    let at = draw.grid.xyz + point;
     let offset = square_corner(index) * 2.0 - 1.0;
-    if before_slice(world) > 0.0 {
+    if before_slice(at) > 0.0 {
         return Sprite(vec4<f32>(2.0, 2.0, 2.0, 1.0), vec2<f32>(0.0), 0.0);
     }
-    var clip = draw.clip_from_world * vec4<f32>(world, 1.0);
+    var clip = draw.clip_from_offset * vec4<f32>(at, 1.0);
     let reach = (draw.shape.y + 0.5) * offset;
     clip = vec4<f32>(clip.xy + reach / (0.5 * draw.viewport.xy) * clip.w, clip.zw);
-    return Sprite(clip, reach, strength_at(world));
+    return Sprite(clip, reach, strength_at(at));
 }
 
 @fragment
@@ -30,26 +31,27 @@ fn point_fragment(in: Sprite) -> @location(0) vec4<f32> {
 
 struct Surface {
     @builtin(position) position: vec4<f32>,
-    @location(0) world: vec3<f32>,
+    @location(0) offset: vec3<f32>,
     @location(1) normal: vec3<f32>,
 }
 
 @vertex
-fn triangle_vertex(@location(0) world: vec3<f32>, @location(1) normal: vec3<f32>) -> Surface {
-    return Surface(draw.clip_from_world * vec4<f32>(world, 1.0), world, normal);
+fn triangle_vertex(@location(0) corner: vec3<f32>, @location(1) normal: vec3<f32>) -> Surface {
+    let offset = draw.grid.xyz + corner;
+    return Surface(draw.clip_from_offset * vec4<f32>(offset, 1.0), offset, normal);
 }
 
 @vertex
 fn sphere_vertex(@location(0) normal: vec3<f32>, @location(1) sphere: vec4<f32>) -> Surface {
-    let world = sphere.xyz + sphere.w * normal;
-    return Surface(draw.clip_from_world * vec4<f32>(world, 1.0), world, normal);
+    let offset = draw.grid.xyz + sphere.xyz + sphere.w * normal;
+    return Surface(draw.clip_from_offset * vec4<f32>(offset, 1.0), offset, normal);
 }
 
 @fragment
 fn surface_fragment(in: Surface) -> @location(0) vec4<f32> {
-    if before_slice(in.world) > 0.0 {
+    if before_slice(in.offset) > 0.0 {
         discard;
     }
-    let brightness = lit(normalize(in.normal), in.world);
+    let brightness = lit(normalize(in.normal), in.offset);
     return vec4<f32>(draw.fill.rgb * brightness, draw.fill.a);
 }

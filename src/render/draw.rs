@@ -1,12 +1,12 @@
 //! From a picture to draw calls: what is drawn, in which order, with which
 //! numbers.
 
-use super::camera::{self, Plane, View};
+use super::camera::{self, Plane, Space, View, World};
 use super::instance::{Grid, Group};
 use super::layer::{Data, Layer};
 use super::mesh;
 use eframe::egui::Color32;
-use glam::{Mat4, Vec3, Vec4};
+use glam::{Mat4, Vec4};
 use std::ops::Range;
 
 /// Share of a line's colour that is lost from the near to the far end.
@@ -19,7 +19,7 @@ const SMALLEST: f32 = 2.0;
 #[derive(Clone, Copy, Debug, PartialEq, bytemuck::Pod, bytemuck::Zeroable)]
 #[repr(C)]
 pub(super) struct Uniform {
-    pub clip_from_world: [[f32; 4]; 4],
+    pub clip_from_offset: [[f32; 4]; 4],
     pub eye: [f32; 4],
     pub fade: [f32; 4],
     pub viewport: [f32; 4],
@@ -79,7 +79,7 @@ pub(super) fn n_vertices(calls: &[Call]) -> u64 {
 /// marks, what lies before the `slice` is left out.
 pub(super) fn calls(
     view: &View,
-    slice: [f32; 4],
+    slice: [f64; 4],
     layers: &[Layer],
     size: [u32; 2],
     pixels_per_point: f32,
@@ -93,7 +93,7 @@ pub(super) fn calls(
             (View::Plane(plane), Data::Cells { grid, edge, width, cells, .. }) => {
                 let (origin, reference, cell) = plane_grid(plane, grid, size, pixels_per_point);
                 for group in &cells.groups {
-                    let mut uniform = blank(Mat4::IDENTITY, size, pixels_per_point);
+                    let mut uniform = blank(&NOWHERE, size, pixels_per_point);
                     uniform.grid = [origin[0], origin[1], 0.0, cell];
                     uniform.reference = [reference[0], reference[1], 0, 0];
                     uniform.edge = colour(*edge);
@@ -101,8 +101,8 @@ pub(super) fn calls(
                     push(Kind::Cells, uniform, group.range.clone());
                 }
             }
-            (View::Space(clip_from_world), Data::Boxes { grid, styles, edges, faces }) => {
-                let base = in_space(*clip_from_world, grid, size, pixels_per_point);
+            (View::Space(space), Data::Boxes { grid, styles, edges, faces }) => {
+                let base = in_space(space, grid, size, pixels_per_point);
                 for group in &faces.groups {
                     let fill = styles[usize::from(group.style)].fill;
                     // Finer levels lie a little deeper inside their box.
@@ -112,7 +112,7 @@ pub(super) fn calls(
                     let kind = if fill.is_opaque() { Kind::OpaqueFaces } else { Kind::ClearFaces };
                     push(kind, Uniform { fill: colour(fill), shape, ..base }, group.range.clone());
                 }
-                let pixels = pixels_per_unit(*clip_from_world, grid.bounds(), size);
+                let pixels = pixels_per_unit(space, grid.bounds(), size);
                 for group in &edges.groups {
                     if side(group) * grid.cell as f32 * pixels < SMALLEST {
                         continue;
@@ -124,45 +124,46 @@ pub(super) fn calls(
                     push(Kind::Edges, uniform, group.range.clone());
                 }
             }
-            (View::Space(clip_from_world), Data::Marks(marks)) if !marks.is_empty() => {
-                push(Kind::Marks, blank(*clip_from_world, size, pixels_per_point), 0..1);
+            (View::Space(space), Data::Marks(marks)) if !marks.is_empty() => {
+                push(Kind::Marks, blank(space, size, pixels_per_point), 0..1);
             }
-            (View::Space(clip_from_world), Data::Points { points, colour: fill, radius })
+            (View::Space(space), Data::Points { origin, points, colour: fill, radius })
                 if !points.is_empty() =>
             {
-                let mut uniform = blank(*clip_from_world, size, pixels_per_point);
+                let mut uniform = content(space, *origin, size, pixels_per_point);
                 uniform.fill = colour(*fill);
                 uniform.shape[1] = radius * pixels_per_point;
                 push(Kind::Points, uniform, 0..points.len() as u32);
             }
-            (View::Space(clip_from_world), Data::Triangles { corners, colour: fill })
+            (View::Space(space), Data::Triangles { origin, corners, colour: fill })
                 if !corners.is_empty() =>
             {
-                let mut uniform = blank(*clip_from_world, size, pixels_per_point);
+                let mut uniform = content(space, *origin, size, pixels_per_point);
                 uniform.fill = colour(*fill);
                 push(Kind::Triangles, uniform, 0..(corners.len() / 3) as u32);
             }
-            (
-                View::Space(clip_from_world),
-                Data::Spheres { spheres, colour: fill, rounds, bounds, largest },
-            ) if !spheres.is_empty() => {
-                let mut uniform = blank(*clip_from_world, size, pixels_per_point);
+            (View::Space(space), Data::Spheres { origin, spheres, colour: fill, size: sphere })
+                if !spheres.is_empty() =>
+            {
+                let mut uniform = content(space, *origin, size, pixels_per_point);
                 uniform.fill = colour(*fill);
-                let radius = largest * pixels_per_unit(*clip_from_world, *bounds, size);
+                let radius = sphere.largest * pixels_per_unit(space, sphere.bounds, size);
                 calls.push(Call {
                     layer: index,
                     kind: Kind::Spheres,
                     uniform,
                     instances: 0..spheres.len() as u32,
-                    rounds: mesh::rounds_for(radius).min(*rounds),
+                    rounds: mesh::rounds_for(radius).min(sphere.rounds),
                 });
             }
             (View::Plane(_) | View::Space(_), _) => {}
         }
     }
     calls.sort_by_key(|call| order(call.kind));
-    for call in calls.iter_mut().filter(|call| call.kind != Kind::Marks) {
-        call.uniform.slice = slice;
+    if let View::Space(space) = view {
+        for call in calls.iter_mut().filter(|call| call.kind != Kind::Marks) {
+            call.uniform.slice = space.plane(slice);
+        }
     }
     calls
 }
@@ -177,11 +178,13 @@ fn order(kind: Kind) -> u8 {
     }
 }
 
-fn blank(clip_from_world: Mat4, size: [u32; 2], pixels_per_point: f32) -> Uniform {
-    let eye = camera::eye(clip_from_world);
+/// For views of the plane, which are not transformed.
+const NOWHERE: Space = Space { origin: [0.0; 3], clip_from_offset: Mat4::IDENTITY };
+
+fn blank(space: &Space, size: [u32; 2], pixels_per_point: f32) -> Uniform {
     Uniform {
-        clip_from_world: clip_from_world.to_cols_array_2d(),
-        eye: eye.to_array(),
+        clip_from_offset: space.clip_from_offset.to_cols_array_2d(),
+        eye: space.eye().to_array(),
         fade: [0.0; 4],
         viewport: [size[0] as f32, size[1] as f32, pixels_per_point, 0.0],
         grid: [0.0; 4],
@@ -193,29 +196,46 @@ fn blank(clip_from_world: Mat4, size: [u32; 2], pixels_per_point: f32) -> Unifor
     }
 }
 
-fn in_space(clip_from_world: Mat4, grid: &Grid, size: [u32; 2], pixels_per_point: f32) -> Uniform {
-    let mut uniform = blank(clip_from_world, size, pixels_per_point);
-    let [x, y, z] = grid.min.map(|x| x as f32);
+/// For what is told relative to an origin of its own.
+fn content(space: &Space, origin: World, size: [u32; 2], pixels_per_point: f32) -> Uniform {
+    let [x, y, z] = space.offset(origin).to_array();
+    Uniform { grid: [x, y, z, 0.0], ..blank(space, size, pixels_per_point) }
+}
+
+fn in_space(space: &Space, grid: &Grid, size: [u32; 2], pixels_per_point: f32) -> Uniform {
+    let mut uniform = blank(space, size, pixels_per_point);
     let half = 0.5 * grid.side() as f32;
     let radius = half * 3f32.sqrt();
     let eye = Vec4::from(uniform.eye);
-    uniform.fade = camera::fade(eye, Vec3::new(x, y, z) + half, radius).to_array();
+    uniform.fade = camera::fade(eye, space.offset(grid.min) + half, radius).to_array();
     uniform.viewport[3] = FADING;
+    let reference = reference(space.origin, grid);
+    let corner = |e: usize| grid.min[e] + reference[e] * grid.cell;
+    let [x, y, z] = space.offset([corner(0), corner(1), corner(2)]).to_array();
     uniform.grid = [x, y, z, grid.cell as f32];
+    let [i, j, k] = reference.map(|code| code as i32);
+    uniform.reference = [i, j, k, 0];
     uniform
+}
+
+/// The code on the grid that is nearest to a point: differences to it are exact, so that
+/// nothing near the point trembles.
+fn reference(point: World, grid: &Grid) -> [f64; 3] {
+    let last = f64::from(1u32 << grid.root_level);
+    std::array::from_fn(|e| ((point[e] - grid.min[e]) / grid.cell).floor().clamp(0.0, last))
 }
 
 /// Pixels per world unit where a box from the first to the second corner is nearest to
 /// the eye.
-fn pixels_per_unit(clip_from_world: Mat4, [min, max]: [Vec3; 2], size: [u32; 2]) -> f32 {
+fn pixels_per_unit(space: &Space, [min, max]: [World; 2], size: [u32; 2]) -> f32 {
     let nearest = (0..8u8)
         .map(|corner| {
-            let upper = |axis: u8| f32::from(corner >> axis & 1);
-            let point = min + (max - min) * Vec3::new(upper(0), upper(1), upper(2));
-            (clip_from_world * point.extend(1.0)).w
+            let side = |e: usize| if corner >> e & 1 == 1 { max[e] } else { min[e] };
+            let point = space.offset([side(0), side(1), side(2)]);
+            (space.clip_from_offset * point.extend(1.0)).w
         })
         .fold(f32::INFINITY, f32::min);
-    let up = clip_from_world.row(1).truncate().length();
+    let up = space.clip_from_offset.row(1).truncate().length();
     0.5 * size[1] as f32 * up / nearest.max(1e-6)
 }
 

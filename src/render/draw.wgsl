@@ -1,15 +1,17 @@
-// What every draw call knows; prepended to the other shaders.
+// What every draw call knows; prepended to the other shaders. Positions are offsets
+// from a point near the middle of the picture, in world units.
 
 struct Draw {
-    clip_from_world: mat4x4<f32>,
+    clip_from_offset: mat4x4<f32>,
     /// Homogeneous position of the eye; w = 0 for a parallel projection.
     eye: vec4<f32>,
-    /// dot(fade, (x, y, z, 1)) is 0 at the near end of the scene, 1 at the far end.
+    /// dot(fade, (offset, 1)) is 0 at the near end of the scene, 1 at the far end.
     fade: vec4<f32>,
     /// Width and height in pixels, pixels per point, strength of the fading.
     viewport: vec4<f32>,
-    /// Minimum corner and smallest cell in world units; in the plane: position
-    /// of the reference code in pixels (x, y), unused, pixels per cell.
+    /// Of cells in space: offset of the reference code, and smallest cell in world
+    /// units; of content: offset of its origin. In the plane: position of the reference
+    /// code in pixels (x, y), unused, pixels per cell.
     grid: vec4<f32>,
     /// Premultiplied, gamma-encoded colours, as everywhere in the interface.
     fill: vec4<f32>,
@@ -17,9 +19,9 @@ struct Draw {
     /// Side of the cell in smallest cells, line width or radius in pixels,
     /// axis of an edge, unused.
     shape: vec4<f32>,
-    /// Reference code of the plane.
+    /// A code near the middle of the picture.
     reference: vec4<i32>,
-    /// What is sliced off is where dot(slice, (x, y, z, 1)) is above 0; all 0: nothing.
+    /// What is sliced off is where dot(slice, (offset, 1)) is above 0; all 0: nothing.
     slice: vec4<f32>,
 }
 
@@ -39,8 +41,10 @@ fn before_slice(point: vec3<f32>) -> f32 {
     return dot(draw.slice, vec4<f32>(point, 1.0));
 }
 
-fn world_from_code(code: vec3<u32>) -> vec3<f32> {
-    return draw.grid.xyz + vec3<f32>(code) * draw.grid.w;
+/// Exact differences of integers first, so that nothing trembles at any zoom.
+fn offset_from_code(code: vec3<u32>) -> vec3<f32> {
+    let step = vec3<f32>(vec3<i32>(code) - draw.reference.xyz);
+    return draw.grid.xyz + step * draw.grid.w;
 }
 
 /// Direction from a point to the eye, of unit length.
@@ -77,9 +81,9 @@ struct Stroke {
     length: f32,
 }
 
-fn stroke(from_world: vec3<f32>, to_world: vec3<f32>, width: f32, index: u32) -> Stroke {
-    var from_clip = draw.clip_from_world * vec4<f32>(from_world, 1.0);
-    var to_clip = draw.clip_from_world * vec4<f32>(to_world, 1.0);
+fn stroke(from_offset: vec3<f32>, to_offset: vec3<f32>, width: f32, index: u32) -> Stroke {
+    var from_clip = draw.clip_from_offset * vec4<f32>(from_offset, 1.0);
+    var to_clip = draw.clip_from_offset * vec4<f32>(to_offset, 1.0);
     // Cut off what lies in front of the near plane.
     if from_clip.z < 0.0 && to_clip.z < 0.0 {
         return Stroke(vec4<f32>(2.0, 2.0, 2.0, 1.0), 0.0, 0.0, 0.0);

@@ -8,7 +8,7 @@ struct Face {
 
 @vertex
 fn face_vertex(@builtin(vertex_index) index: u32, @location(0) packed: vec2<u32>) -> Face {
-    let low = world_from_code(decode(packed));
+    let low = offset_from_code(decode(packed));
     let side = draw.shape.x * draw.grid.w;
     let axis = index / 6u;
     let corner = square_corner(index % 6u);
@@ -23,10 +23,10 @@ fn face_vertex(@builtin(vertex_index) index: u32, @location(0) packed: vec2<u32>
 
     // A level's own inset keeps faces of different levels apart.
     let inset = draw.shape.w;
-    let world = low + side * mix(vec3<f32>(inset), vec3<f32>(1.0 - inset), point);
+    let offset = low + side * mix(vec3<f32>(inset), vec3<f32>(1.0 - inset), point);
     let shades = vec3<f32>(0.86, 0.93, 1.0);
     let brightness = select(shades[axis], 1.0, draw.fill.a < 0.999);
-    return Face(draw.clip_from_world * vec4<f32>(world, 1.0), brightness, before_slice(world));
+    return Face(draw.clip_from_offset * vec4<f32>(offset, 1.0), brightness, before_slice(offset));
 }
 
 @fragment

@@ -6,7 +6,7 @@
 //! edges are instances of their own: a third of the vertices of whole boxes,
 //! and no line is drawn twice.
 
-use glam::Vec3;
+use super::camera::World;
 use std::ops::Range;
 
 /// The grid of smallest cells that codes count on, in world units.
@@ -27,9 +27,8 @@ impl Grid {
     }
 
     /// Lowest and highest corner of the root.
-    pub(super) fn bounds(&self) -> [Vec3; 2] {
-        let min = Vec3::from(self.min.map(|x| x as f32));
-        [min, min + self.side() as f32]
+    pub(super) fn bounds(&self) -> [World; 2] {
+        [self.min, self.min.map(|x| x + self.side())]
     }
 }
 

@@ -1,8 +1,8 @@
 //! What a picture is made of: immutable, uploaded once.
 
+use super::camera::World;
 use super::{BoxMark, Cell, Grid, instance, mesh};
 use eframe::egui::Color32;
-use glam::Vec3;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 
@@ -35,19 +35,23 @@ pub(super) enum Data {
     Cells { grid: Grid, edge: Color32, width: f32, cells: Instances, colours: Vec<Color32> },
     /// Boxes that stand out; in space only.
     Marks(Vec<BoxMark>),
-    /// Round dots of one radius in points.
-    Points { points: Vec<[f32; 3]>, colour: Color32, radius: f32 },
-    /// Corners of triangles with their normals.
-    Triangles { corners: Vec<mesh::Corner>, colour: Color32 },
-    /// Centres and radii; what holds them all, the largest radius, and how finely they
-    /// are cut at most.
-    Spheres {
-        spheres: Vec<[f32; 4]>,
-        colour: Color32,
-        rounds: u32,
-        bounds: [Vec3; 2],
-        largest: f32,
-    },
+    /// Round dots of one radius in points, relative to an origin.
+    Points { origin: World, points: Vec<[f32; 3]>, colour: Color32, radius: f32 },
+    /// Corners of triangles, relative to an origin, with their normals.
+    Triangles { origin: World, corners: Vec<mesh::Corner>, colour: Color32 },
+    /// Centres, relative to an origin, and radii.
+    Spheres { origin: World, spheres: Vec<[f32; 4]>, colour: Color32, size: SphereSize },
+}
+
+/// What tells how finely spheres are cut.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct SphereSize {
+    /// Lowest and highest corner of a box around all of them.
+    pub bounds: [World; 2],
+    /// The largest radius.
+    pub largest: f32,
+    /// The most rounds, see [`mesh::sphere`].
+    pub rounds: u32,
 }
 
 /// Packed codes in groups.
@@ -113,18 +117,37 @@ impl Layer {
     }
 
     /// Round dots of `radius` points at these places in world units.
-    pub fn points(points: Vec<[f32; 3]>, colour: Color32, radius: f32) -> Self {
-        Self::new(Data::Points { points, colour, radius })
+    pub fn points(points: &[World], colour: Color32, radius: f32) -> Self {
+        let origin = middle(bounds(points.iter().copied()));
+        let points = points.iter().map(|&point| offset(point, origin)).collect();
+        Self::new(Data::Points { origin, points, colour, radius })
     }
 
     /// Triangles, lit from both sides; flat, without common normals.
-    pub fn triangles(triangles: &[[[f32; 3]; 3]], colour: Color32) -> Self {
-        Self::new(Data::Triangles { corners: mesh::corners(triangles), colour })
+    pub fn triangles(triangles: &[[World; 3]], colour: Color32) -> Self {
+        let origin = middle(bounds(triangles.iter().flatten().copied()));
+        let offsets = |triangle: &[World; 3]| triangle.map(|corner| offset(corner, origin));
+        let triangles: Vec<_> = triangles.iter().map(offsets).collect();
+        Self::new(Data::Triangles { origin, corners: mesh::corners(&triangles), colour })
     }
 
     /// Spheres: x, y, z of the centre and the radius, in world units.
-    pub fn spheres(spheres: Vec<[f32; 4]>, colour: Color32) -> Self {
-        Self::spheres_of(spheres, colour, mesh::MOST_ROUNDS)
+    pub fn spheres(spheres: &[[f64; 4]], colour: Color32) -> Self {
+        let reach = |&[x, y, z, radius]: &[f64; 4]| {
+            [-radius, radius].map(|away| [x + away, y + away, z + away])
+        };
+        let bounds = bounds(spheres.iter().flat_map(reach));
+        let origin = middle(bounds);
+        let spheres: Vec<[f32; 4]> = spheres
+            .iter()
+            .map(|&[x, y, z, radius]| {
+                let [x, y, z] = offset([x, y, z], origin);
+                [x, y, z, radius as f32]
+            })
+            .collect();
+        let largest = spheres.iter().fold(0.0, |most: f32, sphere| most.max(sphere[3]));
+        let size = SphereSize { bounds, largest, rounds: mesh::MOST_ROUNDS };
+        Self::new(Data::Spheres { origin, spheres, colour, size })
     }
 
     /// The same or a coarser layer that takes no more than about so many vertices: of
@@ -132,15 +155,17 @@ impl Layer {
     /// cells stay as they are.
     pub fn within(&self, most_vertices: usize) -> Self {
         match &*self.data {
-            Data::Points { points, colour, radius } if points.len() * 6 > most_vertices => {
-                Self::points(one_in(points, most_vertices / 6), *colour, *radius)
+            Data::Points { origin, points, colour, radius } if points.len() * 6 > most_vertices => {
+                let points = one_in(points, most_vertices / 6);
+                let (origin, colour, radius) = (*origin, *colour, *radius);
+                Self::new(Data::Points { origin, points, colour, radius })
             }
-            Data::Triangles { corners, colour } if corners.len() > most_vertices => {
+            Data::Triangles { origin, corners, colour } if corners.len() > most_vertices => {
                 let triangles: Vec<&[mesh::Corner]> = corners.chunks_exact(3).collect();
                 let corners = one_in(&triangles, most_vertices / 3).concat();
-                Self::new(Data::Triangles { corners, colour: *colour })
+                Self::new(Data::Triangles { origin: *origin, corners, colour: *colour })
             }
-            Data::Spheres { spheres, colour, .. } => {
+            Data::Spheres { origin, spheres, colour, size } => {
                 let cost = |rounds: u32| spheres.len() * mesh::sphere_corners(rounds) as usize;
                 let rounds = (0..=mesh::MOST_ROUNDS).rev().find(|&n| cost(n) <= most_vertices);
                 let spheres = match rounds {
@@ -148,8 +173,8 @@ impl Layer {
                     Some(_) => spheres.clone(),
                     None => one_in(spheres, most_vertices / mesh::sphere_corners(0) as usize),
                 };
-                let rounds = rounds.unwrap_or(0);
-                Self::spheres_of(spheres, *colour, rounds)
+                let size = SphereSize { rounds: rounds.unwrap_or(0), ..*size };
+                Self::new(Data::Spheres { origin: *origin, spheres, colour: *colour, size })
             }
             Data::Points { .. }
             | Data::Triangles { .. }
@@ -157,16 +182,6 @@ impl Layer {
             | Data::Cells { .. }
             | Data::Marks(_) => self.clone(),
         }
-    }
-
-    fn spheres_of(spheres: Vec<[f32; 4]>, colour: Color32, rounds: u32) -> Self {
-        let empty = [Vec3::INFINITY, Vec3::NEG_INFINITY];
-        let bounds = spheres.iter().fold(empty, |[min, max], &[x, y, z, radius]| {
-            let centre = Vec3::new(x, y, z);
-            [min.min(centre - radius), max.max(centre + radius)]
-        });
-        let largest = spheres.iter().fold(0.0, |most: f32, sphere| most.max(sphere[3]));
-        Self::new(Data::Spheres { spheres, colour, rounds, bounds, largest })
     }
 
     /// Number that no other layer has.
@@ -182,6 +197,24 @@ impl Layer {
         static NEXT: AtomicU64 = AtomicU64::new(0);
         Self { id: NEXT.fetch_add(1, Ordering::Relaxed), data: Arc::new(data) }
     }
+}
+
+/// Lowest and highest corner of a box around points; all 0 around none.
+fn bounds(points: impl Iterator<Item = World>) -> [World; 2] {
+    let around = |[min, max]: [World; 2], point: World| {
+        let corner =
+            |of: World, pick: fn(f64, f64) -> f64| std::array::from_fn(|e| pick(of[e], point[e]));
+        [corner(min, f64::min), corner(max, f64::max)]
+    };
+    points.map(|point| [point; 2]).reduce(|all, [point, _]| around(all, point)).unwrap_or_default()
+}
+
+fn middle([min, max]: [World; 2]) -> World {
+    std::array::from_fn(|e| min[e] + 0.5 * (max[e] - min[e]))
+}
+
+fn offset(point: World, origin: World) -> [f32; 3] {
+    std::array::from_fn(|e| (point[e] - origin[e]) as f32)
 }
 
 /// At most `most` of the items, evenly chosen.

@@ -1,5 +1,6 @@
 //! Marked boxes: few, translucent, drawn in the right order.
 
+use super::camera::{Space, World};
 use eframe::egui::Color32;
 use glam::{Vec3, Vec4};
 
@@ -7,9 +8,9 @@ use glam::{Vec3, Vec4};
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BoxMark {
     /// Minimum corner in world units.
-    pub min: [f32; 3],
+    pub min: World,
     /// Maximum corner in world units.
-    pub max: [f32; 3],
+    pub max: World,
     /// Colour of the faces; transparent for none.
     pub fill: Color32,
     /// Colour of the edges; transparent for none.
@@ -43,23 +44,24 @@ pub(super) struct Item {
     pub pen: [f32; 2],
 }
 
-/// Faces and edges of all marks, the farthest from the eye first, so that each
-/// is blended over what lies behind it. `eye` is homogeneous. O(n log n).
+/// Faces and edges of all marks as offsets, the farthest from the eye first, so that
+/// each is blended over what lies behind it. O(n log n).
 ///
 /// Boxes are nested or apart, hence the order of the middles is the order of
 /// the faces, and an edge comes after the faces that meet in it. Where two
 /// are equally far, later marks cover earlier ones.
-pub(super) fn sorted(marks: &[BoxMark], eye: Vec4, pixels_per_point: f32) -> Vec<Item> {
+pub(super) fn sorted(marks: &[BoxMark], space: &Space, pixels_per_point: f32) -> Vec<Item> {
     let mut items = Vec::with_capacity(marks.len() * 18);
     for mark in marks {
-        add(mark, pixels_per_point, eye, &mut items);
+        add(mark, pixels_per_point, space, &mut items);
     }
     items.sort_by(|(a, _), (b, _)| b.total_cmp(a));
     items.into_iter().map(|(_, item)| item).collect()
 }
 
-fn add(mark: &BoxMark, pixels_per_point: f32, eye: Vec4, items: &mut Vec<(f32, Item)>) {
-    let corners = [mark.min, mark.max];
+fn add(mark: &BoxMark, pixels_per_point: f32, space: &Space, items: &mut Vec<(f32, Item)>) {
+    let eye = space.eye();
+    let corners = [mark.min, mark.max].map(|corner| space.offset(corner).to_array());
     let width = mark.width * pixels_per_point;
     let dash = match mark.line {
         Line::Solid => 0.0,
@@ -99,8 +101,9 @@ fn distance(item: &Item, eye: Vec4) -> f32 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use glam::camera::rh::{proj::directx, view};
 
-    fn mark(min: f32, max: f32) -> BoxMark {
+    fn mark(min: f64, max: f64) -> BoxMark {
         BoxMark {
             min: [min; 3],
             max: [max; 3],
@@ -111,11 +114,18 @@ mod tests {
         }
     }
 
+    /// Seen from (2, 2, 50).
+    fn from_above() -> Space {
+        let seen = view::look_at_mat4(Vec3::new(2.0, 2.0, 50.0), Vec3::new(2.0, 2.0, 0.0), Vec3::Y);
+        let clip_from_offset = directx::perspective(0.8, 1.0, 0.1, 100.0) * seen;
+        Space { origin: [0.0; 3], clip_from_offset }
+    }
+
     #[test]
     fn nested_boxes_are_sorted_face_by_face() {
         let outer = mark(0.0, 4.0);
         let inner = mark(1.0, 3.0);
-        let items = sorted(&[inner, outer], Vec4::new(2.0, 2.0, 50.0, 1.0), 1.0);
+        let items = sorted(&[inner, outer], &from_above(), 1.0);
         let across_z: Vec<_> =
             items.iter().filter(|item| item.kind == 2).map(|item| item.a[2]).collect();
         assert_eq!(across_z, [0.0, 1.0, 3.0, 4.0]);
@@ -124,6 +134,6 @@ mod tests {
     #[test]
     fn a_box_without_fill_has_only_edges() {
         let empty = BoxMark { fill: Color32::TRANSPARENT, ..mark(0.0, 1.0) };
-        assert_eq!(sorted(&[empty], Vec4::W, 1.0).len(), 12);
+        assert_eq!(sorted(&[empty], &from_above(), 1.0).len(), 12);
     }
 }

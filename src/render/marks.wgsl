@@ -26,12 +26,12 @@ fn mark_vertex(@builtin(vertex_index) index: u32, item: Item) -> Mark {
         return Mark(s.position, item.colour, vec3<f32>(s.along, s.across, s.length), item.pen);
     }
     let corner = square_corner(index);
-    var world = item.a;
+    var offset = item.a;
     let u = (item.kind + 1u) % 3u;
     let v = (item.kind + 2u) % 3u;
-    world[u] = mix(item.a[u], item.b[u], corner.x);
-    world[v] = mix(item.a[v], item.b[v], corner.y);
-    let position = draw.clip_from_world * vec4<f32>(world, 1.0);
+    offset[u] = mix(item.a[u], item.b[u], corner.x);
+    offset[v] = mix(item.a[v], item.b[v], corner.y);
+    let position = draw.clip_from_offset * vec4<f32>(offset, 1.0);
     return Mark(position, item.colour, vec3<f32>(0.0), vec2<f32>(-1.0, 0.0));
 }
 

@@ -26,7 +26,7 @@ mod steps;
 #[cfg(test)]
 mod tests;
 
-pub use camera::{Plane, View};
+pub use camera::{Plane, Space, View};
 pub use image::{Gpu, ImageError, render_to_image};
 pub use instance::{Cell, Grid};
 pub use layer::{BoxStyle, Layer};

@@ -14,7 +14,7 @@ pub struct Picture {
     pub view: View,
     /// Nothing but marks is drawn where the dot product of this with (x, y, z, 1) is
     /// above 0; all 0 for everything. In space only.
-    pub slice: [f32; 4],
+    pub slice: [f64; 4],
     /// The layers; those for the other kind of view are left out.
     pub layers: Vec<Layer>,
     /// Colour behind everything; may be transparent.

@@ -1,7 +1,7 @@
 //! What lives on the GPU: pipelines, layers, and a target for each picture.
 
 use super::buffers::{self, Buffers, Part};
-use super::camera::{self, View};
+use super::camera::View;
 use super::draw::{self, Call, Kind, Uniform};
 use super::layer::{Data, Layer};
 use super::pipelines::{self, DEPTH, FORMAT, Pipelines};
@@ -31,7 +31,7 @@ pub struct Stats {
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Frame {
     pub view: View,
-    pub slice: [f32; 4],
+    pub slice: [f64; 4],
     pub layers: Vec<Layer>,
     pub background: Color32,
     pub size: [u32; 2],
@@ -383,12 +383,12 @@ impl Renderer {
         frame: &Frame,
         call: &Call,
     ) -> Option<(wgpu::Buffer, u32)> {
-        let (View::Space(clip_from_world), Data::Marks(marks)) =
+        let (View::Space(space), Data::Marks(marks)) =
             (&frame.view, frame.layers[call.layer].data())
         else {
             return None;
         };
-        let items = mark::sorted(marks, camera::eye(*clip_from_world), frame.pixels_per_point);
+        let items = mark::sorted(marks, space, frame.pixels_per_point);
         let bytes: &[u8] = bytemuck::cast_slice(&items);
         self.stats.uploaded_bytes += bytes.len() as u64;
         (!items.is_empty()).then(|| (buffers::vertices(device, bytes), items.len() as u32))

@@ -36,7 +36,8 @@ fn with_gpu(test: impl FnOnce(&mut Gpu)) {
 /// Camera at `from` that looks at the middle of [`GRID`].
 fn looking_from(from: Vec3) -> View {
     let seen = view::look_at_mat4(from, Vec3::splat(2.0), Vec3::Y);
-    View::Space(directx::perspective(0.7, 1.0, 0.1, 100.0) * seen)
+    let clip_from_offset = directx::perspective(0.7, 1.0, 0.1, 100.0) * seen;
+    View::Space(Space { origin: [0.0; 3], clip_from_offset })
 }
 
 fn front() -> View {
@@ -73,7 +74,7 @@ fn opaque_faces_have_exactly_the_colour_asked_for() {
 #[test]
 fn a_mark_shines_through_surfaces_before_it() {
     with_gpu(|gpu| {
-        let wall = |z: f32| {
+        let wall = |z: f64| {
             let triangle = [[-20.0, -20.0, z], [20.0, -20.0, z], [2.0, 40.0, z]];
             Layer::triangles(&[triangle], Color32::from_gray(120))
         };
@@ -89,10 +90,10 @@ fn a_mark_shines_through_surfaces_before_it() {
 fn points_and_spheres_cover_their_centres() {
     with_gpu(|gpu| {
         let grey = Color32::from_gray(90);
-        let image = drawn(gpu, &picture(front(), vec![Layer::points(vec![[2.0; 3]], grey, 3.0)]));
+        let image = drawn(gpu, &picture(front(), vec![Layer::points(&[[2.0; 3]], grey, 3.0)]));
         assert_eq!(image[(32, 32)], grey);
         assert_eq!(image[(32, 40)], Color32::WHITE);
-        let sphere = Layer::spheres(vec![[2.0, 2.0, 2.0, 1.5]], grey);
+        let sphere = Layer::spheres(&[[2.0, 2.0, 2.0, 1.5]], grey);
         let image = drawn(gpu, &picture(front(), vec![sphere]));
         assert_ne!(image[(32, 32)], Color32::WHITE);
     });
@@ -121,7 +122,7 @@ fn cells_of_the_plane_are_crisp_at_any_zoom() {
 fn layers_larger_than_any_buffer_are_drawn_whole() {
     with_gpu(|gpu| {
         let grey = Color32::from_gray(90);
-        let at = |n: u32| [(n % 8) as f32 * 0.5, (n / 8) as f32 * 0.5, 1.0];
+        let at = |n: u32| [f64::from(n % 8) * 0.5, f64::from(n / 8) * 0.5, 1.0];
         let triangles: Vec<_> = (0..64)
             .map(|n| [at(n), [at(n)[0] + 0.3, at(n)[1], 1.0], [at(n)[0], at(n)[1] + 0.3, 1.0]])
             .collect();
@@ -130,7 +131,7 @@ fn layers_larger_than_any_buffer_are_drawn_whole() {
         let cells: Vec<Cell> = (0..64).map(cell).collect();
         let style = |fill| BoxStyle { fill, edge: grey, width: 1.0 };
         let styles = [style(ORANGE), style(Color32::TRANSPARENT)];
-        let spheres = (0..64).map(|n| [at(n)[0], at(n)[1], 1.0, 0.2]).collect();
+        let spheres: Vec<_> = (0..64).map(|n| [at(n)[0], at(n)[1], 1.0, 0.2]).collect();
         let flat = |n: u32| {
             let cell = Cell { level: 0, style: 0, code: [n % 4, n / 4, 0] };
             (cell, if n.is_multiple_of(3) { ORANGE } else { grey })
@@ -139,8 +140,8 @@ fn layers_larger_than_any_buffer_are_drawn_whole() {
         let plane = View::Plane(Plane { centre: [2.0, 2.0], scale: 12.0 });
         let pictures = [
             picture(front(), vec![Layer::triangles(&triangles, grey)]),
-            picture(front(), vec![Layer::points((0..64).map(at).collect(), grey, 2.0)]),
-            picture(front(), vec![Layer::spheres(spheres, grey)]),
+            picture(front(), vec![Layer::points(&(0..64).map(at).collect::<Vec<_>>(), grey, 2.0)]),
+            picture(front(), vec![Layer::spheres(&spheres, grey)]),
             picture(front(), vec![Layer::boxes(GRID, &cells, &styles)]),
             picture(plane, vec![Layer::cells(GRID, &flat, Color32::BLACK, 1.0)]),
         ];
@@ -166,10 +167,51 @@ fn a_picture_too_large_or_empty_is_refused() {
     });
 }
 
+/// Everything that is drawn in space, moved as a whole, is seen as before if the view
+/// moves with it.
+#[test]
+fn far_from_zero_nothing_trembles() {
+    with_gpu(|gpu| {
+        let grey = Color32::from_gray(90);
+        let View::Space(near) = front() else { panic!() };
+        let style = BoxStyle { fill: Color32::TRANSPARENT, edge: Color32::BLACK, width: 1.5 };
+        let cell = |x| Cell { level: 0, style: 0, code: [x, 1, 2] };
+        let shown = |by: f64| {
+            let grid = Grid { min: [by; 3], cell: 1.0, ..GRID };
+            let [a, b, c] = [[0.5, 0.25, 0.0], [3.5, 0.5, 1.0], [1.0, 3.0, 0.5]];
+            let moved = |p: [f64; 3]| p.map(|x| x + by);
+            let marked = mark(Color32::from_rgba_unmultiplied(200, 0, 0, 90));
+            let layers = vec![
+                Layer::boxes(grid, &[cell(0), cell(1), cell(3)], &[style]),
+                Layer::triangles(&[[moved(a), moved(b), moved(c)]], ORANGE),
+                Layer::points(&[moved([3.0; 3])], grey, 3.0),
+                Layer::spheres(&[[by + 1.0, by + 3.0, by + 2.0, 0.5]], grey),
+                Layer::marks(vec![BoxMark {
+                    min: moved(marked.min),
+                    max: moved(marked.max),
+                    ..marked
+                }]),
+            ];
+            let view = View::Space(Space { origin: [by; 3], ..near });
+            // What lies above x = 3.25 is before the slice.
+            let slice = [1.0, 0.0, 0.0, -3.25 - by];
+            Picture { slice, ..picture(view, layers) }
+        };
+        let image = drawn(gpu, &shown(0.0));
+        assert!(image.pixels.iter().any(|&pixel| pixel == ORANGE || pixel == grey));
+        for by in [1e6, -3e9] {
+            assert_eq!(drawn(gpu, &shown(by)), image, "{by}");
+        }
+    });
+}
+
 #[test]
 fn a_singular_view_draws_without_a_crash() {
     with_gpu(|gpu| {
-        let picture = picture(View::Space(Mat4::ZERO), vec![Layer::marks(vec![mark(ORANGE)])]);
+        let picture = picture(
+            View::Space(Space { origin: [0.0; 3], clip_from_offset: Mat4::ZERO }),
+            vec![Layer::marks(vec![mark(ORANGE)])],
+        );
         drawn(gpu, &picture);
     });
 }

@@ -41,7 +41,9 @@ impl Layers {
             let centre = [camera.target[0], camera.target[1]];
             render::View::Plane(Plane { centre, scale: page.height / camera.height })
         } else {
-            render::View::Space(Mat4::from_cols_array_2d(&camera.clip_from_world(page)))
+            let clip = camera.clip_from_offset(page, camera.target);
+            let clip_from_offset = Mat4::from_cols_array_2d(&clip);
+            render::View::Space(render::Space { origin: in_space(camera.target), clip_from_offset })
         };
         let section = cut.map(|cut| {
             let key = TreeKey::of(document, show, theme);
@@ -115,10 +117,9 @@ pub fn draws<const D: usize>(mark: &Mark<D>) -> bool {
 fn box_mark<const D: usize>(mark: &Mark<D>, theme: Theme) -> Option<BoxMark> {
     let Shape::Box(bounds) = mark.shape else { return None };
     let style = Style::of(theme, mark.role);
-    let corner = |p: [f64; D]| std::array::from_fn(|e| if e < D { p[e] as f32 } else { 0.0 });
     Some(BoxMark {
-        min: corner(bounds.min),
-        max: corner(bounds.max),
+        min: in_space(bounds.min),
+        max: in_space(bounds.max),
         fill: style
             .fill
             .map_or(Color32::TRANSPARENT, |fill| color32(fill.faded(fill.opacity * 0.6))),
@@ -126,4 +127,9 @@ fn box_mark<const D: usize>(mark: &Mark<D>, theme: Theme) -> Option<BoxMark> {
         width: style.width as f32,
         line: if style.dash == Dash::Solid { Line::Solid } else { Line::Dashed },
     })
+}
+
+/// A point with three coordinates, z 0 in the plane.
+pub fn in_space<const D: usize>(point: [f64; D]) -> [f64; 3] {
+    std::array::from_fn(|e| if e < D { point[e] } else { 0.0 })
 }

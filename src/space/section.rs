@@ -12,11 +12,11 @@ use octoscope_figure::{Cut, Role, Show, Style, Theme};
 const BEHIND: f64 = 1e-5;
 
 /// Plane of a slice for [`crate::render::Picture::slice`].
-pub fn plane<const D: usize>(domain: &Domain<D>, cut: &Cut) -> [f32; 4] {
+pub fn plane<const D: usize>(domain: &Domain<D>, cut: &Cut) -> [f64; 4] {
     let sign = if cut.keeps_lower { 1.0 } else { -1.0 };
     let mut plane = [0.0; 4];
-    plane[cut.axis] = sign as f32;
-    plane[3] = (-sign * cut.at - BEHIND * domain.side()) as f32;
+    plane[cut.axis] = sign;
+    plane[3] = -sign * cut.at - BEHIND * domain.side();
     plane
 }
 
@@ -52,17 +52,17 @@ pub fn layers<const D: usize>(tree: &Tree<D>, show: &Show, cut: &Cut, theme: The
 }
 
 /// A rectangle across an axis as two triangles.
-fn halves<const D: usize>(flat: &Aabb<D>, axis: usize) -> [[[f32; 3]; 3]; 2] {
+fn halves<const D: usize>(flat: &Aabb<D>, axis: usize) -> [[[f64; 3]; 3]; 2] {
     let [u, v] = [(axis + 1) % 3, (axis + 2) % 3];
-    let corner = |at: [bool; 2]| -> [f32; 3] {
+    let corner = |at: [bool; 2]| -> [f64; 3] {
         std::array::from_fn(|e| {
             let is_upper = e == u && at[0] || e == v && at[1];
             if e >= D {
                 0.0
             } else if is_upper {
-                flat.max[e] as f32
+                flat.max[e]
             } else {
-                flat.min[e] as f32
+                flat.min[e]
             }
         })
     };

@@ -1,13 +1,14 @@
 //! What is seen of a tree and its content, as layers: all of it, and so little in its
 //! place that it can be drawn while it moves.
 
+use super::base::in_space;
 use super::coarse::{Seen, coarser};
 use crate::document::colours_of_leaves;
 use crate::render::{BoxStyle, Cell, Grid, Layer, Speed};
 use crate::theme::color32;
 use eframe::egui::Color32;
 use octoscope_core::progress::{Cancelled, Progress};
-use octoscope_core::scene::Content;
+use octoscope_core::scene::{Content, Sphere};
 use octoscope_core::tree::{Node, Tree};
 use octoscope_figure::{Palette, Rest, Role, Show, Style, Theme, cell_role};
 
@@ -41,8 +42,7 @@ pub fn layers<const D: usize>(
 
 fn grid_of<const D: usize>(tree: &Tree<D>) -> Grid {
     let domain = tree.domain();
-    let min = std::array::from_fn(|e| if e < D { domain.min()[e] } else { 0.0 });
-    Grid { min, cell: domain.cell_side(0), root_level: domain.root_level() }
+    Grid { min: in_space(domain.min()), cell: domain.cell_side(0), root_level: domain.root_level() }
 }
 
 fn cell<T, const D: usize>(seen: &Seen<T, D>, style: u8) -> Cell {
@@ -179,25 +179,25 @@ const MOST_POINTS: usize = 200_000;
 fn content_layer<const D: usize>(content: &Content<D>, theme: Theme) -> Option<Layer> {
     let palette = Palette::of(theme);
     let (colour, surface) = (color32(palette.quiet_ink), color32(palette.grid));
-    let point = |p: &[f64; D]| std::array::from_fn(|e| if e < D { p[e] as f32 } else { 0.0 });
+    let point = |p: &[f64; D]| in_space(*p);
     match content {
         Content::Points(points) => {
             // An even choice of a large cloud shows its shape as well.
             let every = points.len().div_ceil(MOST_POINTS).max(1);
-            let shown = points.iter().step_by(every).map(point);
-            Some(Layer::points(shown.collect(), colour, 1.8))
+            let shown: Vec<_> = points.iter().step_by(every).map(point).collect();
+            Some(Layer::points(&shown, colour, 1.8))
         }
         Content::Triangles(triangles) => {
-            let triangles: Vec<[[f32; 3]; 3]> =
-                triangles.iter().map(|t| [point(&t[0]), point(&t[1]), point(&t[2])]).collect();
+            let triangles: Vec<_> = triangles.iter().map(|t| t.map(in_space)).collect();
             Some(Layer::triangles(&triangles, surface))
         }
         Content::Spheres(spheres) => {
-            let balls = spheres.iter().map(|sphere| {
-                let [x, y, z]: [f32; 3] = point(&sphere.centre);
-                [x, y, z, sphere.radius as f32]
-            });
-            Some(Layer::spheres(balls.collect(), surface))
+            let ball = |sphere: &Sphere<D>| {
+                let [x, y, z] = in_space(sphere.centre);
+                [x, y, z, sphere.radius]
+            };
+            let balls: Vec<_> = spheres.iter().map(ball).collect();
+            Some(Layer::spheres(&balls, surface))
         }
         Content::Cells(_) | Content::Boxes(_) | Content::Image(_) => None,
     }
