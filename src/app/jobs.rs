@@ -202,6 +202,13 @@ impl App {
         }
     }
 
+    /// From now on the picture is drawn whole at once, as it is seen when it rests.
+    pub fn draw_whole(&mut self) {
+        if let Some(layers) = &mut self.layers {
+            layers.draw_whole();
+        }
+    }
+
     /// Cancels the trace that is being made, if there is one.
     pub fn give_up_tracing(&self) {
         if let Some(job) = &self.tracing {

@@ -73,6 +73,11 @@ impl Layers {
         self.leaves.finish();
     }
 
+    /// From now on draws everything whole, however long it takes.
+    pub fn draw_whole(&mut self) {
+        self.speed = Speed { vertices: u32::MAX };
+    }
+
     /// Where a slice meets the tree; the same layers as long as it stays where it is.
     fn section<const D: usize>(
         &mut self,

@@ -29,6 +29,12 @@ pub fn compare(name: &str, show: impl FnOnce(&mut Desk)) {
 pub fn compare_sized(name: &str, size: [f32; 2], show: impl FnOnce(&mut Desk)) {
     let Some(mut desk) = drawn_desk(size) else { return };
     show(&mut desk);
+    // A picture at rest, with all that is made on other threads.
+    desk.state_mut().draw_whole();
+    desk.state_mut().finish_work();
+    desk.step();
+    desk.state_mut().finish_work();
+    desk.step();
     let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/screenshots");
     desk.snapshot_options(name, &SnapshotOptions::new().output_path(folder));
 }
