@@ -6,7 +6,7 @@ use eframe::egui::{Color32, ColorImage};
 use glam::Vec3;
 use glam::camera::rh::{proj::directx, view};
 use octoscope::render::{
-    BoxMark, BoxStyle, Cell, Gpu, Grid, Layer, Line, Picture, View, render_to_image,
+    BoxMark, BoxStyle, Cell, Gpu, Grid, Layer, Line, Picture, Space, View, render_to_image,
 };
 use std::path::PathBuf;
 use std::time::Instant;
@@ -21,7 +21,7 @@ fn main() -> anyhow::Result<()> {
         ("dark", 0x12161B, 0x36414D, 0xFFC145, (0xFFC145, 0.25)),
     ] {
         let layers = vec![
-            Layer::spheres(vec![[5.0, 5.0, 4.5, 2.6]], rgb(0x8A96A3)),
+            Layer::spheres(&[[5.0, 5.0, 4.5, 2.6]], rgb(0x8A96A3)),
             Layer::boxes(GRID, &shell(4, 3), &[line(rgb(grid))]),
             Layer::marks(path(rgb(edge), rgb(fill.0).gamma_multiply(fill.1))),
         ];
@@ -81,7 +81,7 @@ fn shell(root_level: u8, coarsest: u8) -> Vec<Cell> {
 
 /// The current node, its ancestors, visited leaves and a rejected one.
 fn path(edge: Color32, fill: Color32) -> Vec<BoxMark> {
-    let cube = |min: [f32; 3], side: f32, edge: Color32, fill: Color32, width, line| BoxMark {
+    let cube = |min: [f64; 3], side: f64, edge: Color32, fill: Color32, width, line| BoxMark {
         min,
         max: min.map(|x| x + side),
         fill,
@@ -100,7 +100,7 @@ fn path(edge: Color32, fill: Color32) -> Vec<BoxMark> {
         cube([8.0, 8.0, 12.0], 4.0, violet, none, 1.75, Line::Dashed),
     ];
     for (i, colour) in (0u8..).zip([0x00204C, 0x31446B, 0x666970, 0x958F78, 0xCAB969]) {
-        let x = f32::from(i) * 2.0;
+        let x = f64::from(i) * 2.0;
         let colour = rgb(colour);
         marks.push(cube(
             [x, 4.0, 10.0],
@@ -117,7 +117,8 @@ fn path(edge: Color32, fill: Color32) -> Vec<BoxMark> {
 fn camera(yaw: f32) -> View {
     let from = Vec3::new(8.0, 8.0, 8.0) + 32.0 * Vec3::new(yaw.sin(), 0.5, yaw.cos());
     let seen = view::look_at_mat4(from, Vec3::new(8.0, 7.5, 8.0), Vec3::Y);
-    View::Space(directx::perspective(0.6, SIZE[0] as f32 / SIZE[1] as f32, 1.0, 100.0) * seen)
+    let frustum = directx::perspective(0.6, SIZE[0] as f32 / SIZE[1] as f32, 1.0, 100.0);
+    View::Space(Space { origin: [0.0; 3], clip_from_offset: frustum * seen })
 }
 
 fn line(edge: Color32) -> BoxStyle {
