@@ -262,7 +262,8 @@ fn a_picture_that_moves_is_coarse_and_becomes_the_whole_one_bit_by_bit() {
         let few = Layer::boxes(GRID, &[root], &styles);
         let pictures = [picture(front(), vec![few]), picture(front(), vec![many])];
         let state = create_render_state(default_wgpu_setup(), RendererOptions::PREDICTABLE);
-        let speed = Speed { vertices: 300, ..install(&state) };
+        install(&state);
+        let speed = Speed { vertices: 300 };
         let mut harness = egui_kittest::Harness::builder()
             .with_size(egui::vec2(100.0, 80.0))
             .renderer(WgpuTestRenderer::from_render_state(state.clone()))

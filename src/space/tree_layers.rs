@@ -54,6 +54,9 @@ fn color(colour: Option<octoscope_figure::Colour>) -> Color32 {
     colour.map_or(Color32::TRANSPARENT, color32)
 }
 
+/// Cells, and fewer of them in their place if there are too many.
+type Cells<T, const D: usize> = (Vec<Seen<T, D>>, Option<Vec<Seen<T, D>>>);
+
 /// The cells that are shown and, if they are more than `most`, so few in their place.
 fn cells<T: Copy, const D: usize>(
     tree: &Tree<D>,
@@ -61,16 +64,16 @@ fn cells<T: Copy, const D: usize>(
     look: impl Fn(Node) -> T,
     (most, merged): (usize, impl Fn(&[Seen<T, D>]) -> T),
     progress: &Progress,
-) -> Result<(Vec<Seen<T, D>>, Option<Vec<Seen<T, D>>>), Cancelled> {
+) -> Result<Cells<T, D>, Cancelled> {
     let seen = |node: Node| {
         let (level, code) = (tree.level(node.id), tree.code(node.id));
         Seen { level, code, look: look(node) }
     };
     let whole: Vec<_> = show.nodes(tree).map(seen).collect();
-    progress.advance(0)?;
+    progress.check()?;
     let is_much = whole.len() > most;
     let coarse = is_much.then(|| coarser(whole.clone(), tree.domain().root_level(), most, merged));
-    progress.advance(0)?;
+    progress.check()?;
     Ok((whole, coarse))
 }
 
