@@ -4,7 +4,7 @@ mod ask;
 mod fault;
 mod read;
 
-pub use ask::{Answers, Chosen, Purpose};
+pub use ask::{Answers, Chosen, LAB_ENDINGS, Purpose};
 pub use fault::{FileError, FileFault};
 pub use read::{MOST_BYTES, as_text, read};
 

@@ -37,6 +37,8 @@ enum Remark {
     None,
     /// They are not all that was wanted.
     Stopped,
+    /// Some trees could not be built.
+    LeftOut,
     /// The times are those of a program without optimisation.
     Unoptimised,
     /// All algorithms agree.
@@ -129,6 +131,12 @@ impl App {
         match self.measuring.remark {
             Remark::None => None,
             Remark::Stopped => Some(texts.get("lab-stopped")),
+            Remark::LeftOut => {
+                let left_out = self.measuring.results.left_out.iter();
+                let names = left_out.map(|one| format!("{} ({})", one.scene, one.depth));
+                let names = names.collect::<Vec<_>>().join(", ");
+                Some(texts.format("lab-not-built", &[("names", names.into())]))
+            }
             Remark::Unoptimised => Some(texts.get("lab-unoptimised")),
             Remark::Agree => Some(texts.get("lab-agree")),
         }
@@ -176,11 +184,13 @@ impl App {
                 if was_stopped && results.sites.is_empty() {
                     return;
                 }
+                let is_whole = results.left_out.is_empty();
                 self.take_results(results);
-                self.measuring.remark = match (was_stopped, cfg!(debug_assertions)) {
+                self.measuring.remark = match (was_stopped, is_whole) {
                     (true, _) => Remark::Stopped,
-                    (false, true) => Remark::Unoptimised,
-                    (false, false) => Remark::Agree,
+                    (false, false) => Remark::LeftOut,
+                    (false, true) if cfg!(debug_assertions) => Remark::Unoptimised,
+                    (false, true) => Remark::Agree,
                 };
             }
             Err(error) => {

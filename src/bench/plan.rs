@@ -4,7 +4,8 @@ use octoscope_core::measure::{SCENES, Way};
 use octoscope_core::traverse::Algorithm;
 use std::ops::RangeInclusive;
 
-/// The most levels below the root: deeper trees of these scenes have too many nodes.
+/// The most levels below the root. Large scenes have too many nodes before: these are
+/// left out, and named.
 pub const MOST_DEPTH: u8 = 12;
 /// The most rays.
 pub const MOST_RAYS: usize = 1_000_000;

@@ -4,7 +4,7 @@ use super::Plan;
 use anyhow::{Context, anyhow};
 use octoscope_core::geometry::Ray;
 use octoscope_core::measure::{
-    Disagreement, Results, Row, Site, Tally, Way, count, count_batch, disagreement,
+    Disagreement, LeftOut, Results, Row, Site, Tally, Way, count, count_batch, disagreement,
     rays_from_outside,
 };
 use octoscope_core::progress::{Cancelled, Progress};
@@ -26,27 +26,37 @@ const RAYS_IN_FLIGHT: usize = 512;
 const MOST_PIECES: usize = 4096;
 
 /// Measures everything that is planned; what was measured before it is cancelled is
-/// kept, scene by scene and depth by depth.
+/// kept, scene by scene and depth by depth, and so is everything beside a tree that
+/// cannot be built.
 ///
 /// # Errors
-/// Says which tree cannot be built.
+/// Says which tree cannot be built, if none can.
 pub fn run(plan: &Plan, progress: &Progress) -> anyhow::Result<Results> {
-    let mut results = Results { seed: plan.seed, sites: Vec::new() };
+    let mut results = Results { seed: plan.seed, ..Results::default() };
+    let mut first_fault = None;
     // Building and linking a tree, and measuring.
     let n_stages = 2 * plan.n_sites() as u64;
     for &scene in &plan.scenes {
         for depth in plan.depths.clone() {
-            let stages = [2 * results.sites.len() as u64, n_stages];
+            let n_done = results.sites.len() + results.left_out.len();
+            let stages = [2 * n_done as u64, n_stages];
             match site(plan, scene, depth, stages, progress) {
                 Ok(site) => results.sites.push(site),
                 Err(error) if error.root_cause().is::<Cancelled>() => return Ok(results),
                 // Cancelled while the tree was built.
                 Err(_) if progress.check().is_err() => return Ok(results),
-                Err(error) => return Err(error),
+                Err(error) => {
+                    let why = format!("{error:#}");
+                    results.left_out.push(LeftOut { scene: scene.to_owned(), depth, why });
+                    first_fault.get_or_insert(error);
+                }
             }
         }
     }
-    Ok(results)
+    match first_fault.filter(|_| results.sites.is_empty()) {
+        Some(error) => Err(error),
+        None => Ok(results),
+    }
 }
 
 fn site(
@@ -255,6 +265,16 @@ mod tests {
         let progress = Progress::default();
         progress.cancel();
         assert_eq!(run(&small(), &progress).unwrap().sites, []);
+    }
+
+    #[test]
+    fn a_tree_that_cannot_be_built_leaves_the_others() {
+        // Deeper than codes reach.
+        let plan = Plan { scenes: vec!["quadtree-82"], depths: 20..=21, ..small() };
+        let results = run(&plan, &Progress::default()).unwrap();
+        assert_eq!((results.sites.len(), results.sites[0].depth), (1, 20));
+        let [LeftOut { depth: 21, why, .. }] = &results.left_out[..] else { panic!() };
+        assert!(why.starts_with("quadtree-82 at depth 21: "), "{why}");
     }
 
     #[test]

@@ -244,7 +244,8 @@ mod tests {
         };
         let rows =
             |factor: f64| vec![row("parametric", 900.0 * factor), row("bsp", 1000.0 * factor)];
-        Results { seed: 1, sites: vec![site(5, 100, rows(1.0)), site(6, 400, rows(2.0))] }
+        let sites = vec![site(5, 100, rows(1.0)), site(6, 400, rows(2.0))];
+        Results { seed: 1, sites, ..Results::default() }
     }
 
     #[test]

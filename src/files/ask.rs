@@ -4,6 +4,9 @@ use eframe::egui::Context;
 use std::path::{Path, PathBuf};
 use std::sync::mpsc::{Receiver, Sender, channel};
 
+/// Endings of what the bench lab writes: charts, then tables.
+pub const LAB_ENDINGS: [&str; 6] = ["svg", "pdf", "png", "tex", "csv", "md"];
+
 /// What the user has chosen in a dialog.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Chosen {
@@ -36,7 +39,12 @@ impl Purpose {
                 let own = path.extension();
                 ("octo", own.is_some_and(|own| own.eq_ignore_ascii_case("octo")))
             }
-            Self::Export(ending) | Self::Lab(ending) => (ending, path.extension().is_some()),
+            Self::Export(ending) => (ending, path.extension().is_some()),
+            Self::Lab(ending) => {
+                let own = path.extension();
+                let is = |known: &&str| own.is_some_and(|own| own.eq_ignore_ascii_case(known));
+                (ending, LAB_ENDINGS.iter().any(is))
+            }
         };
         if is_named {
             return path.to_owned();
@@ -152,6 +160,8 @@ mod tests {
         check(Purpose::Save, "scene.txt", "scene.txt.octo");
         check(Purpose::Export("svg"), "a.b/figure", "a.b/figure.svg");
         check(Purpose::Export("svg"), "figure.png", "figure.png");
+        check(Purpose::Lab("csv"), "run 1.2", "run 1.2.csv");
+        check(Purpose::Lab("csv"), "run.PDF", "run.PDF");
         check(Purpose::Open, "scene", "scene");
     }
 }

@@ -3,6 +3,7 @@
 use crate::bench::{csv, markdown};
 use crate::export::{self, Format, Order, Series};
 use crate::files;
+pub use crate::files::LAB_ENDINGS as ENDINGS;
 use octoscope_core::explain::RichText;
 use octoscope_core::measure::Results;
 use octoscope_core::progress::Progress;
@@ -11,9 +12,6 @@ use std::path::Path;
 
 /// Ending of a file that the lab writes.
 pub type Ending = &'static str;
-
-/// The endings: charts, then tables.
-pub const ENDINGS: [Ending; 6] = ["svg", "pdf", "png", "tex", "csv", "md"];
 
 /// Writes to `path` what its ending says: a table, or `chart` in some format.
 ///
@@ -55,7 +53,7 @@ mod tests {
         let results = Results::default();
         let chart = published_chart(&results, &texts, 860.0);
         for (ending, start) in
-            ENDINGS.into_iter().zip(["<svg", "%PDF", "", "", "scene,", "| scene"])
+            ENDINGS.into_iter().zip(["<svg", "%PDF", "PNG", "tikzpicture", "scene,", "| scene"])
         {
             let path = folder.path().join(format!("chart.{ending}"));
             write(&results, &chart, (Theme::Print, "chart"), &path).unwrap();

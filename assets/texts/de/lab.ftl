@@ -114,6 +114,7 @@ lab-nothing-chosen = Eine Szene und ein Verfahren wählen.
 lab-disagrees = In { $scene } in Tiefe { $depth } findet { $method } andere Blätter als { $reference }, zuerst an Strahl { $ray }.
 lab-agree = Alle Verfahren haben dieselben Blätter gefunden.
 lab-unoptimised = Dieses Programm ist ohne Optimierung übersetzt: Seine Zeiten sagen nichts, seine Zählungen schon.
+lab-not-built = Ausgelassen, weil ihr Baum nicht gebaut werden kann (Szene und Tiefe): { $names }
 lab-stopped = Angehalten; gezeigt wird, was bis dahin gemessen war.
 lab-quantity = Gezeigt
 lab-against = gegen

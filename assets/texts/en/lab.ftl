@@ -114,6 +114,7 @@ lab-nothing-chosen = Choose a scene and an algorithm.
 lab-disagrees = In { $scene } at depth { $depth } { $method } finds other leaves than { $reference }, first on ray { $ray }.
 lab-agree = All algorithms have found the same leaves.
 lab-unoptimised = This program was built without optimisation: its times tell nothing, its counts do.
+lab-not-built = Scenes and depths whose trees cannot be built are left out: { $names }
 lab-stopped = Stopped; what was measured until then is shown.
 lab-quantity = Shown
 lab-against = against

@@ -40,7 +40,7 @@ fn results(depths: std::ops::RangeInclusive<u8>) -> Results {
         }
     };
     let sites = SCENES.iter().flat_map(|scene| depths.clone().map(|depth| site(scene, depth)));
-    Results { seed: 1, sites: sites.collect() }
+    Results { seed: 1, sites: sites.collect(), ..Results::default() }
 }
 
 /// No text leaves the page or covers another.

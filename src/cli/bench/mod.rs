@@ -10,7 +10,7 @@ use crate::files::Output;
 use chart::{Chart, cost, size};
 use clap::Args;
 use octoscope_core::measure::Quantity;
-use octoscope_core::measure::{Disagreement, Results, Way};
+use octoscope_core::measure::{Disagreement, LeftOut, Results, Way};
 use octoscope_core::scenario::BUILT_IN;
 use octoscope_core::text::Language;
 use octoscope_core::traverse::MethodError;
@@ -191,6 +191,9 @@ pub fn bench(arguments: &Bench) -> anyhow::Result<Answer> {
     }
     let plan = arguments.plan();
     let results = run_with_progress(|progress| run(&plan, progress))?;
+    for LeftOut { why, .. } in &results.left_out {
+        eprintln!("octoscope: left out: {why}");
+    }
     let mut output = Output::open(arguments.output.as_deref())?;
     if arguments.csv {
         output.write_all(csv(&results).as_bytes())?;

@@ -29,7 +29,7 @@ pub use memory::{Memory, Read};
 pub use predictor::TwoBit;
 pub use published::{CLAIMS, Claim, Judged, Published, Verdict, judged};
 pub use rays::rays_from_outside;
-pub use results::{Quantity, Results, Row, Site};
+pub use results::{LeftOut, Quantity, Results, Row, Site};
 pub use watch::{Watched, watch};
 pub use way::Way;
 

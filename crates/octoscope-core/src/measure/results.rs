@@ -10,6 +10,19 @@ pub struct Results {
     pub seed: u64,
     /// Every scene at every depth.
     pub sites: Vec<Site>,
+    /// Those whose tree could not be built.
+    pub left_out: Vec<LeftOut>,
+}
+
+/// A scene at a depth at which nothing could be measured.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct LeftOut {
+    /// Name of the scene.
+    pub scene: String,
+    /// Levels below the root.
+    pub depth: u8,
+    /// Why, for people.
+    pub why: String,
 }
 
 /// A scene at a depth.
