@@ -270,7 +270,8 @@ mod tests {
     #[test]
     fn a_tree_that_cannot_be_built_leaves_the_others() {
         // Deeper than codes reach.
-        let plan = Plan { scenes: vec!["quadtree-82"], depths: 20..=21, ..small() };
+        let ways = vec!["parametric".parse().unwrap()];
+        let plan = Plan { scenes: vec!["quadtree-82"], depths: 20..=21, ways, ..small() };
         let results = run(&plan, &Progress::default()).unwrap();
         assert_eq!((results.sites.len(), results.sites[0].depth), (1, 20));
         let [LeftOut { depth: 21, why, .. }] = &results.left_out[..] else { panic!() };
