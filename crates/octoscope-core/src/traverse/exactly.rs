@@ -108,8 +108,9 @@ impl<const D: usize, O: Observer<D>> Observer<D> for Rest<'_, O> {
         }
     }
 
+    /// What is known is passed over, also by an observer that has had enough of it.
     #[inline(always)]
     fn wants_more(&self) -> bool {
-        self.observe.wants_more()
+        self.n_known > 0 || self.observe.wants_more()
     }
 }

@@ -3,6 +3,7 @@
 use crate::agreement::{compare, oracle, run_with};
 use crate::rays::{Class, random_ray};
 use crate::trees::{domain, random_tree};
+use octoscope_core::event::{End, Event, Observer};
 use octoscope_core::geometry::{Exact, Ray};
 use octoscope_core::query::{Arithmetic, Query};
 use octoscope_core::random::Random;
@@ -56,6 +57,54 @@ fn check_guarded<const D: usize>(seed: u64) {
 fn doubles_without_doubt_take_exact_steps() {
     check_guarded::<2>(8);
     check_guarded::<3>(9);
+}
+
+/// Keeps all events, and wants no more after so many.
+struct Limited<const D: usize> {
+    events: Vec<Event<D>>,
+    most: usize,
+}
+
+impl<const D: usize> Observer<D> for Limited<D> {
+    fn observe(&mut self, event: Event<D>) {
+        self.events.push(event);
+    }
+
+    fn wants_more(&self) -> bool {
+        self.events.len() < self.most
+    }
+}
+
+#[test]
+fn a_run_that_is_cut_ends_where_the_exact_one_does() {
+    let (mut random, mut n_cut) = (Random::new(10), 0);
+    for _ in 0..40 {
+        let tree = random_tree(domain::<3>(5, 0), 25, &mut random);
+        for class in Class::ALL {
+            let ray = random_ray(&tree, class, &mut random);
+            for algorithm in Algorithm::ALL {
+                let options = Options::default();
+                let mut whole = Vec::new();
+                algorithm.run::<3, Exact>(&tree, &ray, options, &mut whole);
+                for most in 1..whole.len().min(40) {
+                    let limited = || Limited { events: Vec::new(), most };
+                    let (mut exact, mut guarded) = (limited(), limited());
+                    let outcomes = [
+                        algorithm.run::<3, Exact>(&tree, &ray, options, &mut exact),
+                        algorithm.run_exactly(&tree, &ray, options, &mut guarded),
+                    ];
+                    let context = || format!("{algorithm:?} {class:?} {ray:?} {most}");
+                    // As above.
+                    let [exact, guarded] =
+                        [exact, guarded].map(|limited| format!("{:?}", limited.events));
+                    assert_eq!(exact, guarded, "{}", context());
+                    assert_eq!(outcomes[0], outcomes[1], "{}", context());
+                    n_cut += usize::from(outcomes[0].end == End::Cut);
+                }
+            }
+        }
+    }
+    assert!(n_cut > 1000, "{n_cut}");
 }
 
 /// Planes that are crossed one by one, or mid planes that are means, cost extra
