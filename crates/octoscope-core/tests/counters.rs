@@ -217,6 +217,10 @@ fn axes_without_motion_take_no_division() {
         let counters = free(&tree, &ray, algorithm);
         assert_eq!(counters.get(Counter::Divisions), divisions, "{algorithm:?}");
     }
+
+    // But the gem divides at every binary node: across x once, across y and z twice.
+    let gem = cost(&tree, &ray, Algorithm::Bsp, Variants::NONE.with(Variant::Gem), Codes::Free);
+    assert_eq!(gem.get(Counter::Divisions), 2 + 5);
 }
 
 #[test]

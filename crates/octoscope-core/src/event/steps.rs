@@ -155,6 +155,9 @@ pub enum Event<const D: usize> {
         /// Its parameter; ±∞ if the ray does not move along the axis, and NaN by
         /// the rule of the gem for an origin in the plane.
         at: f64,
+        /// Whether a division led to the parameter: without motion along the axis it
+        /// does by the rule of the gem alone.
+        divided: bool,
         /// Parameters between which the ray is in the part.
         interval: [f64; 2],
         /// The halves that the ray is in.

@@ -7,9 +7,12 @@ use crate::geometry::Axes;
 use crate::query::Query;
 use crate::trace::{Moment, Trace};
 use crate::traverse::Algorithm;
+use crate::tree::{Child, Code, NodeId};
 use crate::variant::Variant::{
-    self, B4, B5, B6, B7, B18, B19, B21, B24a, B24b, B24c, B25Leftmost, B25Rightmost, B28,
+    self, B1, B2, B2Morton, B3, B4, B5, B6, B7, B9, B10, B11, B18, B19, B21, B24a, B24b, B24c,
+    B25Leftmost, B25Rightmost, B28,
 };
+use crate::variant::Variants;
 
 /// The sentence on a step of `trace`, known what was before: what `tell` says, unless
 /// the step follows a misprinted rule. Then the rule is named, and stands in place of
@@ -26,201 +29,197 @@ pub(super) fn with_printed_rules<const D: usize>(
     if variants.is_empty() {
         return tell();
     }
-    let at_work = |candidates: &[Variant]| {
-        let used = |v: &&Variant| variants.has(**v);
-        let ids: Vec<String> = candidates.iter().filter(used).map(|v| v.id().to_owned()).collect();
-        (!ids.is_empty()).then(|| words.list(ids))
-    };
-    let misprints: Vec<Variant> = variants.iter().filter(|v| v.is_misprint()).collect();
-    match *event {
-        Event::Clip { enter, exit, hit, .. } => {
-            // Of a miss only B-1 takes other planes than those that are told.
-            let rules = [Variant::B1, Variant::B10, Variant::B11];
-            if let Some(rule) = at_work(if hit { &rules } else { &rules[..1] }) {
-                let interval = [("enter", approx(enter)), ("exit", approx(exit)), ("rule", rule)];
-                let key = if hit { "clip-printed" } else { "clip-printed-miss" };
-                return words.say(key, &interval);
-            }
-        }
-        Event::First { entry, state, .. } => {
-            let of_children: &[Variant] =
-                if D == 2 { &[Variant::B3] } else { &[Variant::B2, Variant::B2Morton] };
-            // The tables begin at the near planes in any case; by the one rule it
-            // makes a difference where these lie behind the origin.
-            let clamps = matches!(query, Query::Ray { algorithm: Algorithm::Parametric, .. });
-            let of_entry: &[Variant] =
-                if clamps && entry < 0.0 { &[Variant::B9, Variant::B10] } else { &[] };
-            if let Some(rule) = at_work(&[of_children, of_entry].concat()) {
-                let state = strong(&state.0.to_string());
-                return words.say("first-printed", &[("state", state), ("rule", rule)]);
-            }
-        }
-        // No branch of the selection as printed is for equal parameters.
-        Event::Halve { mid, .. } if D == 2 && mid[0] == mid[1] => {
-            if let Some(rule) = at_work(&[Variant::B3]) {
-                return tell() + &words.say("halve-unselected", &[("rule", rule)]);
-            }
-        }
-        // What a misprint reports need not be on the ray.
-        Event::Leaf { node, enter, exit, .. } => {
-            if let Some(rule) = at_work(&misprints) {
-                let leaf = words.node(node);
-                let interval = [("enter", approx(enter)), ("exit", approx(exit))];
-                let arguments = [&interval[..], &[("node", leaf), ("rule", rule)]].concat();
-                return words.say("leaf-printed", &arguments);
-            }
-        }
-        // Nor need what it comes to without a length be touched.
-        Event::Touch { node, at } => {
-            if let Some(rule) = at_work(&misprints) {
-                let arguments = [("node", words.node(node)), ("at", approx(at)), ("rule", rule)];
-                return words.say("touch-printed", &arguments);
-            }
-        }
-        Event::Difference { xor, level, .. } => {
-            let rules = [B24a, B24b, B25Leftmost, B25Rightmost];
-            let highest = xor.iter().fold(0, |bits, code| bits | code).checked_ilog2();
-            let bit = highest.filter(|bit| bit + 1 != u32::from(level));
-            if let (Some(rule), Some(bit)) = (at_work(&rules), bit) {
-                let (bit, level) = (strong(&bit.to_string()), strong(&level.to_string()));
-                let arguments = [("bit", bit), ("level", level), ("rule", rule)];
-                return words.say("difference-printed", &arguments);
-            }
-        }
-        Event::Follow { level, child, node, .. } => {
-            let arguments = |rule| {
-                let child_index = strong(&child.0.to_string());
-                [
-                    ("rule", rule),
-                    ("bits", words.bits(child)),
-                    ("child", child_index),
-                    ("node", words.node(node)),
-                ]
-            };
-            if let Some(rule) = at_work(&[B18, B19]) {
-                // The bit of the codes as they are told: from the other end, one further on.
-                let above = level - 1 + u8::from(variants.has(B19));
-                let root_level = words.tree.domain().root_level();
-                let bit = if variants.has(B18) { root_level - above } else { above };
-                let bit = [("bit", bit.to_string())];
-                return words.say("follow-printed", &[&arguments(rule)[..], &bit].concat());
-            }
-            if let Some(rule) = at_work(&[B24c]) {
-                let bit = [("bit", (level - 1).to_string())];
-                return words.say("follow-difference", &[&arguments(rule)[..], &bit].concat());
-            }
-        }
-        Event::Test { .. }
-        | Event::Sort { .. }
-        | Event::Visit { .. }
-        | Event::Skip { .. }
-        | Event::Halve { .. }
-        | Event::Step { .. }
-        | Event::Up { .. }
-        | Event::Enter { .. }
-        | Event::Cuts { .. }
-        | Event::Classify { .. }
-        | Event::Flip { .. }
-        | Event::Split { .. }
-        | Event::Pop { .. }
-        | Event::Grid { .. }
-        | Event::Cross { .. }
-        | Event::Parent { .. }
-        | Event::Mirror { .. }
-        | Event::Facing { .. }
-        | Event::Rope { .. }
-        | Event::Push { .. }
-        | Event::Begin { .. }
-        | Event::Encode { .. }
-        | Event::Compare { .. }
-        | Event::Exits { .. }
-        | Event::Target { .. }
-        | Event::Border { .. }
-        | Event::Leave { .. }
-        | Event::Resume { .. }
-        | Event::Climb { .. }
-        | Event::Corners { .. }
-        | Event::Found { .. }
-        | Event::End(_) => {}
+    match (Printed { words, query, variants, before }).told(event) {
+        Some(Told::Instead(sentence)) => sentence,
+        Some(Told::After(addition)) => tell() + &addition,
+        None => tell(),
     }
-    let grid_size = words.tree.domain().grid_size();
-    let Some(rule) = at_work(&candidates(event, before, grid_size)) else {
-        return tell();
-    };
-    tell() + &words.say("as-printed", &[("rule", rule)])
 }
 
-/// Rules that an event may follow without making its reasons untrue.
-fn candidates<const D: usize>(
-    event: &Event<D>,
-    before: &Moment<D>,
-    grid_size: u32,
-) -> Vec<Variant> {
-    let has_no_number = |parameters: &[f64]| parameters.iter().any(|t| t.is_nan());
-    // Along mirrored axes all parameters are those of the mirrored origin.
-    let mirror = if let Event::Clip { mirror, .. } = *event {
-        mirror
-    } else {
-        before.clip.map_or(Axes::NONE, |clip| clip.mirror)
-    };
-    let mirrored = (!mirror.is_empty()).then_some(B7);
-    let if_no_number = |parameters: &[f64], rules: &[Variant]| {
-        if has_no_number(parameters) { rules.to_vec() } else { Vec::new() }
-    };
-    let with_mirrored = |rules: Vec<Variant>| rules.into_iter().chain(mirrored).collect();
-    match *event {
-        Event::Clip { near, far, .. } => {
-            let planes: Vec<f64> = near.into_iter().chain(far).collect();
-            with_mirrored(if_no_number(&planes, &[B5]))
+/// What is said of a printed rule.
+enum Told {
+    /// In place of the sentence on the step.
+    Instead(String),
+    /// Behind it, as its reasons are true.
+    After(String),
+}
+
+/// Printed rules at work in a step.
+struct Printed<'a, const D: usize> {
+    words: &'a Words<'a, D>,
+    query: &'a Query<D>,
+    variants: Variants,
+    before: &'a Moment<D>,
+}
+
+impl<const D: usize> Printed<'_, D> {
+    /// What is said of the rules that an event follows, if it follows one.
+    fn told(&self, event: &Event<D>) -> Option<Told> {
+        match *event {
+            Event::Clip { near, far, enter, exit, hit, mirror } => {
+                self.clip(enter, exit, hit).or_else(|| {
+                    let planes: Vec<f64> = near.into_iter().chain(far).collect();
+                    self.after(&[without_number(&planes, &[B5]), mirrored(mirror)])
+                })
+            }
+            Event::Halve { mid, .. } => self
+                .unselected(mid)
+                .or_else(|| self.after(&[&[B4], without_number(&mid, &[B5, B6]), self.mirrored()])),
+            Event::First { entry, state, .. } => self.first(entry, state).or_else(|| {
+                let mid = self.before.frame().and_then(|frame| frame.mid);
+                let unknown = mid.map_or(&[][..], |mid| without_number(&mid, &[B5, B6]));
+                self.after(&[unknown, self.mirrored()])
+            }),
+            // Table 3 counts in another order than the state is read.
+            Event::Step { exits, .. } => {
+                self.after(&[&[B2Morton], without_number(&exits, &[B5, B6]), self.mirrored()])
+            }
+            Event::Leaf { node, enter, exit, .. } => self.leaf(node, enter, exit),
+            Event::Touch { node, at } => self.touch(node, at),
+            Event::Difference { xor, level, .. } => self
+                .difference(xor, level)
+                .or_else(|| self.after(&[&[B24a, B24b, B25Leftmost, B25Rightmost]])),
+            Event::Follow { level, child, node, .. } => self.follow(level, child, node),
+            // Only the code of an upper face is one by the printed rule.
+            Event::Encode { code, .. } => {
+                let grid_size = self.words.tree.domain().grid_size();
+                if code.contains(&grid_size) { self.after(&[&[B21]]) } else { None }
+            }
+            Event::Target { .. } => self.after(&[&[B28]]),
+            Event::Test { .. }
+            | Event::Sort { .. }
+            | Event::Visit { .. }
+            | Event::Skip { .. }
+            | Event::Up { .. }
+            | Event::Enter { .. }
+            | Event::Cuts { .. }
+            | Event::Classify { .. }
+            | Event::Flip { .. }
+            | Event::Split { .. }
+            | Event::Pop { .. }
+            | Event::Grid { .. }
+            | Event::Cross { .. }
+            | Event::Parent { .. }
+            | Event::Mirror { .. }
+            | Event::Facing { .. }
+            | Event::Rope { .. }
+            | Event::Push { .. }
+            | Event::Begin { .. }
+            | Event::Compare { .. }
+            | Event::Exits { .. }
+            | Event::Border { .. }
+            | Event::Leave { .. }
+            | Event::Resume { .. }
+            | Event::Climb { .. }
+            | Event::Corners { .. }
+            | Event::Found { .. }
+            | Event::End(_) => None,
         }
-        Event::Halve { mid, .. } => {
-            let rules = [vec![B4], if_no_number(&mid, &[B5, B6])].concat();
-            with_mirrored(rules)
-        }
-        Event::First { .. } => {
-            let mid = before.frame().and_then(|frame| frame.mid);
-            with_mirrored(mid.map_or_else(Vec::new, |mid| if_no_number(&mid, &[B5, B6])))
-        }
-        // Table 3 counts in another order than the state is read.
-        Event::Step { exits, .. } => {
-            let rules = [vec![Variant::B2Morton], if_no_number(&exits, &[B5, B6])].concat();
-            with_mirrored(rules)
-        }
-        // Only the code of an upper face is one by the printed rule.
-        Event::Encode { code, .. } if code.contains(&grid_size) => vec![B21],
-        Event::Difference { .. } => vec![B24a, B24b, B25Leftmost, B25Rightmost],
-        Event::Target { .. } => vec![B28],
-        Event::Encode { .. }
-        | Event::Test { .. }
-        | Event::Sort { .. }
-        | Event::Visit { .. }
-        | Event::Skip { .. }
-        | Event::Up { .. }
-        | Event::Enter { .. }
-        | Event::Cuts { .. }
-        | Event::Classify { .. }
-        | Event::Flip { .. }
-        | Event::Split { .. }
-        | Event::Pop { .. }
-        | Event::Grid { .. }
-        | Event::Cross { .. }
-        | Event::Parent { .. }
-        | Event::Mirror { .. }
-        | Event::Facing { .. }
-        | Event::Rope { .. }
-        | Event::Push { .. }
-        | Event::Begin { .. }
-        | Event::Compare { .. }
-        | Event::Follow { .. }
-        | Event::Exits { .. }
-        | Event::Border { .. }
-        | Event::Leave { .. }
-        | Event::Resume { .. }
-        | Event::Climb { .. }
-        | Event::Corners { .. }
-        | Event::Leaf { .. }
-        | Event::Touch { .. }
-        | Event::Found { .. }
-        | Event::End(_) => Vec::new(),
     }
+
+    /// Names of those of `candidates` that are at work, if any is.
+    fn at_work(&self, candidates: &[Variant]) -> Option<String> {
+        let used = candidates.iter().filter(|&&variant| self.variants.has(variant));
+        let ids: Vec<String> = used.map(|variant| variant.id().to_owned()).collect();
+        (!ids.is_empty()).then(|| self.words.list(ids))
+    }
+
+    fn instead(&self, key: &str, arguments: &[(&str, String)]) -> Option<Told> {
+        Some(Told::Instead(self.words.say(key, arguments)))
+    }
+
+    /// Rules that an event may follow without making its reasons untrue.
+    fn after(&self, candidates: &[&[Variant]]) -> Option<Told> {
+        let rule = self.at_work(&candidates.concat())?;
+        Some(Told::After(self.words.say("as-printed", &[("rule", rule)])))
+    }
+
+    /// Along mirrored axes all parameters are those of the mirrored origin.
+    fn mirrored(&self) -> &'static [Variant] {
+        mirrored(self.before.clip.map_or(Axes::NONE, |clip| clip.mirror))
+    }
+
+    fn clip(&self, enter: f64, exit: f64, hit: bool) -> Option<Told> {
+        // Of a miss only B-1 takes other planes than those that are told.
+        let rule = self.at_work(if hit { &[B1, B10, B11] } else { &[B1] })?;
+        let key = if hit { "clip-printed" } else { "clip-printed-miss" };
+        let arguments = [("enter", approx(enter)), ("exit", approx(exit)), ("rule", rule)];
+        self.instead(key, &arguments)
+    }
+
+    fn first(&self, entry: f64, state: Child<D>) -> Option<Told> {
+        let of_children: &[Variant] = if D == 2 { &[B3] } else { &[B2, B2Morton] };
+        // The tables begin at the near planes in any case; by the one rule it makes a
+        // difference where these lie behind the origin.
+        let clamps = matches!(self.query, Query::Ray { algorithm: Algorithm::Parametric, .. });
+        let of_entry: &[Variant] = if clamps && entry < 0.0 { &[B9, B10] } else { &[] };
+        let rule = self.at_work(&[of_children, of_entry].concat())?;
+        let state = strong(&state.0.to_string());
+        self.instead("first-printed", &[("state", state), ("rule", rule)])
+    }
+
+    /// No branch of the selection as printed is for equal parameters.
+    fn unselected(&self, mid: [f64; D]) -> Option<Told> {
+        let rule = if D == 2 && mid[0] == mid[1] { self.at_work(&[B3])? } else { return None };
+        Some(Told::After(self.words.say("halve-unselected", &[("rule", rule)])))
+    }
+
+    /// What a misprint reports need not be on the ray.
+    fn leaf(&self, node: NodeId, enter: f64, exit: f64) -> Option<Told> {
+        let rule = self.misprint()?;
+        let interval = [("enter", approx(enter)), ("exit", approx(exit))];
+        let of_node = [("node", self.words.node(node)), ("rule", rule)];
+        self.instead("leaf-printed", &[&interval[..], &of_node].concat())
+    }
+
+    /// Nor need what it comes to without a length be touched.
+    fn touch(&self, node: NodeId, at: f64) -> Option<Told> {
+        let rule = self.misprint()?;
+        let arguments = [("node", self.words.node(node)), ("at", approx(at)), ("rule", rule)];
+        self.instead("touch-printed", &arguments)
+    }
+
+    /// Names of all misprints at work.
+    fn misprint(&self) -> Option<String> {
+        let misprints = self.variants.iter().filter(|variant| variant.is_misprint());
+        self.at_work(&misprints.collect::<Vec<_>>())
+    }
+
+    fn difference(&self, xor: Code<D>, level: u8) -> Option<Told> {
+        let rule = self.at_work(&[B24a, B24b, B25Leftmost, B25Rightmost])?;
+        let highest = xor.iter().fold(0, |bits, code| bits | code).checked_ilog2();
+        let bit = highest.filter(|bit| bit + 1 != u32::from(level))?;
+        let (bit, level) = (strong(&bit.to_string()), strong(&level.to_string()));
+        self.instead("difference-printed", &[("bit", bit), ("level", level), ("rule", rule)])
+    }
+
+    fn follow(&self, level: u8, child: Child<D>, node: NodeId) -> Option<Told> {
+        let (key, rule, bit) = if let Some(rule) = self.at_work(&[B18, B19]) {
+            // The bit of the codes as they are told: from the other end, one further on.
+            let above = level - 1 + u8::from(self.variants.has(B19));
+            let root_level = self.words.tree.domain().root_level();
+            let bit = if self.variants.has(B18) { root_level - above } else { above };
+            ("follow-printed", rule, bit)
+        } else {
+            ("follow-difference", self.at_work(&[B24c])?, level - 1)
+        };
+        let arguments = [
+            ("rule", rule),
+            ("bits", self.words.bits(child)),
+            ("child", strong(&child.0.to_string())),
+            ("node", self.words.node(node)),
+            ("bit", bit.to_string()),
+        ];
+        self.instead(key, &arguments)
+    }
+}
+
+/// `rules`, if one of the parameters is no number.
+fn without_number<'a>(parameters: &[f64], rules: &'a [Variant]) -> &'a [Variant] {
+    if parameters.iter().any(|t| t.is_nan()) { rules } else { &[] }
+}
+
+/// The rule on mirrored rays, if one is.
+fn mirrored<const D: usize>(mirror: Axes<D>) -> &'static [Variant] {
+    if mirror.is_empty() { &[] } else { &[B7] }
 }

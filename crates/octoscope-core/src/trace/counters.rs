@@ -3,8 +3,8 @@
 //! Counted is what the method needs, as the literature counts it: the smallest of
 //! D parameters takes D − 1 comparisons. Left out are leaf and loop tests, finding
 //! which others equal the smallest, and what is done only to report the interval
-//! of a leaf. An axis without motion takes no division. Sorting n leaves counts as
-//! n ⌊log₂ n⌋ comparisons.
+//! of a leaf. An axis without motion takes no division, except by the gem of `bsp`.
+//! Sorting n leaves counts as n ⌊log₂ n⌋ comparisons.
 
 use crate::event::{Event, Lookup, Search};
 use crate::tree::NodeId;
@@ -182,8 +182,8 @@ impl Counters {
             }
             Event::Classify { .. } => count(EntryComparisons, axes),
             Event::Flip { axes: crossed, .. } => count(BitOperations, crossed.count() as u64),
-            Event::Split { at, kept, .. } => {
-                let divided = finite([at]);
+            Event::Split { divided, kept, .. } => {
+                let divided = u64::from(divided);
                 count(Additions, divided);
                 count(Divisions, divided);
                 count(RangeComparisons, 3);

@@ -60,7 +60,8 @@ pub fn traverse<const D: usize, P: Parameter>(
             let half = 1 << (level - 1);
             let plane = domain.plane(axis, code[axis] + half);
             let (origin, direction) = (ray.origin()[axis], ray.direction()[axis]);
-            let at = if direction != 0.0 || is_gem {
+            let divided = direction != 0.0 || is_gem;
+            let at = if divided {
                 P::at_plane(plane, origin, direction)
             } else if plane <= origin {
                 P::BEFORE_ALL
@@ -84,6 +85,7 @@ pub fn traverse<const D: usize, P: Parameter>(
                 axis: axis as u8,
                 plane,
                 at: at.value(),
+                divided,
                 interval: [from.value(), to.value()],
                 halves,
                 taken,

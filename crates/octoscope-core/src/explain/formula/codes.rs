@@ -185,9 +185,8 @@ impl<const D: usize> Writer<'_, D> {
 
     /// The codes that a place was turned into last.
     fn encoded(&self) -> Option<Code<D>> {
-        self.past.iter().rev().find_map(|event| match event {
-            &Event::Encode { code, .. } => Some(code),
-            _ => None,
+        self.past.iter().rev().find_map(|event| {
+            if let &Event::Encode { code, .. } = event { Some(code) } else { None }
         })
     }
 }
