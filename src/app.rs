@@ -22,7 +22,7 @@ use crate::notice::Notice;
 use crate::open::open_built_in;
 use crate::save::Last;
 use crate::space::Layers;
-use crate::view::View;
+use crate::view::{Preset, View};
 use crate::widgets::refused_number;
 use crate::{complaint, render, save, theme, with_document};
 use eframe::egui::{CentralPanel, Context, Frame, Key, Ui, ViewportCommand};
@@ -34,7 +34,8 @@ use octoscope_core::explain::short_title;
 use octoscope_core::gallery::Degenerate;
 use octoscope_core::progress::{Cancelled, Progress};
 use octoscope_core::scenario::{BUILT_IN, StepAt};
-use octoscope_figure::Show;
+use octoscope_core::text::Language;
+use octoscope_figure::{Show, Theme};
 use std::path::PathBuf;
 use std::time::Duration;
 
@@ -51,7 +52,7 @@ pub struct App {
     /// What the window remembers.
     pub view: View,
     look: Look,
-    look_of: (octoscope_core::text::Language, octoscope_figure::Theme),
+    look_of: LookedAt,
     job: Option<(Job<anyhow::Result<AnyDocument>>, Purpose)>,
     /// What was open last, as long as it is not there.
     unrestored: Option<Last>,
@@ -122,7 +123,7 @@ impl App {
     }
 
     fn with_document(document: AnyDocument, view: View, layers: Option<Layers>) -> Self {
-        let look_of = (view.language, view.theme);
+        let look_of = looked_at(&view);
         let show = *with_document!(&document, d => shown_in(&view, d));
         let mut app = Self {
             settled: Shown { document: document.clone(), step: 0, show },
@@ -130,7 +131,7 @@ impl App {
             title: String::new(),
             document,
             history: History::default(),
-            look: theme::look(view.language, view.theme),
+            look: theme::look_of(&view),
             look_of,
             view,
             job: None,
@@ -268,15 +269,15 @@ impl eframe::App for App {
         let dt_secs = f64::from(context.input(|input| input.stable_dt)).min(0.25);
         self.view.playback.advance(dt_secs, self.document.n_events());
 
-        let look_of = (self.view.language, self.view.theme);
+        let look_of = looked_at(&self.view);
         if self.look_of != look_of {
             if self.look_of.0 != look_of.0 {
                 self.notice.clear();
             }
-            self.look = theme::look(look_of.0, look_of.1);
+            self.look = theme::look_of(&self.view);
             self.look_of = look_of;
             // Widths and letters still follow the old one: drawn once more, they do not.
-            context.request_discard("another theme or language");
+            context.request_discard("another theme, language or type");
         }
         theme::apply(&context, &self.view);
         // What encloses the frame was made before, in the old colours.
@@ -338,4 +339,11 @@ impl eframe::App for App {
     fn on_exit(&mut self) {
         self.give_up_export();
     }
+}
+
+/// What texts, colours and type follow from.
+type LookedAt = (Language, Theme, Preset);
+
+fn looked_at(view: &View) -> LookedAt {
+    (view.language, view.theme, view.preset)
 }

@@ -12,6 +12,8 @@ pub struct Look {
     pub palette: Palette,
     /// The theme, for what figures look like.
     pub theme: Theme,
+    /// Least height of type, in points of the window; 0 where any is legible.
+    pub least_type: f32,
 }
 
 /// Colours of the theme, as the window paints them.
@@ -53,6 +55,16 @@ impl Look {
     /// Text of a key.
     pub fn text(&self, key: &str) -> String {
         self.texts.get(key)
+    }
+
+    /// Whether a hall sees it: little at once, in large type.
+    pub fn is_for_hall(&self) -> bool {
+        self.least_type > 0.0
+    }
+
+    /// Height of type that is of `size` points where any is legible.
+    pub fn type_size(&self, size: f32) -> f32 {
+        size.max(self.least_type)
     }
 
     /// Family of emphasised text.

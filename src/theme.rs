@@ -13,7 +13,12 @@ use std::sync::Arc;
 
 /// Texts and colours for the panels.
 pub fn look(language: Language, theme: Theme) -> Look {
-    Look { texts: texts(language), palette: palette(theme), theme }
+    Look { texts: texts(language), palette: palette(theme), theme, least_type: 0.0 }
+}
+
+/// Texts, colours and least type of the window.
+pub fn look_of(view: &View) -> Look {
+    Look { least_type: view.preset.least_type(), ..look(view.language, view.theme) }
 }
 
 /// A colour of the stylesheet, as egui paints it.

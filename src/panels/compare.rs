@@ -28,7 +28,8 @@ pub fn ui(ui: &mut Ui, look: &Look, runs: &[Run], shown: Option<Algorithm>) -> O
     let mut chosen = None;
     let mut order: Order = ui.data(|data| data.get_temp(Order::id())).unwrap_or_default();
     let n_numbers = n_fitting(ui, look, runs);
-    let quiet = |text: String| RichText::new(text).size(12.0).color(look.palette.quiet);
+    let quiet =
+        |text: String| RichText::new(text).size(look.type_size(12.0)).color(look.palette.quiet);
     let grid = Grid::new("compare").num_columns(7).striped(true).min_row_height(22.0);
     grid.spacing([GAP, 2.0]).min_col_width(16.0).show(ui, |ui| {
         if head(ui, look, "compare-algorithm", order.sign(None)) {
@@ -66,7 +67,7 @@ fn n_fitting(ui: &Ui, look: &Look, runs: &[Run]) -> usize {
     let name = |run: &Run| width(run.algorithm.id().to_owned(), FontId::proportional(13.0));
     let names = widest(&mut runs.iter().map(name)) + BUTTON;
     let columns = HEADS.iter().enumerate().scan(names, |end, (n, key)| {
-        let head = width(look.text(key), FontId::proportional(12.0));
+        let head = width(look.text(key), FontId::proportional(look.type_size(12.0)));
         // The sign of the verdict stands before a number.
         let sign = if n == 0 { "= " } else { "" };
         let number =
@@ -81,7 +82,8 @@ fn n_fitting(ui: &Ui, look: &Look, runs: &[Run]) -> usize {
 /// Head of a column with the sign of its order; true if it is clicked.
 fn head(ui: &mut Ui, look: &Look, key: &str, sign: &str) -> bool {
     let name = look.text(key);
-    let text = RichText::new(format!("{name}{sign}")).size(12.0).color(look.palette.quiet);
+    let text =
+        RichText::new(format!("{name}{sign}")).size(look.type_size(12.0)).color(look.palette.quiet);
     let label = ui.add(Label::new(text).selectable(false).sense(Sense::click()));
     let sort = look.texts.format("compare-sort", &[("column", name.into())]);
     label.widget_info(|| WidgetInfo::labeled(Role::Button, true, sort.as_str()));

@@ -67,11 +67,11 @@ fn summary(ui: &mut Ui, look: &Look, costs: Costs<'_>) {
                 let number = RichText::new(so_far.to_string()).size(20.0);
                 ui.label(number.family(look.strong_family()).color(look.palette.ink));
                 if step > 0 {
-                    let added = RichText::new(format!("+{step}")).size(12.0);
+                    let added = RichText::new(format!("+{step}")).size(look.type_size(12.0));
                     ui.label(added.color(look.palette.quiet));
                 }
             });
-            let caption = RichText::new(name).size(12.0).color(look.palette.quiet);
+            let caption = RichText::new(name).size(look.type_size(12.0)).color(look.palette.quiet);
             let caption = column.add(eframe::egui::Label::new(caption).truncate());
             caption.on_hover_text(look.text("counters-why"));
         }
@@ -79,7 +79,9 @@ fn summary(ui: &mut Ui, look: &Look, costs: Costs<'_>) {
 }
 
 fn table(ui: &mut Ui, look: &Look, costs: Costs<'_>) {
-    let caption = |key: &str| RichText::new(look.text(key)).size(12.0).color(look.palette.quiet);
+    let caption = |key: &str| {
+        RichText::new(look.text(key)).size(look.type_size(12.0)).color(look.palette.quiet)
+    };
     let grid = Grid::new("counters").num_columns(4).striped(true);
     grid.spacing([8.0, 0.0]).min_col_width(24.0).min_row_height(18.0).show(ui, |ui| {
         ui.label("");

@@ -88,7 +88,7 @@ fn planes<const D: usize>(ui: &mut Ui, look: &Look, frame: &Frame<D>, mid: [f64;
             };
             ui.label(lit(look, approx(mid[axis]), tone));
             if frame.cuts.is_some() {
-                ui.label(lit(look, look.text(key), tone).size(12.0));
+                ui.label(lit(look, look.text(key), tone).size(look.type_size(12.0)));
             }
             ui.end_row();
         }

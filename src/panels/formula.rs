@@ -31,7 +31,7 @@ pub fn ui(ui: &mut Ui, look: &Look, statements: &[Statement], notation: Notation
     response.widget_info(|| WidgetInfo::labeled(Role::Label, true, name.as_str()));
     ui.ctx().accesskit_node_builder(response.id, |node| node.set_author_id("formula"));
     let most = Page { width: f64::from(room.x), height: f64::from(room.y) };
-    let figure = formula_figure(statements, most);
+    let figure = formula_figure(statements, most, f64::from(look.least_type));
     // In the middle, on whole pixels: bars stay crisp.
     let size = vec2(figure.page.width as f32, figure.page.height as f32);
     let spare = (room - size).max(vec2(0.0, 0.0));

@@ -95,7 +95,7 @@ fn bar(ui: &Ui, look: &Look, rect: Rect, at: f64, interval: [f64; 2], axis: usiz
     }
     painter.vline(x, y - 11.0..=y + 11.0, Stroke::new(3.0, palette.axes[axis]));
     let write = |at: Pos2, align: Align2, text: String, color| {
-        painter.text(at, align, text, FontId::monospace(12.0), color);
+        painter.text(at, align, text, FontId::monospace(look.type_size(12.0)), color);
     };
     write(pos2(inside.left(), y + 13.0), Align2::CENTER_TOP, approx(low), palette.quiet);
     write(pos2(inside.right(), y + 13.0), Align2::CENTER_TOP, approx(high), palette.quiet);

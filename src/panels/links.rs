@@ -80,11 +80,14 @@ pub fn ui<const D: usize>(
                         } else {
                             "links-divided"
                         };
-                        ui.label(lit(look, look.text(key), tone).size(12.0));
+                        ui.label(lit(look, look.text(key), tone).size(look.type_size(12.0)));
                     }
                     None => {
                         ui.label(lit(look, "–", tone));
-                        ui.label(lit(look, look.text("links-border"), Lit::Quiet).size(12.0));
+                        ui.label(
+                            lit(look, look.text("links-border"), Lit::Quiet)
+                                .size(look.type_size(12.0)),
+                        );
                         ui.label("");
                     }
                 }

@@ -14,7 +14,8 @@ pub fn ui<const D: usize>(ui: &mut Ui, look: &Look, tree: &Tree<D>, moment: &Mom
         return;
     };
     bit_table(ui, look, &table, &look.text("panel-region"));
-    if let Some(result) = result {
+    // In a hall the sentence says it.
+    if let Some(result) = result.filter(|_| !look.is_for_hall()) {
         ui.label(RichText::new(result).strong());
     }
 }

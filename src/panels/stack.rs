@@ -33,11 +33,17 @@ pub fn ui<const D: usize>(
         let grid = Grid::new("stack").num_columns(4).striped(true);
         grid.spacing([8.0, 0.0]).min_col_width(24.0).min_row_height(18.0).show(ui, |ui| {
             for key in ["stack-level", "stack-codes", "stack-state", "stack-interval"] {
-                ui.label(RichText::new(look.text(key)).size(12.0).color(look.palette.quiet));
+                ui.label(
+                    RichText::new(look.text(key))
+                        .size(look.type_size(12.0))
+                        .color(look.palette.quiet),
+                );
             }
             ui.end_row();
             for frame in moment.stack.iter().rev() {
-                let mono = |text: String| RichText::new(text).font(FontId::monospace(12.0));
+                let mono = |text: String| {
+                    RichText::new(text).font(FontId::monospace(look.type_size(12.0)))
+                };
                 let state = frame.state.map_or("–".to_owned(), |state| state.0.to_string());
                 let interval = format!("[{}, {})", approx(frame.enter()), approx(frame.exit()));
                 let row = [level(tree, frame.node), codes(tree, frame.node), state, interval];
@@ -67,11 +73,13 @@ fn pending<const D: usize>(
     moment: &Moment<D>,
 ) -> Option<NodeId> {
     let mut pointed = None;
-    let mono = |text: String| RichText::new(text).font(FontId::monospace(12.0));
+    let mono = |text: String| RichText::new(text).font(FontId::monospace(look.type_size(12.0)));
     let grid = Grid::new("pending").num_columns(4).striped(true);
     grid.spacing([8.0, 0.0]).min_col_width(24.0).min_row_height(18.0).show(ui, |ui| {
         for key in ["stack-level", "stack-codes", "stack-half", "stack-interval"] {
-            ui.label(RichText::new(look.text(key)).size(12.0).color(look.palette.quiet));
+            ui.label(
+                RichText::new(look.text(key)).size(look.type_size(12.0)).color(look.palette.quiet),
+            );
         }
         ui.end_row();
         for (part, [enter, exit]) in moment.pending.iter().rev() {

@@ -113,6 +113,10 @@ pub fn ui<const D: usize>(ui: &mut Ui, look: &Look, tree: &Tree<D>, past: &[Even
             }
         });
     }
+    // Too much for a hall.
+    if look.is_for_hall() {
+        return;
+    }
     let title = RichText::new(look.text("tables-all")).size(13.0);
     CollapsingHeader::new(title).id_salt("all-directions").show(ui, |ui| all(ui, look, used));
 }
@@ -181,7 +185,7 @@ fn entry<const D: usize>(
         ("direction", named(direction).into()),
     ];
     let why = look.texts.format(table.why(), &arguments);
-    ui.label(lit(look, text, tone).size(12.0)).on_hover_text(why)
+    ui.label(lit(look, text, tone).size(look.type_size(12.0))).on_hover_text(why)
 }
 
 /// The nodes of one way, each with the child that led there.

@@ -133,9 +133,8 @@ fn body<const D: usize>(
         PanelKind::Region => region::ui(ui, look, &tree, moment),
         PanelKind::Neighbour => neighbour::ui(ui, look, &tree, moment),
         PanelKind::Rail => {
-            // A lecture in space has no other panel, one in the plane the codes.
-            let lecture = if D == 3 { 80.0 } else { 34.0 };
-            let row = if view.preset == Preset::Lecture { lecture } else { 40.0 };
+            // A lecture has no other panel.
+            let row = if view.preset == Preset::Lecture { 76.0 } else { 40.0 };
             let pointed = t_rail::ui(ui, look, &trace, moment, row);
             if let Some(step) = pointed.step {
                 view.playback.playing = false;

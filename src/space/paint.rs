@@ -59,7 +59,8 @@ fn job(look: &Look, theme: Theme, lettering: Lettering, text: &RichText) -> Layo
             Weight::MonoStrong => look.mono_strong_family(),
         };
         let valign = if span.sub || is_even { Align::BOTTOM } else { Align::Center };
-        let (font_id, color) = (FontId::new(size as f32, family), color32(colour));
+        let size = look.type_size(size as f32);
+        let (font_id, color) = (FontId::new(size, family), color32(colour));
         job.append(&span.text, 0.0, TextFormat { font_id, color, valign, ..TextFormat::default() });
     }
     job

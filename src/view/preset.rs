@@ -167,7 +167,8 @@ impl Preset {
             Self::Debug => &[Listing, Variables, Stack, Counters],
             Self::Compare if about_rays => &[Compare],
             Self::Compare => &[Counters],
-            Self::Lecture if D == 2 && own.is_none() => &[Rail, Codes],
+            // The algorithm's own panel, if it has one.
+            Self::Lecture if own.is_some() => &[],
             Self::Lecture => &[Rail],
             Self::Tree => &[Tree, WhyNot],
             Self::Map => &[Map, Counters],
@@ -198,14 +199,23 @@ impl Preset {
         {
             panels.insert(usize::from(about_rays).min(panels.len()), own);
             // What waits on the stack is half of what its panel shows.
-            if own == Halves {
+            if own == Halves && self != Self::Lecture {
                 panels.insert(2.min(panels.len()), Stack);
             }
         }
         if query.variants_at_work().iter().any(|variant| erratum_of(variant).is_some()) {
+            if self == Self::Lecture {
+                panels.clear();
+            }
             panels.insert(0, Paper);
         }
         panels
+    }
+
+    /// Least height of type, in points of the window: in a lecture, of the 20 points
+    /// that are read from the back row what its scale leaves; else 0.
+    pub fn least_type(self) -> f32 {
+        if self == Self::Lecture { 20.0 / self.scale() } else { 0.0 }
     }
 
     /// Factor of type and lines.

@@ -3,11 +3,12 @@
 use super::figure::{paint_figure, room};
 use crate::look::Look;
 use eframe::egui::{Sense, Ui, WidgetInfo, accesskit::Role};
-use octoscope_figure::views::BitTable;
+use octoscope_figure::views::{BitTable, Spacing};
 
 /// Shows the table, which has a name for readers that cannot see it.
 pub fn bit_table(ui: &mut Ui, look: &Look, table: &BitTable, name: &str) {
-    let figure = table.figure(f64::from(ui.available_width()));
+    let spacing = if look.is_for_hall() { Spacing::Close } else { Spacing::Wide };
+    let figure = table.figure(f64::from(ui.available_width()), spacing);
     let (rect, response) = room(ui, figure.page, Sense::hover());
     response.widget_info(|| WidgetInfo::labeled(Role::Table, true, table.spoken(name)));
     paint_figure(ui, look, rect, &figure);

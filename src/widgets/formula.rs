@@ -25,7 +25,9 @@ pub fn printed_and_right(ui: &mut Ui, look: &Look, misprint: &Misprint) {
     const GAP: f32 = 16.0;
     let both = [("paper-printed", &misprint.printed), ("paper-right", &misprint.right)];
     let width = ui.available_width();
-    let set = |most: f32| both.map(|(_, formula)| formula_line(formula, f64::from(most)));
+    let set = |most: f32| {
+        both.map(|(_, formula)| formula_line(formula, f64::from(most), f64::from(look.least_type)))
+    };
     let half = 0.5 * (width - GAP);
     let natural = set(f32::INFINITY);
     let is_wide = natural.iter().any(|figure| figure.page.width as f32 > 1.5 * half);

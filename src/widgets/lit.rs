@@ -34,7 +34,7 @@ pub fn lit(look: &Look, text: impl Into<String>, lit: Lit) -> RichText {
 
 /// The line above the columns of a table, or a few quiet words below it.
 pub fn caption(ui: &mut Ui, look: &Look, text: impl Into<String>) {
-    ui.label(RichText::new(text).size(12.0).color(look.palette.quiet));
+    ui.label(RichText::new(text).size(look.type_size(12.0)).color(look.palette.quiet));
 }
 
 /// A text of one look for each axis, with its letter: x 3  y 5.

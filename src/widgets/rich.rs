@@ -24,7 +24,7 @@ pub fn rich_job(text: &RichText, look: &Look, size: f32, width: f32) -> LayoutJo
         } else {
             FontFamily::Proportional
         };
-        let size = if span.sub { size * 0.72 } else { size };
+        let size = if span.sub { look.type_size(size * 0.72) } else { size };
         let color = span.axis.map_or(look.palette.ink, |axis| look.palette.axes[axis]);
         let valign = if span.sub { Align::BOTTOM } else { Align::Center };
         let font_id = FontId::new(size, family);

@@ -49,7 +49,7 @@ fn job(look: &Look, entry: &Entry) -> LayoutJob {
     for span in &entry.text.0 {
         let strong = span.strong || span.axis.is_some() || entry.tone == Tone::Used;
         let family = if strong { look.mono_strong_family() } else { FontFamily::Monospace };
-        let font_id = FontId::new(if span.sub { 10.0 } else { 13.0 }, family);
+        let font_id = FontId::new(if span.sub { look.type_size(10.0) } else { 13.0 }, family);
         let color = span.axis.map_or(color, |axis| palette.axes[axis]);
         let valign = if span.sub { Align::BOTTOM } else { Align::Center };
         let format = TextFormat { font_id, color, background, valign, ..TextFormat::default() };

@@ -18,6 +18,7 @@ mod hall;
 mod keyboard;
 mod lab;
 mod layout;
+mod lecture;
 mod limits;
 mod links;
 mod map;

@@ -1,6 +1,6 @@
 //! Figures: what is drawn on a page, in the order in which it is drawn.
 
-use crate::{Page, Role, SetFormula, Style, Theme, metrics};
+use crate::{FormulaType, Page, Role, SetFormula, Style, Theme, metrics};
 use octoscope_core::explain::{Formula, RichText};
 use octoscope_core::tree::NodeId;
 
@@ -53,8 +53,8 @@ pub enum Form {
     Formula {
         /// Where its baseline begins.
         at: [f64; 2],
-        /// By how many steps its type is smaller than the largest.
-        step: u8,
+        /// Size of its type.
+        of: FormulaType,
         /// What it says.
         formula: Box<Formula>,
     },
@@ -209,8 +209,8 @@ impl Drawn {
                 let reach = [0.0, 0.6 * metrics::size(self.role)];
                 vec![([left, at[1]], reach), ([right, at[1]], reach)]
             }
-            Form::Formula { at: [x, y], step, formula } => {
-                let set = SetFormula::of(formula, *step);
+            Form::Formula { at: [x, y], of, formula } => {
+                let set = SetFormula::of(formula, *of);
                 vec![([*x, y - set.above], [0.0; 2]), ([x + set.width, y + set.below], [0.0; 2])]
             }
         }

@@ -44,14 +44,44 @@ const BELOW: f64 = 0.2;
 /// Half the height of capitals: texts of figures are placed there.
 const CAPITALS: f64 = 0.365;
 
+/// Type of a formula: steps down from the largest.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct FormulaType {
+    /// Steps of the formula's own letters.
+    pub step: u8,
+    /// Most steps of anything in it, however deep.
+    pub most: u8,
+}
+
+impl FormulaType {
+    /// Steps of the smallest type that there is.
+    pub const MOST: u8 = 7;
+
+    /// Type of this many steps, whose subscripts may become as small as they like.
+    pub fn new(step: u8) -> Self {
+        Self { step, most: Self::MOST }
+    }
+
+    /// Steps to the smallest type of at least `least` page units.
+    pub fn most_for(least: f64) -> u8 {
+        (0..=Self::MOST).rev().find(|&step| size(step) >= least).unwrap_or(0)
+    }
+
+    /// The type of a part that is so many steps smaller.
+    fn smaller(self, steps: u8) -> Self {
+        Self { step: (self.step + steps).min(self.most), ..self }
+    }
+}
+
 /// Height of the type of formulas that are `step` steps smaller than the largest.
 fn size(step: u8) -> f64 {
     metrics::size(Role::Formula(step))
 }
 
 impl SetFormula {
-    /// `formula` in type that is `step` steps smaller than the largest.
-    pub fn of(formula: &Formula, step: u8) -> Self {
+    /// `formula` in type of a size.
+    pub fn of(formula: &Formula, of: FormulaType) -> Self {
+        let step = of.step;
         let em = size(step);
         match formula {
             Formula::Row(parts) => {
@@ -77,7 +107,7 @@ impl SetFormula {
                         | Formula::Fenced { .. } => [0.0, 0.06],
                     };
                     row.width += if index == 0 { 0.0 } else { before * em };
-                    row.append(Self::of(part, step), 0.0);
+                    row.append(Self::of(part, of), 0.0);
                     row.width += if index + 1 == parts.len() { 0.0 } else { after * em };
                 }
                 row
@@ -97,21 +127,22 @@ impl SetFormula {
             Formula::Digits(text) | Formula::Words(text) => Self::letters(plain(text), step),
             Formula::Sign(sign) => Self::letters(plain(sign.text()), step),
             Formula::Sub { body, below } => {
-                let mut set = Self::of(body, step);
+                let mut set = Self::of(body, of);
                 set.width += 0.02 * em;
-                set.append(Self::of(below, step + 2), 0.2 * em);
+                set.append(Self::of(below, of.smaller(2)), 0.2 * em);
                 set
             }
             Formula::Sup { body, above } => {
-                let mut set = Self::of(body, step);
+                let mut set = Self::of(body, of);
                 let is_prime = **above == Formula::from("′");
-                let (smaller, raise) = if is_prime { (step, 0.0) } else { (step + 2, 0.36 * em) };
+                let (smaller, raise) =
+                    if is_prime { (of, 0.0) } else { (of.smaller(2), 0.36 * em) };
                 set.width += 0.02 * em;
                 set.append(Self::of(above, smaller), -raise);
                 set
             }
             Formula::Fraction { over, under } => {
-                let (over, under) = (Self::of(over, step + 1), Self::of(under, step + 1));
+                let [over, under] = [over, under].map(|part| Self::of(part, of.smaller(1)));
                 let (axis, gap) = (-AXIS * em, 0.14 * em);
                 let width = over.width.max(under.width) + 0.24 * em;
                 let bar = vec![[0.06 * em, axis], [width - 0.06 * em, axis]];
@@ -125,7 +156,7 @@ impl SetFormula {
             }
             Formula::Over { operator, limit } => {
                 let (operator, limit) =
-                    (Self::letters(plain(operator), step), Self::of(limit, step + 2));
+                    (Self::letters(plain(operator), step), Self::of(limit, of.smaller(2)));
                 let width = operator.width.max(limit.width);
                 let mut set = Self { width, ..Self::default() };
                 set.place(operator.clone(), [0.5 * (width - operator.width), 0.0]);
@@ -133,7 +164,7 @@ impl SetFormula {
                 set.place(limit.clone(), [0.5 * (width - limit.width), shift]);
                 set
             }
-            Formula::Fenced { fence, body } => Self::fenced(*fence, Self::of(body, step), em, step),
+            Formula::Fenced { fence, body } => Self::fenced(*fence, Self::of(body, of), em, step),
         }
     }
 
@@ -251,7 +282,7 @@ impl Figure {
             return Cow::Borrowed(self);
         }
         let spell = |drawn: &Drawn| match &drawn.form {
-            Form::Formula { at, step, formula } => SetFormula::of(formula, *step).drawn(*at),
+            Form::Formula { at, of, formula } => SetFormula::of(formula, *of).drawn(*at),
             Form::Polygon(_) | Form::Polyline(_) | Form::Circle { .. } | Form::Text { .. } => {
                 vec![drawn.clone()]
             }
@@ -263,7 +294,7 @@ impl Figure {
     /// The numbers in its formulas.
     pub fn numbers(&self) -> Vec<ShownNumber> {
         let numbers = self.drawn.iter().flat_map(|drawn| match &drawn.form {
-            Form::Formula { at, step, formula } => SetFormula::of(formula, *step).numbers(*at),
+            Form::Formula { at, of, formula } => SetFormula::of(formula, *of).numbers(*at),
             Form::Polygon(_) | Form::Polyline(_) | Form::Circle { .. } | Form::Text { .. } => {
                 Vec::new()
             }
@@ -297,7 +328,7 @@ mod tests {
     }
 
     fn check(formula: &Formula, step: u8) {
-        let set = SetFormula::of(formula, step);
+        let set = SetFormula::of(formula, FormulaType::new(step));
         let drawn = set.drawn([0.0, 0.0]);
         let boxes: Vec<[f64; 4]> = drawn.iter().map(box_of).collect();
         for (index, a) in boxes.iter().enumerate() {
@@ -333,7 +364,7 @@ mod tests {
     #[test]
     fn a_bar_lies_between_what_is_over_and_under_it_at_the_height_of_a_minus() {
         let row = Formula::Row(vec!["x".into(), Sign::Minus.into(), fraction()]);
-        let drawn = SetFormula::of(&row, 0).drawn([0.0, 0.0]);
+        let drawn = SetFormula::of(&row, FormulaType::new(0)).drawn([0.0, 0.0]);
         let boxes: Vec<[f64; 4]> = drawn.iter().map(box_of).collect();
         let [_, _, bar, over, under] = boxes[..] else { panic!("{boxes:?}") };
         assert!(over[3] < bar[1] && bar[1] < under[1]);
@@ -344,7 +375,7 @@ mod tests {
     #[test]
     fn parts_of_a_row_share_their_baseline() {
         let row = Formula::Row(vec!["t".into(), Sign::Less.into(), Formula::Digits("12".into())]);
-        let drawn = SetFormula::of(&row, 1).drawn([3.0, 40.0]);
+        let drawn = SetFormula::of(&row, FormulaType::new(1)).drawn([3.0, 40.0]);
         let heights = drawn.iter().map(|drawn| match drawn.form {
             Form::Text { at: [_, y], .. } => y,
             _ => panic!("{drawn:?}"),
@@ -356,7 +387,8 @@ mod tests {
     fn brackets_are_as_high_as_what_is_between_them() {
         for fence in [Fence::Round, Fence::Floor, Fence::Ceiling, Fence::Absolute] {
             let fenced = Formula::Fenced { fence, body: Box::new(fraction()) };
-            let (inner, outer) = (SetFormula::of(&fraction(), 0), SetFormula::of(&fenced, 0));
+            let [inner, outer] =
+                [&fraction(), &fenced].map(|one| SetFormula::of(one, FormulaType::new(0)));
             assert!(outer.above >= inner.above && outer.below >= inner.below);
             assert!(outer.width > inner.width + 0.4 * size(0));
             check(&fenced, 0);
@@ -367,7 +399,8 @@ mod tests {
     fn numbers_keep_all_their_digits() {
         let value = 1.0 / 3.0;
         let formula = Formula::Number { value, shown: "0.3333".to_owned() };
-        let form = Form::Formula { at: [0.0, 20.0], step: 0, formula: Box::new(formula) };
+        let form =
+            Form::Formula { at: [0.0, 20.0], of: FormulaType::new(0), formula: Box::new(formula) };
         let drawn = vec![Drawn { form, role: Role::Formula(0), part: Part::Whole, node: None }];
         let figure = Figure { page: crate::Page { width: 100.0, height: 30.0 }, drawn };
         let numbers = figure.numbers();

@@ -50,7 +50,7 @@ pub use cells::{cells, role as cell_role};
 pub use content::{axes, axis_names, content};
 pub use diagram::{Diagram, DiagramLens, DiagramNode, DiagramOf, NodeKind, tree_diagram};
 pub use figure::{Anchor, Drawn, Extent, Figure, Form, Part};
-pub use formula::{SetFormula, ShownNumber};
+pub use formula::{FormulaType, SetFormula, ShownNumber};
 pub use gif::{Gif, GifError};
 pub use handle::HANDLE_DISTANCE;
 pub use inside::scenario_inside;

@@ -254,13 +254,13 @@ impl<'a> Tikz<'a> {
             let text = self.text(text);
             return Some(format!("\\node[{style}{anchor}] at {at} {{{text}}};\n"));
         }
-        if let Form::Formula { at: [x, y], formula, step } = &drawn.form {
+        if let Form::Formula { at: [x, y], formula, of } = &drawn.form {
             let style = self.text_style(drawn.role)?;
             for axis in 0..AXES.len() {
                 self.colour(Palette::of(self.options.theme).axes[axis]);
             }
             // Other texts hang from half the height of their capitals.
-            let half = 0.365 * metrics::size(Role::Formula(*step));
+            let half = 0.365 * metrics::size(Role::Formula(of.step));
             let at = self.point([*x, y - half], height);
             let formula = math(formula, Some(AXES));
             return Some(format!(

@@ -62,6 +62,26 @@ pub struct Conclusion {
     pub text: String,
 }
 
+/// How close the rows of a table stand.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Spacing {
+    /// As on paper.
+    #[default]
+    Wide,
+    /// As close as the type allows, where much is to be seen at once.
+    Close,
+}
+
+impl Spacing {
+    /// Heights of a row of bits without its note, and of a bit's frame.
+    fn heights(self) -> [f64; 2] {
+        match self {
+            Self::Wide => [29.0, 24.0],
+            Self::Close => [22.0, 19.0],
+        }
+    }
+}
+
 /// How a table fills a width.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Measures {
@@ -105,10 +125,8 @@ impl BitRow {
 }
 
 impl BitTable {
-    /// Height of the row of bit numbers, of a row of bits without its note, and of
-    /// the row of carries.
+    /// Height of the row of bit numbers, and of the row of carries.
     const HEADER: f64 = 16.0;
-    const ROW: f64 = 29.0;
     const CARRIES: f64 = 18.0;
     const CONCLUSION: f64 = 20.0;
 
@@ -122,9 +140,10 @@ impl BitTable {
 
     /// The table on a page of this width; the bit numbers stand above, the most
     /// significant at the left.
-    pub fn figure(&self, width: f64) -> Figure {
+    pub fn figure(&self, width: f64, spacing: Spacing) -> Figure {
+        let [row_height, bit_height] = spacing.heights();
         let Measures { name_width, pitch, note_height } = Measures::of(self, width);
-        let cell = [pitch - if pitch > 16.0 { 4.0 } else { 1.0 }, 24.0];
+        let cell = [pitch - if pitch > 16.0 { 4.0 } else { 1.0 }, bit_height];
         let middle_of =
             |bit: u8| name_width + f64::from(self.width - 1 - bit) * pitch + 0.5 * cell[0];
         let mut sheet = Sheet::default();
@@ -147,7 +166,7 @@ impl BitTable {
             top += Self::CARRIES;
         }
         for row in &self.rows {
-            let middle = top + 0.5 * Self::ROW;
+            let middle = top + 0.5 * row_height;
             sheet.text(Role::Heading, [0.0, middle], Anchor::Start, row.title());
             if row.rule_above {
                 let [left, right] =
@@ -176,7 +195,7 @@ impl BitTable {
                 let size = cell.map(|side| side + 2.0 * around);
                 sheet.rect(Role::BorderBit, corner, size);
             }
-            let beside = if note_height > 0.0 { middle + 20.0 } else { middle };
+            let beside = if note_height > 0.0 { middle + 0.5 * bit_height + 8.0 } else { middle };
             // Below the bits it ends with them.
             let end = name_width + pitch * f64::from(self.width);
             if note_height > 0.0 {
@@ -184,7 +203,7 @@ impl BitTable {
             } else {
                 sheet.text(Role::Note, [end + 6.0, beside], Anchor::Start, row.note.as_str());
             }
-            top += Self::ROW + note_height;
+            top += row_height + note_height;
         }
         if let Some(conclusion) = &self.conclusion {
             let [from, to] = [conclusion.bit, conclusion.bit + 1].map(middle_of);
@@ -254,7 +273,7 @@ mod tests {
             let text = "+1 = level".to_owned();
             let table =
                 BitTable { conclusion: Some(Conclusion { bit, text }), ..table(6, "or", "2") };
-            let figure = table.figure(width);
+            let figure = table.figure(width, Spacing::Wide);
             let head = figure.drawn.iter().find(|drawn| drawn.part == Part::Head);
             let Some(Drawn { form: Form::Polygon(head), role: Role::Conclusion, .. }) = head else {
                 panic!("{figure:?}")
@@ -279,7 +298,7 @@ mod tests {
     fn a_frame_is_drawn_round_the_border_bit() {
         let mut table = table(6, "=", "16");
         (table.rows[0].border, table.rows[0].marked) = (Some(5), 1 << 5);
-        let figure = table.figure(360.0);
+        let figure = table.figure(360.0, Spacing::Close);
         let corners = |role: Role| {
             figure.drawn.iter().find_map(|drawn| match &drawn.form {
                 Form::Polygon(points) if drawn.role == role => Some([points[0], points[2]]),

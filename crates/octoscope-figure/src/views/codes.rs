@@ -1,6 +1,6 @@
 //! Location codes, bit by bit.
 
-use super::bits::{BitRow, BitTable};
+use super::bits::{BitRow, BitTable, Spacing};
 use super::sheet::Sheet;
 use super::subject::Subject;
 use crate::{Anchor, Figure, Role};
@@ -86,7 +86,7 @@ pub(super) fn view<const D: usize>(subject: &Subject<D>, width: f64) -> Figure {
         head = format!("{}; {head}", super::node_note(subject, node));
     }
     let mut bottom = sheet.paragraph(Role::Note, [0.0, 0.0], width, &head.into()) + 6.0;
-    let table = table.figure(width);
+    let table = table.figure(width, Spacing::Wide);
     let height = table.page.height;
     sheet.place(table.drawn, [0.0, bottom]);
     bottom += height + 8.0;

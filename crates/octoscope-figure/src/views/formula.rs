@@ -2,7 +2,7 @@
 
 use super::sheet::Sheet;
 use super::subject::Subject;
-use crate::formula::SetFormula;
+use crate::formula::{FormulaType, SetFormula};
 use crate::{Anchor, Figure, Form, Page, Part, Role};
 use octoscope_core::explain::{Formula, Statement, formulas};
 
@@ -15,21 +15,30 @@ const GAP: f64 = 28.0;
 const ROW_GAP: f64 = 14.0;
 
 /// Statements side by side on a page of at most this size, in the largest type that
-/// fits, symbols above numbers. The page is as high as what is on it.
-pub fn formula_figure(statements: &[Statement], most: Page) -> Figure {
-    let steps = 0..=SMALLEST;
-    let fitting = steps.clone().map(|step| set(statements, most.width, step));
+/// fits, symbols above numbers. The page is as high as what is on it. No type is
+/// smaller than `least` page units: rather the numbers are left out, then the last
+/// statements.
+pub fn formula_figure(statements: &[Statement], most: Page, least: f64) -> Figure {
+    let smallest = FormulaType::most_for(least);
     let is_fitting = |figure: &Figure| {
         figure.page.height <= most.height + 1e-9 && figure.page.width <= most.width + 1e-9
     };
-    let found = fitting.into_iter().find(is_fitting);
-    found.unwrap_or_else(|| set(statements, most.width, *steps.end()))
+    let set_in = |statements: &[Statement]| {
+        let types = (0..=SMALLEST.min(smallest)).map(|step| FormulaType { step, most: smallest });
+        types.map(|of| set(statements, most.width, of)).find(is_fitting)
+    };
+    let bare = |statement: &Statement| Statement { numbers: None, ..statement.clone() };
+    let symbols: Vec<Statement> = statements.iter().map(bare).collect();
+    let fewer = || (1..=symbols.len()).rev().find_map(|n| set_in(&symbols[..n]));
+    let smaller = FormulaType { step: SMALLEST.min(smallest), most: smallest };
+    let found = set_in(statements).or_else(|| if least > 0.0 { fewer() } else { None });
+    found.unwrap_or_else(|| set(statements, most.width, smaller))
 }
 
-/// Formulas side by side in type of one size, as rule beside rule.
-pub fn formula_line(formula: &Formula, most: f64) -> Figure {
+/// A formula in a line of at most this width, in type of at least `least` page units.
+pub fn formula_line(formula: &Formula, most: f64, least: f64) -> Figure {
     let statement = Statement { symbols: formula.clone(), numbers: None };
-    formula_figure(&[statement], Page { width: most, height: f64::INFINITY })
+    formula_figure(&[statement], Page { width: most, height: f64::INFINITY }, least)
 }
 
 /// Height of a page that has room for every statement of one row.
@@ -37,7 +46,7 @@ pub fn formula_height() -> f64 {
     let letter = || Box::new(Formula::from("x"));
     let fraction = Formula::Fraction { over: letter(), under: letter() };
     let statement = Statement { symbols: fraction.clone(), numbers: Some(fraction) };
-    set(&[statement], f64::INFINITY, 0).page.height + 2.0
+    set(&[statement], f64::INFINITY, FormulaType::new(0)).page.height + 2.0
 }
 
 /// A row of statements with the room that it takes.
@@ -47,11 +56,12 @@ struct Row {
     width: f64,
 }
 
-fn set(statements: &[Statement], most: f64, step: u8) -> Figure {
+fn set(statements: &[Statement], most: f64, of: FormulaType) -> Figure {
+    let step = of.step;
     let gap = GAP * 0.9_f64.powi(i32::from(step));
     let mut rows = vec![Row::default()];
     for Statement { symbols, numbers } in statements {
-        let set = |formula: &Formula| (SetFormula::of(formula, step), formula.clone());
+        let set = |formula: &Formula| (SetFormula::of(formula, of), formula.clone());
         let column = [Some(set(symbols)), numbers.as_ref().map(set)];
         let width = column.iter().flatten().map(|(set, _)| set.width).fold(0.0, f64::max);
         let last = rows.len() - 1;
@@ -83,7 +93,7 @@ fn set(statements: &[Statement], most: f64, step: u8) -> Figure {
                 if let Some((_, formula)) = &column[line] {
                     let form = Form::Formula {
                         at: [x, top + above],
-                        step,
+                        of,
                         formula: Box::new(formula.clone()),
                     };
                     sheet.push(Role::Formula(step), Part::Whole, form);
@@ -107,5 +117,5 @@ pub(super) fn view<const D: usize>(subject: &Subject<D>, width: f64) -> Figure {
         sheet.text(Role::Note, [0.0, 10.0], Anchor::Start, texts.get("formula-none"));
         return sheet.figure([width, 20.0]);
     }
-    formula_figure(&statements, Page { width, height: f64::INFINITY })
+    formula_figure(&statements, Page { width, height: f64::INFINITY }, 0.0)
 }

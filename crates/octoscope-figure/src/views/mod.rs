@@ -27,7 +27,7 @@ mod words;
 mod worksheet;
 
 pub use automaton::Automaton;
-pub use bits::{BitRow, BitTable, Carries, Conclusion};
+pub use bits::{BitRow, BitTable, Carries, Conclusion, Spacing};
 pub use codes::{CodeTable, child_rule, code_table};
 pub use exercise::{Exercise, ExerciseError};
 pub use formula::{formula_figure, formula_height, formula_line};

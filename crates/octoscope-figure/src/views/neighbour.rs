@@ -1,6 +1,6 @@
 //! Neighbour computation, written out as on paper.
 
-use super::bits::{BitRow, BitTable, Carries};
+use super::bits::{BitRow, BitTable, Carries, Spacing};
 use super::sheet::Sheet;
 use super::subject::Subject;
 use super::words::strong;
@@ -145,7 +145,7 @@ pub(super) fn view<const D: usize>(subject: &Subject<D>, width: f64) -> Option<F
     let mut sheet = Sheet::default();
     let mut bottom = 0.0;
     for table in &computed.tables {
-        let table = table.figure(width);
+        let table = table.figure(width, Spacing::Wide);
         let height = table.page.height;
         sheet.place(table.drawn, [0.0, bottom]);
         bottom += height + GAP;

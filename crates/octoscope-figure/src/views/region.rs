@@ -1,6 +1,6 @@
 //! Region location by XOR.
 
-use super::bits::{BitRow, BitTable, Conclusion};
+use super::bits::{BitRow, BitTable, Conclusion, Spacing};
 use super::sheet::Sheet;
 use super::subject::Subject;
 use super::words::strong;
@@ -68,7 +68,7 @@ pub fn region_table<const D: usize>(
 /// The table and its result, as a figure of this width.
 pub(super) fn view<const D: usize>(subject: &Subject<D>, width: f64) -> Option<Figure> {
     let (table, result) = region_table(subject.texts, subject.tree, subject.moment)?;
-    let table = table.figure(width);
+    let table = table.figure(width, Spacing::Wide);
     let mut bottom = table.page.height;
     let mut sheet = Sheet::default();
     sheet.place(table.drawn, [0.0, 0.0]);
