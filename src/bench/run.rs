@@ -99,7 +99,9 @@ fn site_in<const D: usize>(
     let rays = rays_from_outside(tree.domain(), plan.seed, plan.n_rays);
 
     progress.enter_stage(stage + 1, n_stages);
-    progress.start((plan.ways.len() * rays.len() * (plan.n_repeats + 1)) as u64);
+    // Counted, timed and, all but the first, compared with it.
+    let n_passes = plan.ways.len() * (plan.n_repeats + 2);
+    progress.start((rays.len() * n_passes.saturating_sub(1)) as u64);
     let mut rows = Vec::new();
     for &way in &plan.ways {
         let counted = match way {
@@ -121,7 +123,7 @@ fn site_in<const D: usize>(
         row.times =
             ranked(passes).into_iter().map(|time| time / rays.len().max(1) as f64).collect();
     }
-    let disagreement = first_disagreement(&tree, &rays, &rows);
+    let disagreement = first_disagreement(&tree, &rays, &rows, progress)?;
     let (n_leaves, n_rays) = (tree.n_leaves(), rays.len());
     Ok(Site { n_leaves, n_rays, rows, disagreement, ..Site::default() })
 }
@@ -132,11 +134,20 @@ fn first_disagreement<const D: usize>(
     tree: &Tree<D>,
     rays: &[Ray<D>],
     rows: &[Row],
-) -> Option<Disagreement> {
-    let (first, others) = rows.split_first()?;
-    let reference = first.way;
-    let differing = others.iter().filter(|row| row.counted.checksum != first.counted.checksum);
-    differing.map(|row| disagreement(tree, rays, reference, row.way)).find_map(|found| found)
+    progress: &Progress,
+) -> Result<Option<Disagreement>, Cancelled> {
+    let Some((first, others)) = rows.split_first() else { return Ok(None) };
+    for row in others {
+        if row.counted.checksum == first.counted.checksum {
+            progress.advance(rays.len() as u64)?;
+            continue;
+        }
+        let found = disagreement(tree, rays, [first.way, row.way], progress)?;
+        if found.is_some() {
+            return Ok(found);
+        }
+    }
+    Ok(None)
 }
 
 /// Nanoseconds of all pieces together: in the fastest repetition of each, in the second

@@ -4,6 +4,7 @@ use super::Way;
 use super::count::found_by_batch;
 use crate::event::{Event, Observer};
 use crate::geometry::Ray;
+use crate::progress::{Cancelled, Progress};
 use crate::query::Query;
 use crate::traverse::{Slivers, first_difference};
 use crate::tree::{NodeId, Tree};
@@ -23,17 +24,25 @@ pub struct Disagreement {
 
 /// The first ray on which `way` finds other leaves than `reference`, by more than
 /// slivers.
+///
+/// # Errors
+/// Stops with [`Cancelled`] when `progress` is cancelled; every ray is a unit of it.
 pub fn disagreement<const D: usize>(
     tree: &Tree<D>,
     rays: &[Ray<D>],
-    reference: Way,
-    way: Way,
-) -> Option<Disagreement> {
-    rays.iter().enumerate().find_map(|(number, ray)| {
+    [reference, way]: [Way; 2],
+    progress: &Progress,
+) -> Result<Option<Disagreement>, Cancelled> {
+    for (number, ray) in rays.iter().enumerate() {
         let [expected, found] = [reference, way].map(|way| leaves(tree, ray, way));
-        let difference = first_difference(tree, ray, &expected, &found, Slivers::Ignore)?;
-        Some(Disagreement { way, reference, ray: number, leaf: difference.index })
-    })
+        let difference = first_difference(tree, ray, &expected, &found, Slivers::Ignore);
+        if let Some(difference) = difference {
+            let leaf = difference.index;
+            return Ok(Some(Disagreement { way, reference, ray: number, leaf }));
+        }
+        progress.advance(1)?;
+    }
+    Ok(None)
 }
 
 fn leaves<const D: usize>(tree: &Tree<D>, ray: &Ray<D>, way: Way) -> Vec<NodeId> {
@@ -62,7 +71,6 @@ impl<const D: usize> Observer<D> for List {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::progress::Progress;
     use crate::traverse::Method;
     use crate::tree::{Domain, Split, grow};
 
@@ -77,11 +85,18 @@ mod tests {
         let rays = [straight, slanted];
         let reference = Way::default();
         for way in Way::all() {
-            assert_eq!(disagreement(&tree, &rays, reference, way), None);
+            let progress = Progress::default();
+            progress.start(2);
+            assert_eq!(disagreement(&tree, &rays, [reference, way], &progress), Ok(None));
+            assert_eq!(progress.fraction(), Some(1.0));
         }
         // Bits 0 and 2 interchanged: of leaves 4 and 5 only 5 is found.
         let printed = Way::from("parametric-table@B-2".parse::<Method>().unwrap());
-        let found = disagreement(&tree, &rays[1..], reference, printed);
-        assert_eq!(found, Some(Disagreement { way: printed, reference, ray: 0, leaf: 0 }));
+        let progress = Progress::default();
+        let found = disagreement(&tree, &rays[1..], [reference, printed], &progress);
+        assert_eq!(found, Ok(Some(Disagreement { way: printed, reference, ray: 0, leaf: 0 })));
+        progress.cancel();
+        let found = disagreement(&tree, &rays, [reference, reference], &progress);
+        assert_eq!(found, Err(Cancelled));
     }
 }
