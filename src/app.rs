@@ -1,5 +1,6 @@
 //! The window: keeps the state, and runs one frame of it.
 
+mod copying;
 mod exporting;
 mod hall;
 mod jobs;

@@ -1,6 +1,7 @@
 //! Exports of the window: their dialog, their work on other threads.
 
 use super::App;
+use super::copying::Copying;
 use super::jobs::file_name;
 use crate::document::AnyDocument;
 use crate::export::{Format, Origin, Request};
@@ -22,10 +23,22 @@ use std::path::{Path, PathBuf};
 #[derive(Default)]
 pub(super) struct Exporting {
     preview: Preview,
-    /// A file that is being written; its result is its name.
-    writing: Option<Job<anyhow::Result<String>>>,
+    /// What is being written to a file or made for the clipboard, one after the other.
+    making: Option<Job<anyhow::Result<Made>>>,
     /// The last scenario that was saved, and where.
     pub(super) saved: Option<(PathBuf, AnyScenario)>,
+}
+
+/// What another thread has made of a document.
+pub(super) enum Made {
+    /// A file of this name.
+    File(String),
+    /// The figure for the clipboard.
+    Image(ColorImage),
+    /// The figure for the clipboard, as SVG.
+    Svg(String),
+    /// The table of steps for the clipboard.
+    Table(String),
 }
 
 /// The picture in the dialog, made again when what it shows has changed.
@@ -87,21 +100,9 @@ impl App {
             Some(Answer::Choose) => {
                 self.chosen.ask_export(context, self.view.export.format.ending());
             }
-            Some(Answer::CopyImage) => self.copy_image(context, &request),
-            Some(Answer::CopyText) => match request.text(&self.document) {
-                Ok(text) => {
-                    context.copy_text(text);
-                    self.notice.say(self.look.text("status-copied-table"));
-                }
-                Err(error) => self.complain(&error),
-            },
-            Some(Answer::CopySvg) => match request.svg(&self.document, self.view.playback.step) {
-                Ok(text) => {
-                    context.copy_text(text);
-                    self.notice.say(self.look.text("status-copied-svg"));
-                }
-                Err(error) => self.complain(&error),
-            },
+            Some(Answer::CopyImage) => self.copy(context, Copying::Image, request),
+            Some(Answer::CopyText) => self.copy(context, Copying::Table, request),
+            Some(Answer::CopySvg) => self.copy(context, Copying::Svg, request),
             Some(Answer::CopyCommand) => {
                 let line = export_dialog::line(&request, &origin, &self.view.export.file);
                 context.copy_text(line);
@@ -111,28 +112,28 @@ impl App {
         }
     }
 
-    fn complain(&mut self, error: &anyhow::Error) {
+    pub(super) fn complain(&mut self, error: &anyhow::Error) {
         self.view.dialog = Some(Dialog::Error(complaint::told(&self.look.texts, error)));
     }
 
-    /// Copies the figure as pixels: as many as a PNG of it would have.
-    fn copy_image(&mut self, context: &Context, request: &Request) {
-        match request.picture(&self.document, self.view.playback.step) {
-            Ok(pixels) => {
-                context.copy_image(image(&pixels));
-                self.notice.say(self.look.text("status-copied-image"));
-            }
-            Err(error) => self.complain(&error),
+    /// Begins to make something on another thread, if nothing is being made.
+    pub(super) fn make(
+        &mut self,
+        context: &Context,
+        title: String,
+        work: impl FnOnce(&Progress) -> anyhow::Result<Made> + Send + 'static,
+    ) {
+        if self.exporting.making.is_some() {
+            self.notice.say(self.look.text("status-still-exporting"));
+            return;
         }
+        self.notice.clear();
+        self.exporting.making = Some(Job::start(title, context, work));
     }
 
     /// Writes what is chosen to `path`, on another thread. The ending of the name
     /// tells the format, if it is one.
     pub(super) fn export_to(&mut self, context: &Context, path: &Path) {
-        if self.exporting.writing.is_some() {
-            self.notice.say(self.look.text("status-still-exporting"));
-            return;
-        }
         let ending = path.extension().unwrap_or_default().to_string_lossy().into_owned();
         let told = Format::of_ending(&ending);
         // What moves as PNG does is called so, too; and TeX is a figure or a table.
@@ -143,37 +144,36 @@ impl App {
             self.view.export.format = format;
         }
         self.view.export.file = path.to_string_lossy().into_owned();
-        self.notice.clear();
         let request = self.view.export.request(&self.document, &self.view);
         let (name, mut document, path) = (file_name(path), self.document.clone(), path.to_owned());
         let title = self.look.texts.format("job-export", &[("name", name.as_str().into())]);
         let work = move |progress: &Progress| {
             // The window may keep less of a long run, or nothing of it yet.
             with_document!(&mut document, d => d.trace_whole_within(progress))?;
-            request.run(&document, Some(&path), progress).map(|()| name)
+            request.run(&document, Some(&path), progress).map(|()| Made::File(name))
         };
-        self.exporting.writing = Some(Job::start(title, context, work));
+        self.make(context, title, work);
     }
 
-    /// Waits until the file is written.
-    pub fn finish_export(&mut self) {
-        let Some(job) = self.exporting.writing.take() else { return };
+    /// Waits until what is being written or copied is there.
+    pub fn finish_export(&mut self, context: &Context) {
+        let Some(job) = self.exporting.making.take() else { return };
         let poll = job.wait();
-        self.exported(poll);
+        self.made(context, poll);
     }
 
     /// Gives up the file that is being written, which leaves nothing of it behind.
     pub fn give_up_export(&mut self) {
-        if let Some(job) = self.exporting.writing.take() {
+        if let Some(job) = self.exporting.making.take() {
             job.progress.cancel();
             // It takes its unfinished file away.
             job.wait();
         }
     }
 
-    /// Looks whether a file is written, and shows how far it is.
+    /// Looks whether what is being made is there, and shows how far it is.
     pub(super) fn poll_export(&mut self, context: &Context) {
-        let Some(job) = self.exporting.writing.take() else { return };
+        let Some(job) = self.exporting.making.take() else { return };
         match job.poll() {
             Poll::Running => {
                 if job.is_shown()
@@ -187,22 +187,34 @@ impl App {
                     job.progress.cancel();
                 }
                 context.request_repaint_after(std::time::Duration::from_millis(30));
-                self.exporting.writing = Some(job);
+                self.exporting.making = Some(job);
             }
-            poll => self.exported(poll),
+            poll => self.made(context, poll),
         }
     }
 
-    fn exported(&mut self, poll: Poll<anyhow::Result<String>>) {
+    fn made(&mut self, context: &Context, poll: Poll<anyhow::Result<Made>>) {
         let result = match poll {
             Poll::Running => return,
             Poll::Done(result) => result,
             Poll::Broken => Err(anyhow!(self.look.text("job-broken"))),
         };
         match result {
-            Ok(name) => {
+            Ok(Made::File(name)) => {
                 self.notice
                     .say(self.look.texts.format("status-exported", &[("name", name.into())]));
+            }
+            Ok(Made::Image(image)) => {
+                context.copy_image(image);
+                self.notice.say(self.look.text("status-copied-image"));
+            }
+            Ok(Made::Svg(text)) => {
+                context.copy_text(text);
+                self.notice.say(self.look.text("status-copied-svg"));
+            }
+            Ok(Made::Table(text)) => {
+                context.copy_text(text);
+                self.notice.say(self.look.text("status-copied-table"));
             }
             Err(error) if error.root_cause().is::<Cancelled>() => {}
             Err(error) => self.complain(&error),
@@ -262,7 +274,8 @@ impl Preview {
     }
 }
 
-fn image(pixels: &Pixels) -> ColorImage {
+/// Pixels as the window takes them.
+pub(super) fn image(pixels: &Pixels) -> ColorImage {
     let size = [pixels.width as usize, pixels.height as usize];
     ColorImage::from_rgba_unmultiplied(size, &pixels.rgba)
 }

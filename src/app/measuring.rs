@@ -1,6 +1,7 @@
 //! The bench lab: its page, and its work on another thread.
 
 use super::App;
+use super::exporting::Made;
 use super::jobs::file_name;
 use crate::bench::run;
 use crate::comparison::is_quick;
@@ -207,22 +208,20 @@ impl App {
     }
 
     /// Writes what the lab shows to `path`, whose ending tells the format.
-    pub(super) fn save_lab(&mut self, path: &Path) {
+    pub(super) fn save_lab(&mut self, context: &Context, path: &Path) {
         let choice = &self.view.lab;
         let (watched, _) = self.watched();
         let chart =
             figure(choice, &self.measuring.results, &watched, &self.look.texts, SIZE_OF_FILES);
         let title = format!("{}: {}", self.look.text("lab-title"), self.look.text(choice.tab.id()));
-        let about = (self.view.theme, title.as_str());
-        match lab::write(&self.measuring.results, &chart, about, path) {
-            Ok(()) => {
-                let arguments = [("name", file_name(path).into())];
-                self.notice.say(self.look.texts.format("status-exported", &arguments));
-                self.view.dialog = Some(Dialog::Lab);
-            }
-            Err(error) => {
-                self.view.dialog = Some(Dialog::Error(complaint::told(&self.look.texts, &error)));
-            }
-        }
+        let (results, theme) = (self.measuring.results.clone(), self.view.theme);
+        let (name, path) = (file_name(path), path.to_owned());
+        let job = self.look.texts.format("job-export", &[("name", name.as_str().into())]);
+        // It is shown again after the dialog about the path.
+        self.view.dialog = Some(Dialog::Lab);
+        self.make(context, job, move |progress| {
+            lab::write(&results, &chart, (theme, &title), &path, progress)?;
+            Ok(Made::File(name))
+        });
     }
 }

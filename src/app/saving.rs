@@ -122,7 +122,7 @@ impl App {
             Purpose::Open => self.open(context, path),
             Purpose::Save => self.save_to(&path),
             Purpose::Export(_) => self.export_to(context, &path),
-            Purpose::Lab(_) => self.save_lab(&path),
+            Purpose::Lab(_) => self.save_lab(context, &path),
         }
     }
 }

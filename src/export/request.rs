@@ -108,11 +108,15 @@ impl Request {
     ///
     /// # Errors
     /// Says what cannot be drawn.
-    pub fn svg(&self, document: &AnyDocument, step: usize) -> anyhow::Result<String> {
+    pub fn svg(
+        &self,
+        document: &AnyDocument,
+        step: usize,
+        progress: &Progress,
+    ) -> anyhow::Result<String> {
         self.with_series(document, one(step), None, |series| {
             let step = *series.steps.start();
-            let (figure, scale) =
-                Series::figure_of(&self.order, series, step, &Progress::default())?;
+            let (figure, scale) = Series::figure_of(&self.order, series, step, progress)?;
             let (title, scenario) = ((series.caption)(step).plain(), (series.scenario)(step));
             let Order { theme, background, line_scale, .. } = self.order;
             let options = FileOptions {
@@ -132,12 +136,17 @@ impl Request {
     ///
     /// # Errors
     /// Says what cannot be drawn.
-    pub fn picture(&self, document: &AnyDocument, step: usize) -> anyhow::Result<Pixels> {
+    pub fn picture(
+        &self,
+        document: &AnyDocument,
+        step: usize,
+        progress: &Progress,
+    ) -> anyhow::Result<Pixels> {
         let is_of_pixels = self.order.format.is_of_pixels();
         let more = if is_of_pixels || self.order.enlarged.is_some() { 1.0 } else { 2.0 };
         let order = Order { format: Format::Png, ..self.order };
         let picture = Self { order, ..self.clone() };
-        let (figure, scale) = picture.figure_of(document, step, &Progress::default())?;
+        let (figure, scale) = picture.figure_of(document, step, progress)?;
         Ok(self.pixels(&figure, more * scale.factor)?)
     }
 

@@ -16,12 +16,13 @@ pub type Ending = &'static str;
 /// Writes to `path` what its ending says: a table, or `chart` in some format.
 ///
 /// # Errors
-/// Says what cannot be drawn or written.
+/// Says what cannot be drawn or written; tells if it was cancelled.
 pub fn write(
     results: &Results,
     chart: &Figure,
     (theme, title): (Theme, &str),
     path: &Path,
+    progress: &Progress,
 ) -> anyhow::Result<()> {
     let ending = path.extension().unwrap_or_default().to_string_lossy().to_lowercase();
     match ending.as_str() {
@@ -37,7 +38,7 @@ pub fn write(
         caption: &|_| RichText::parse(title),
         scenario: &|_| String::new(),
     };
-    export::write(&order, &series, Some(path), &Progress::default())
+    export::write(&order, &series, Some(path), progress)
 }
 
 #[cfg(test)]
@@ -56,7 +57,7 @@ mod tests {
             ENDINGS.into_iter().zip(["<svg", "%PDF", "PNG", "tikzpicture", "scene,", "| scene"])
         {
             let path = folder.path().join(format!("chart.{ending}"));
-            write(&results, &chart, (Theme::Print, "chart"), &path).unwrap();
+            write(&results, &chart, (Theme::Print, "chart"), &path, &Progress::default()).unwrap();
             let bytes = files::read(&path, &Progress::default()).unwrap();
             let text = String::from_utf8_lossy(&bytes);
             assert!(!bytes.is_empty() && text.contains(start), "{ending}");

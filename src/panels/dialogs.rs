@@ -117,7 +117,8 @@ fn path(ui: &mut Ui, look: &Look, typed: &mut Typed) -> bool {
 
 /// Shows how far the work is; true if it is to be cancelled.
 pub fn progress(context: &Context, look: &Look, title: &str, fraction: Option<f64>) -> bool {
-    let area = Area::new(Id::unique("progress")).order(Order::Foreground);
+    // Above dialogs, which keep the mouse from what lies below them.
+    let area = Area::new(Id::unique("progress")).order(Order::Tooltip);
     let area = area.anchor(Align2::CENTER_TOP, vec2(0.0, 64.0));
     let shown = area.show(context, |ui| {
         Frame::popup(ui.style()).inner_margin(14.0).show(ui, |ui| {

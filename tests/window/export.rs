@@ -1,7 +1,7 @@
 //! Exports from the window, and what comes back from them.
 
 use crate::desk::Desk;
-use eframe::egui::{Event, Key, Modifiers, accesskit::Role};
+use eframe::egui::{Event, Key, Modifiers, OutputCommand, accesskit::Role};
 use egui_kittest::kittest::Queryable;
 use octoscope::export::{Choice, ExerciseChoice, Extent, Format, MomentChoice, StepChoice};
 use octoscope::view::{Dialog, View};
@@ -45,7 +45,7 @@ fn check(desk: &mut Desk, folder: &TempDir, choice: Choice) {
     desk.get_by_role_and_label(Role::Button, "Export").click();
     desk.step();
     desk.step();
-    desk.state_mut().finish_export();
+    desk.state_mut().finish_export(&context);
     desk.run();
     assert_eq!(desk.state().view.dialog, None, "{command}");
 
@@ -209,7 +209,8 @@ fn an_exported_figure_opens_at_the_same_step() {
             Choice { file: path.display().to_string(), ..choice(format) };
         desk.press_with(Modifiers::COMMAND, Key::E);
         desk.click(Role::Button, "Export");
-        desk.state_mut().finish_export();
+        let context = desk.ctx.clone();
+        desk.state_mut().finish_export(&context);
 
         let again = Desk::with_file(&path);
         assert_eq!(again.state().view.dialog, None);
@@ -245,6 +246,39 @@ fn tables_of_the_dialog_are_those_of_its_command() {
     desk.click(Role::Button, "t-rail");
     assert!(shown_command(&desk).contains("--format=svg"), "{}", shown_command(&desk));
     assert!(!desk.says("Markdown"), "only steps are a table");
+}
+
+#[test]
+fn what_is_copied_is_made_elsewhere_and_said() {
+    let mut desk = Desk::new();
+    let mut copy = |choice: Choice, button: &str, said: &str| {
+        desk.state_mut().view.export = choice;
+        desk.press_with(Modifiers::COMMAND, Key::E);
+        desk.get_by_role_and_label(Role::Button, button).click();
+        let mut copied = Vec::new();
+        for _ in 0..2 {
+            desk.step();
+            copied.extend(desk.output().platform_output.commands.clone());
+        }
+        // If it was not there at once.
+        let context = desk.ctx.clone();
+        desk.state_mut().finish_export(&context);
+        copied.extend(context.output(|output| output.commands.clone()));
+        desk.run();
+        assert!(desk.says(said), "{:?}", desk.texts());
+        desk.press(Key::Escape);
+        copied
+    };
+    let svg = copy(choice(Format::Svg), "Copy as SVG", "as the text of an SVG");
+    assert!(matches!(&svg[..], [OutputCommand::CopyText(text)] if text.starts_with("<svg")));
+    let image = copy(choice(Format::Png), "Copy as image", "as an image");
+    assert!(matches!(&image[..], [OutputCommand::CopyImage(image)] if image.width() > 100));
+    let table = Choice { view: FigureView::Table, ..choice(Format::Csv) };
+    let table = copy(table, "Copy as text", "The table of steps");
+    assert!(
+        matches!(&table[..], [OutputCommand::CopyText(text)] if text.starts_with("step,")),
+        "{table:?}"
+    );
 }
 
 #[test]
@@ -310,7 +344,8 @@ fn a_path_that_cannot_be_written_is_one_message() {
     desk.state_mut().view.export.file = "no/such/folder/a.svg".to_owned();
     desk.press_with(Modifiers::COMMAND, Key::E);
     desk.click(Role::Button, "Export");
-    desk.state_mut().finish_export();
+    let context = desk.ctx.clone();
+    desk.state_mut().finish_export(&context);
     desk.run();
     let Some(Dialog::Error(message)) = desk.state().view.dialog.clone() else { panic!() };
     assert!(message.contains("no such folder"), "{message}");

@@ -222,7 +222,8 @@ fn a_typed_path_is_exported_to_in_its_format_and_opened() {
     let begin = format!("{}/", folder.path().display());
     let mut desk = Desk::new();
     type_path(&mut desk, Purpose::Export("svg"), &begin, "figure");
-    desk.state_mut().finish_export();
+    let context = desk.ctx.clone();
+    desk.state_mut().finish_export(&context);
     desk.run();
     assert!(desk.says("Exported as figure.svg"), "{:?}", desk.texts());
     assert!(fs::read_to_string(folder.path().join("figure.svg")).unwrap().contains("<svg"));

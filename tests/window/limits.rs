@@ -157,7 +157,7 @@ fn an_export_goes_on_when_another_one_is_asked_for() {
     let context = desk.ctx.clone();
     desk.state_mut().take_chosen(&context, export("first.svg"));
     desk.state_mut().take_chosen(&context, export("second.svg"));
-    desk.state_mut().finish_export();
+    desk.state_mut().finish_export(&context);
     let written = || fs::read_dir(folder.path()).unwrap().map(|file| file.unwrap().file_name());
     assert_eq!(written().collect::<Vec<_>>(), ["first.svg"]);
 

@@ -404,6 +404,7 @@ theme-dark = dunkel
 theme-print = Druck
 theme-projector = Beamer
 job-export = { $name } wird exportiert
+job-copy = Die Kopie wird gemacht
 status-copied-image = Die Abbildung liegt als Bild in der Zwischenablage.
 status-copied-svg = Die Abbildung liegt als SVG-Text in der Zwischenablage.
 status-copied-table = Die Tabelle der Schritte liegt in der Zwischenablage.
@@ -414,7 +415,7 @@ drop-here = Datei loslassen, um sie zu öffnen
 status-saved = Gespeichert als { $name }
 status-kept = „{ $title }“ hatte Änderungen, die in keiner Datei stehen: Strg+Z bringt es zurück.
 status-not-restored = Das zuletzt Geöffnete lässt sich jetzt nicht öffnen; der nächste Start versucht es wieder. { $why }
-status-still-exporting = Ein Export wird noch geschrieben. Warten Sie sein Ende ab oder brechen Sie ihn ab.
+status-still-exporting = Ein Export oder eine Kopie wird noch gemacht. Warten Sie das Ende ab oder brechen Sie ab.
 status-exported = Exportiert als { $name }
 
 paper-none = Keine Regel dieses Verfahrens ist im Aufsatz falsch gedruckt.

@@ -404,6 +404,7 @@ theme-dark = dark
 theme-print = print
 theme-projector = projector
 job-export = Exporting { $name }
+job-copy = Making the copy
 status-copied-image = The figure is on the clipboard, as an image.
 status-copied-svg = The figure is on the clipboard, as the text of an SVG.
 status-copied-table = The table of steps is on the clipboard.
@@ -414,7 +415,7 @@ drop-here = Drop the file to open it
 status-saved = Saved as { $name }
 status-kept = “{ $title }” had changes that no file has: Ctrl+Z brings it back.
 status-not-restored = What was open last cannot be opened now; the next start tries again. { $why }
-status-still-exporting = An export is still being written. Wait for its end, or cancel it.
+status-still-exporting = An export or a copy is still being made. Wait for its end, or cancel it.
 status-exported = Exported as { $name }
 
 paper-none = No rule of this algorithm is misprinted in the paper.

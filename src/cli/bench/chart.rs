@@ -2,6 +2,7 @@
 
 use crate::lab::{self, Choice, ENDINGS, Tab};
 use octoscope_core::measure::{Quantity, Results};
+use octoscope_core::progress::Progress;
 use octoscope_core::text::Texts;
 use octoscope_figure::Theme;
 use std::path::PathBuf;
@@ -87,7 +88,7 @@ impl Chart {
         };
         let figure = lab::figure(&choice, results, &[], texts, lab::SIZE_OF_FILES);
         let title = format!("{}: {}", texts.get("lab-title"), texts.get(self.tab.id()));
-        lab::write(results, &figure, (theme, &title), &self.path)
+        lab::write(results, &figure, (theme, &title), &self.path, &Progress::default())
     }
 }
 
