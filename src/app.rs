@@ -4,6 +4,7 @@ mod copying;
 mod exporting;
 mod hall;
 mod jobs;
+mod keeping;
 mod keys;
 mod measuring;
 mod obey;
@@ -29,6 +30,7 @@ use crate::{complaint, render, save, theme, with_document};
 use eframe::egui::{CentralPanel, Context, Frame, Key, Ui, ViewportCommand};
 use exporting::Exporting;
 use jobs::Purpose;
+use keeping::Keeping;
 use keys::Taken;
 use measuring::Measuring;
 use octoscope_core::explain::short_title;
@@ -63,6 +65,7 @@ pub struct App {
     judging: Option<Job<Result<AnyDocument, Cancelled>>>,
     exporting: Exporting,
     measuring: Measuring,
+    keeping: Keeping,
     chosen: files::Answers,
     notice: Notice,
     /// The last notice by its number, and the state that it was about.
@@ -141,6 +144,7 @@ impl App {
             judging: None,
             exporting: Exporting::default(),
             measuring: Measuring::default(),
+            keeping: Keeping::default(),
             chosen: files::Answers::default(),
             notice: Notice::default(),
             noticed: None,
@@ -259,7 +263,7 @@ fn first_scene() -> AnyDocument {
 }
 
 impl eframe::App for App {
-    fn ui(&mut self, ui: &mut Ui, _frame: &mut eframe::Frame) {
+    fn ui(&mut self, ui: &mut Ui, frame: &mut eframe::Frame) {
         let context = ui.ctx().clone();
         self.poll_job();
         self.poll_tracing();
@@ -285,8 +289,8 @@ impl eframe::App for App {
         ui.reset_style();
 
         if self.view.blank {
-            let frame = Frame::new().fill(self.look.palette.background);
-            CentralPanel::default().frame(frame).show(ui, |_| {});
+            let blank = Frame::new().fill(self.look.palette.background);
+            CentralPanel::default().frame(blank).show(ui, |_| {});
             let woken = context
                 .input(|input| input.pointer.any_pressed() || input.key_pressed(Key::Escape));
             if woken {
@@ -317,6 +321,7 @@ impl eframe::App for App {
         self.settle(&context);
         self.outdate_notice();
         self.name_window(&context);
+        self.keep_now_and_then(&context, frame);
         self.taken = self.taken(&context);
         if self.view.hover.turn() {
             context.request_repaint();
@@ -331,10 +336,12 @@ impl eframe::App for App {
     }
 
     fn save(&mut self, storage: &mut dyn eframe::Storage) {
-        if let Ok(view) = serde_json::to_string(&self.view) {
-            storage.set_string(save::VIEW_KEY, view);
-        }
-        save::remember(storage, &self.last());
+        self.keep_at_the_end(storage);
+    }
+
+    /// What is kept before the end is printed on another thread, see `keeping`.
+    fn auto_save_interval(&self) -> Duration {
+        Duration::MAX
     }
 
     fn on_exit(&mut self) {

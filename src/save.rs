@@ -48,17 +48,31 @@ pub fn named_from(document: &AnyDocument, scenario: AnyScenario, to: &Path) -> A
     }
 }
 
-/// Keeps what is open for the next start, which may be in another folder.
-pub fn remember(storage: &mut dyn eframe::Storage, last: &Last) {
-    let mut keep = |key, text: Option<String>| match text {
-        Some(text) => storage.set_string(key, text),
-        None => storage.remove_string(key),
-    };
-    let whole = |path: &PathBuf| from_here(path).to_string_lossy().into_owned();
-    keep(SCENARIO_KEY, Some(last.scenario.print()));
-    keep(UNCHANGED_KEY, last.unchanged.as_ref().map(AnyScenario::print));
-    keep(FOLDER_KEY, Some(whole(&last.folder)));
-    keep(PATH_KEY, last.path.as_ref().map(whole));
+/// What is open as texts by their keys in the program's storage.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Kept([(&'static str, Option<String>); 4]);
+
+impl Kept {
+    /// Prints what is open for the next start, which may be in another folder.
+    pub fn of(last: &Last) -> Self {
+        let whole = |path: &PathBuf| from_here(path).to_string_lossy().into_owned();
+        Self([
+            (SCENARIO_KEY, Some(last.scenario.print())),
+            (UNCHANGED_KEY, last.unchanged.as_ref().map(AnyScenario::print)),
+            (FOLDER_KEY, Some(whole(&last.folder))),
+            (PATH_KEY, last.path.as_ref().map(whole)),
+        ])
+    }
+
+    /// Puts it into the storage.
+    pub fn put(self, storage: &mut dyn eframe::Storage) {
+        for (key, text) in self.0 {
+            match text {
+                Some(text) => storage.set_string(key, text),
+                None => storage.remove_string(key),
+            }
+        }
+    }
 }
 
 /// What was open last; `None` if nothing was or it cannot be read any more.

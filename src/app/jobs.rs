@@ -51,24 +51,6 @@ impl App {
         self.job = Some((Job::start(title, context, work), Purpose::Restore));
     }
 
-    /// What the next start begins with. What was open last stays it as long as it is
-    /// not there and nothing else is made.
-    pub(super) fn last(&self) -> Last {
-        let is_coming = self.job.as_ref().is_some_and(|(_, purpose)| *purpose == Purpose::Restore);
-        if let Some(last) = &self.unrestored
-            && (is_coming || !self.is_changed())
-        {
-            return last.clone();
-        }
-        let unchanged = self.is_changed().then(|| self.document.unchanged(&self.saved));
-        with_document!(&self.document, d => Last {
-            scenario: self.scenario_to_keep(),
-            unchanged,
-            folder: d.folder.clone(),
-            path: d.path.clone(),
-        })
-    }
-
     pub(super) fn open_scene(&mut self, context: &Context, id: &'static str) {
         let title = self.look.texts.format("job-open", &[("name", id.into())]);
         let work = move |progress: &Progress| open_built_in(id, progress);

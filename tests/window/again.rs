@@ -1,6 +1,6 @@
 //! What was open last, when the window is opened again.
 
-use crate::desk::{Desk, sample};
+use crate::desk::{Desk, Storage, sample};
 use eframe::egui::{Key, Modifiers};
 use octoscope::document::AnyDocument;
 use std::fs;
@@ -110,6 +110,18 @@ fn what_is_changed_before_it_is_there_can_be_brought_back() {
     assert!(desk.space().tree.n_leaves() > 100);
     desk.press_with(Modifiers::COMMAND, Key::Z);
     assert_eq!(Some(desk.plane().scenario), changed);
+}
+
+#[test]
+fn what_is_kept_meanwhile_is_what_is_kept_at_the_end() {
+    let mut desk = Desk::with_file(sample("lecture.octo"));
+    desk.press(Key::R);
+    desk.press(Key::ArrowRight);
+    let context = desk.ctx.clone();
+    let mut meanwhile = Storage::default();
+    desk.state_mut().begin_to_keep(&context);
+    desk.state_mut().finish_keeping(&mut meanwhile);
+    assert_eq!(meanwhile, desk.left());
 }
 
 #[test]
