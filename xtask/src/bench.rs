@@ -13,6 +13,22 @@ const BENCHES: [(&str, &str); 3] = [
     ("exactness", "Exact comparisons against doubles"),
 ];
 
+/// A library in C++ that is measured where it is installed.
+struct Library {
+    /// As its makers write it.
+    name: &'static str,
+    /// Its package for `pkg-config`.
+    package: &'static str,
+    /// Our program for it, in `benches/peers`.
+    program: &'static str,
+}
+
+/// On Debian and Ubuntu their files are in `liboctomap-dev` and `libpcl-dev`.
+const LIBRARIES: [Library; 2] = [
+    Library { name: "OctoMap", package: "octomap", program: "octomap" },
+    Library { name: "Point Cloud Library", package: "pcl_octree", program: "pcl" },
+];
+
 /// What the numbers mean and which goals they meet; stays as it is.
 const TEXT: &str = include_str!("bench.md");
 
@@ -31,9 +47,12 @@ pub fn bench() -> Result<(), String> {
     }
     eprintln!("Other systems …");
     write_part(&mut page, "Other systems", &peers()?);
-    match octomap() {
-        Ok(table) => write_part(&mut page, "OctoMap", &table),
-        Err(reason) => eprintln!("OctoMap was not measured: {reason}"),
+    for library in &LIBRARIES {
+        eprintln!("{} …", library.name);
+        match of_library(library) {
+            Ok(table) => write_part(&mut page, library.name, &table),
+            Err(reason) => eprintln!("{} was not measured: {reason}", library.name),
+        }
     }
     fs::write("BENCHMARKS.md", page)
         .map_err(|error| format!("BENCHMARKS.md cannot be written: {error}"))
@@ -62,19 +81,19 @@ fn peers() -> Result<String, String> {
     printed(&mut run)
 }
 
-/// OctoMap, if a C++ compiler and its files are there (on Debian and Ubuntu `g++` and
-/// `liboctomap-dev`).
-fn octomap() -> Result<String, String> {
+/// A library in C++ on our workload, if a compiler and its files are there.
+fn of_library(library: &Library) -> Result<String, String> {
     let folder = target_folder()?.join("workload");
-    let program = folder.join("octomap");
+    let program = folder.join(library.program);
     let mut write = cargo();
     write.args(["run", "--quiet", "--release", "--package", "octoscope-core"]);
     write.args(["--example", "workload"]).arg(&folder);
     fs::create_dir_all(&folder).map_err(|error| error.to_string())?;
+    let source = format!("benches/peers/{}.cpp", library.program);
+    let flags = printed(Command::new("pkg-config").args(["--cflags", "--libs", library.package]))?;
     let mut compile = Command::new("g++");
-    compile.args(["-O3", "-march=native", "benches/peers/octomap.cpp"]);
-    compile.args(["-loctomap", "-loctomath", "-o"]).arg(&program);
-    printed(&mut compile)?;
+    compile.args(["-O3", "-march=native", &source]);
+    printed(compile.args(flags.split_whitespace()).arg("-o").arg(&program))?;
     printed(&mut write)?;
     let mut table = format!("{:<40} {:>9} {:>9}\n", "", "Mrays/s", "best");
     for (tree, depth) in [("S3-d6", "6"), ("cloud-d8", "8"), ("S5-d8", "8")] {

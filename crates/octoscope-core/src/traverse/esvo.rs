@@ -24,8 +24,8 @@ use std::ops::ControlFlow;
 #[derive(Clone, Copy)]
 struct Level<const D: usize, P> {
     node: Node,
-    mid: [P; D],
-    far: [P; D],
+    /// Parameters at which the ray leaves the lower and the upper half along each axis.
+    halves: [[P; D]; 2],
 }
 
 /// Leaves of `tree` along `ray`, in order.
@@ -46,7 +46,7 @@ pub fn traverse<const D: usize, P: Parameter>(
     let mut node = tree.root();
     let mut level = domain.root_level();
     let mut code: Code<D> = [0; D];
-    let mut stack = [Level { node, mid: far, far }; MAX_ROOT_LEVEL as usize + 1];
+    let mut stack = [Level { node, halves: [far; 2] }; MAX_ROOT_LEVEL as usize + 1];
     enter(node, entry, far, observe);
 
     loop {
@@ -55,13 +55,14 @@ pub fn traverse<const D: usize, P: Parameter>(
             let half = 1 << (level - 1);
             let mid = at_planes::<D, P>(domain, ray, middle(code, half));
             observe.observe(halved(ray, mid));
-            stack[usize::from(level)] = Level { node, mid, far };
+            let halves = [mid, far];
+            stack[usize::from(level)] = Level { node, halves };
             let state = Child::in_upper_halves(P::passed(mid, entry));
             let child = state.mirrored(mirror);
             observe.observe(Event::Classify { at: entry.value(), piece: None, child });
             node = tree.child(node, child);
             code = child.code_in(code, half);
-            far = state.pick(mid, far);
+            far = state.pick(&halves);
             level -= 1;
             enter(node, entry, far, observe);
         }
@@ -100,7 +101,7 @@ pub fn traverse<const D: usize, P: Parameter>(
         let state = child.mirrored(mirror);
         node = tree.child(ancestor.node, child);
         code = per_axis(|e| next[e] >> level << level);
-        far = state.pick(ancestor.mid, ancestor.far);
+        far = state.pick(&ancestor.halves);
         entry = exit;
         enter(node, entry, far, observe);
     }

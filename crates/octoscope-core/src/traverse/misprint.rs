@@ -211,7 +211,7 @@ impl<const D: usize, O: Observer<D>> Walk<'_, D, O> {
         let half = 1 << (place.level - 1);
         let [halves, child] =
             [Axes::NONE, self.mirror].map(|mask| self.rules.0.child_of_state(state, mask));
-        let (near, far) = (halves.pick(place.near, mid), halves.pick(mid, place.far));
+        let [near, far] = halves.slabs(&[place.near, mid, place.far]);
         // Where it is a wrong child, it has its own mid planes nevertheless.
         let code = child.mirrored(self.mirror).code_in(place.code, half);
         let node = self.tree.child(place.node, child);

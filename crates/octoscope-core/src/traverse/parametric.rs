@@ -105,8 +105,8 @@ impl<const D: usize, P: Parameter, O: Observer<D>> Walk<'_, D, P, O> {
     ) -> ControlFlow<Outcome> {
         // Halve: the parameters of the mid planes.
         let half = 1 << (level - 1);
-        let planes = middle(code, half);
-        let (mid, event) = halve(self.tree.domain(), self.ray, self.options, [near, far], planes);
+        let middle = middle(code, half);
+        let (mid, event) = halve(self.tree.domain(), self.ray, self.options, [near, far], middle);
         self.observe.observe(event);
 
         // Enter: the first child is past every mid plane that is not after the entry.
@@ -123,12 +123,13 @@ impl<const D: usize, P: Parameter, O: Observer<D>> Walk<'_, D, P, O> {
             state,
         });
 
+        let planes = [near, mid, far];
+        let children = self.tree.siblings(node);
         loop {
             // Visit the child, in the tree's own numbering.
-            let near_of_child = state.pick(near, mid);
-            let far_of_child = state.pick(mid, far);
+            let [near_of_child, far_of_child] = state.slabs(&planes);
             let child = state.mirrored(self.mirror);
-            let child_node = self.tree.child(node, child);
+            let child_node = children.node(child);
             let child_code = child.code_in(code, half);
             self.observe.observe(Event::Visit {
                 node: child_node.id,

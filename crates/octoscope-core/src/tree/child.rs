@@ -1,7 +1,7 @@
 //! Child indices, in the numbering of Revelles: x is the most significant bit.
 
 use super::Code;
-use crate::geometry::{Axes, either, per_axis};
+use crate::geometry::{Axes, per_axis};
 
 /// Index of a child in its parent, 0 … 2^D−1: bit D−1−e is 1 in the upper half
 /// of axis e, so that i = 2x + y in a quadtree and i = 4x + 2y + z in an octree
@@ -64,10 +64,19 @@ impl<const D: usize> Child<D> {
         per_axis(|e| parent[e] + u32::from(self.is_upper(e)) * half)
     }
 
-    /// Of every axis the second value in the upper half, else the first one.
+    /// Of every axis the value of the half that the child lies in. By an index and not by
+    /// a jump, which would be mispredicted half of the times.
     #[inline(always)]
-    pub fn pick<T: Copy>(self, lower: [T; D], upper: [T; D]) -> [T; D] {
-        per_axis(|e| either(self.is_upper(e), upper[e], lower[e]))
+    pub fn pick<T: Copy>(self, halves: &[[T; D]; 2]) -> [T; D] {
+        per_axis(|e| halves[usize::from(self.is_upper(e))][e])
+    }
+
+    /// The near and the far planes of the child, of the near, mid and far planes of its
+    /// parent.
+    #[inline(always)]
+    pub fn slabs<T: Copy>(self, planes: &[[T; D]; 3]) -> [[T; D]; 2] {
+        let half = |e| usize::from(self.is_upper(e));
+        [per_axis(|e| planes[half(e)][e]), per_axis(|e| planes[half(e) + 1][e])]
     }
 
     /// Index in the numbering of Frisken–Perry and of Morton codes, where x is

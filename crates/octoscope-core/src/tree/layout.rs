@@ -65,6 +65,26 @@ pub(crate) struct Row {
     pub full: u8,
 }
 
+/// The children of an inner node.
+#[derive(Clone, Copy, Debug)]
+pub struct Siblings<const D: usize> {
+    first_id: NodeId,
+    row: Row,
+}
+
+impl<const D: usize> Siblings<D> {
+    /// One of them.
+    #[inline]
+    pub fn node(self, child: Child<D>) -> Node {
+        let Row { base, inner, full } = self.row;
+        let bit = 1u8 << child.0;
+        let row = base + (inner & (bit - 1)).count_ones();
+        let leaf = EMPTY_LEAF - u32::from(full & bit != 0);
+        let id = NodeId(self.first_id.0 + u32::from(child.0));
+        Node { id, row: either(inner & bit != 0, row, leaf) }
+    }
+}
+
 /// What only the debugger asks of an inner node.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Place<const D: usize> {
@@ -127,12 +147,17 @@ impl<const D: usize> Tree<D> {
     /// May panic if `node` is a leaf.
     #[inline]
     pub fn child(&self, node: Node, child: Child<D>) -> Node {
-        let row = self.rows[node.row as usize];
-        let bit = 1u8 << child.0;
-        let id = NodeId(1 + (node.row << D | u32::from(child.0)));
-        let inner = row.base + (row.inner & (bit - 1)).count_ones();
-        let leaf = EMPTY_LEAF - u32::from(row.full & bit != 0);
-        Node { id, row: either(row.inner & bit != 0, inner, leaf) }
+        self.siblings(node).node(child)
+    }
+
+    /// The children of an inner node, to be asked for one by one.
+    ///
+    /// # Panics
+    /// May panic if `node` is a leaf.
+    #[inline]
+    pub fn siblings(&self, node: Node) -> Siblings<D> {
+        let first_id = NodeId(1 + (node.row << D));
+        Siblings { first_id, row: self.rows[node.row as usize] }
     }
 
     /// The children of a node in the order of their indices; none of a leaf.

@@ -18,7 +18,7 @@ pub use code::{Code, branch, common_level, morton};
 pub use domain::{Domain, DomainError, last_where};
 pub use grow::{Cell, Split, grow};
 pub(crate) use layout::Row;
-pub use layout::{Node, NodeId, Tree};
+pub use layout::{Node, NodeId, Siblings, Tree};
 pub use memory::Array;
 pub use part::Part;
 pub use recipe::{BuildError, Fill, MAX_NODES, Merge, Recipe, build};
