@@ -5,7 +5,7 @@ use crate::widgets::bit_table;
 use eframe::egui::{RichText, Ui};
 use octoscope_core::trace::Moment;
 use octoscope_core::tree::Tree;
-use octoscope_figure::views::{child_rule, code_table};
+use octoscope_figure::views::{Spacing, child_rule, code_table};
 
 /// How the bits of a level number the children.
 pub fn note<const D: usize>(look: &Look) -> String {
@@ -15,7 +15,7 @@ pub fn note<const D: usize>(look: &Look) -> String {
 /// Codes of the place that is looked for, else of the current node.
 pub fn ui<const D: usize>(ui: &mut Ui, look: &Look, tree: &Tree<D>, moment: &Moment<D>) {
     let codes = code_table(&look.texts, tree, moment);
-    bit_table(ui, look, &codes.table, &look.text("panel-codes"));
+    bit_table(ui, look, &codes.table, Spacing::Wide, &look.text("panel-codes"));
     if let Some(child) = codes.child {
         ui.label(RichText::new(child).size(14.0));
     }

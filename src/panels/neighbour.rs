@@ -5,7 +5,7 @@ use crate::widgets::bit_table;
 use eframe::egui::{RichText, Ui};
 use octoscope_core::trace::Moment;
 use octoscope_core::tree::Tree;
-use octoscope_figure::views::neighbour_tables;
+use octoscope_figure::views::{BitTable, Spacing, neighbour_tables};
 
 /// The sum or difference of every crossed axis with its carries, the border, the
 /// XOR with its run of ones, and the climb to the common ancestor.
@@ -14,9 +14,17 @@ pub fn ui<const D: usize>(ui: &mut Ui, look: &Look, tree: &Tree<D>, moment: &Mom
         ui.label(RichText::new(look.text("neighbour-none")).color(look.palette.quiet));
         return;
     };
-    for table in &computed.tables {
-        bit_table(ui, look, table, &look.text("panel-neighbour"));
+    for (n, table) in computed.tables.iter().enumerate() {
+        // Three axes have little room: the numbers of the bits stand once.
+        let is_low = D == 3 || look.is_for_hall();
+        let table = &BitTable { headless: n > 0 && is_low, ..table.clone() };
+        let spacing = if is_low { Spacing::Close } else { Spacing::Wide };
+        bit_table(ui, look, table, spacing, &look.text("panel-neighbour"));
         ui.add_space(6.0);
+    }
+    // In a hall the sentence says it.
+    if look.is_for_hall() {
+        return;
     }
     if let Some(border) = computed.border {
         ui.label(RichText::new(border).strong());

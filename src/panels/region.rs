@@ -5,7 +5,7 @@ use crate::widgets::bit_table;
 use eframe::egui::{RichText, Ui};
 use octoscope_core::trace::Moment;
 use octoscope_core::tree::Tree;
-use octoscope_figure::views::region_table;
+use octoscope_figure::views::{Spacing, region_table};
 
 /// Corner codes, their XOR, the OR of those, and the level that follows.
 pub fn ui<const D: usize>(ui: &mut Ui, look: &Look, tree: &Tree<D>, moment: &Moment<D>) {
@@ -13,7 +13,7 @@ pub fn ui<const D: usize>(ui: &mut Ui, look: &Look, tree: &Tree<D>, moment: &Mom
         ui.label(RichText::new(look.text("region-none")).color(look.palette.quiet));
         return;
     };
-    bit_table(ui, look, &table, &look.text("panel-region"));
+    bit_table(ui, look, &table, Spacing::Wide, &look.text("panel-region"));
     // In a hall the sentence says it.
     if let Some(result) = result.filter(|_| !look.is_for_hall()) {
         ui.label(RichText::new(result).strong());

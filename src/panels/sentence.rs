@@ -1,12 +1,15 @@
 //! The sentence of the step, readable from the back row.
 
 use crate::look::Look;
-use crate::widgets::rich_label;
+use crate::widgets::{rich_job, rich_label};
 use eframe::egui::Ui;
 use octoscope_core::explain::{RichText, Span};
 
 /// With less room than this, in points, the type is smaller.
 const NARROW: f32 = 640.0;
+/// Heights of type in a hall, the largest that fits.
+const SIZES: [f32; 5] = [22.0, 20.0, 18.0, 17.0, SMALLEST];
+const SMALLEST: f32 = 16.0;
 
 /// The sentence of `step`, in large type, before the first step with the key
 /// that begins; a screen reader is told when it changes. Pointing at it shows the
@@ -17,7 +20,18 @@ pub fn ui(ui: &mut Ui, look: &Look, mut sentence: RichText, step: usize) {
         sentence.0.push(Span { text, ..Span::default() });
     }
     let width = ui.available_width();
-    let size = if width < NARROW { 18.0 } else { 22.0 };
+    let size = if look.is_for_hall() {
+        // Nothing moves from step to step: a long sentence has smaller type.
+        let height = |size| {
+            let job = rich_job(&sentence, look, size, width);
+            ui.painter().layout_job(job).size().y
+        };
+        SIZES.into_iter().find(|&size| height(size) <= ui.min_size().y).unwrap_or(SMALLEST)
+    } else if width < NARROW {
+        18.0
+    } else {
+        22.0
+    };
     let mut response = rich_label(ui, look, &sentence, size, width);
     let digits = digits(&sentence);
     if !digits.is_empty() {

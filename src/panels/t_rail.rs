@@ -22,7 +22,9 @@ pub fn ui<const D: usize>(
 ) -> Pointed {
     let title = look.text("panel-t-rail");
     let width = ui.available_width();
-    let Some(rail) = t_rail(&look.texts, moment, [f64::from(width), f64::from(row)]) else {
+    let size = [f64::from(width), f64::from(row)];
+    let least = f64::from(look.least_type);
+    let Some(rail) = t_rail(&look.texts, moment, size, least) else {
         let size = vec2(width, row * D as f32 + 34.0);
         let (rect, response) = ui.allocate_exact_size(size, Sense::click_and_drag());
         let misses = moment.current.is_some_and(|leaf| moment.missed.last() == Some(&leaf));

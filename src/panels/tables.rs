@@ -103,7 +103,7 @@ pub fn ui<const D: usize>(ui: &mut Ui, look: &Look, tree: &Tree<D>, past: &[Even
     }
     if used.is_some() {
         ui.add_space(4.0);
-        beside_or_below(ui, |ui| {
+        let both = |ui: &mut Ui| {
             for (key, steps) in [("tables-up", &way.up), ("tables-down", &way.down)] {
                 ui.vertical(|ui| {
                     caption(ui, look, look.text(key));
@@ -111,7 +111,13 @@ pub fn ui<const D: usize>(ui: &mut Ui, look: &Look, tree: &Tree<D>, past: &[Even
                 });
                 ui.add_space(12.0);
             }
-        });
+        };
+        // Two short lists: they fit side by side where tables would not.
+        if look.is_for_hall() {
+            ui.horizontal_top(both);
+        } else {
+            beside_or_below(ui, both);
+        }
     }
     // Too much for a hall.
     if look.is_for_hall() {
@@ -123,7 +129,7 @@ pub fn ui<const D: usize>(ui: &mut Ui, look: &Look, tree: &Tree<D>, past: &[Even
 
 /// Width of the column of a child, and of the captions before them.
 const COLUMN: f32 = 22.0;
-const CAPTIONS: f32 = 58.0;
+const CAPTIONS: f32 = 62.0;
 
 /// Distance between columns: less where there is no room.
 fn gap<const D: usize>(ui: &Ui) -> f32 {

@@ -3,8 +3,8 @@
 use super::PageInWindow;
 use crate::look::Look;
 use crate::theme::color32;
-use eframe::egui::text::{LayoutJob, TextFormat};
-use eframe::egui::{Align, Color32, FontFamily, FontId, Painter, Pos2, Shape, Stroke, vec2};
+use eframe::egui::text::LayoutJob;
+use eframe::egui::{Align, Color32, FontFamily, Painter, Pos2, Shape, Stroke, vec2};
 use octoscope_core::explain::RichText;
 use octoscope_figure::{Colour, Drawn, Figure, Form, Lettering, Paint, Style, Theme, Weight};
 
@@ -37,7 +37,9 @@ fn paint(painter: &Painter, look: &Look, theme: Theme, frame: PageInWindow, draw
         Form::Text { at, anchor, text } => {
             let Some(lettering) = Style::of(theme, drawn.role).text else { return };
             let galley = painter.layout_job(job(look, theme, lettering, text));
-            let before = vec2(anchor.share() as f32, 0.5) * galley.size();
+            // What lowered subscripts add lies below the line.
+            let above = 0.5 * galley.size().y - look.lowered(lettering.size as f32, text);
+            let before = vec2(anchor.share() as f32 * galley.size().x, above);
             painter.galley(frame.on_screen(*at) - before, galley, color32(lettering.colour));
         }
         // It is spelled out.
@@ -51,17 +53,19 @@ fn job(look: &Look, theme: Theme, lettering: Lettering, text: &RichText) -> Layo
     // Text of one height stands as the font has it.
     let is_even = !text.0.iter().any(|span| span.sub);
     for span in &text.0 {
-        let Lettering { colour, size, weight } = lettering.of_span(theme, span);
+        let Lettering { colour, weight, .. } = lettering.of_span(theme, span);
         let family = match weight {
             Weight::Regular => FontFamily::Proportional,
             Weight::Strong => look.strong_family(),
             Weight::Mono => FontFamily::Monospace,
             Weight::MonoStrong => look.mono_strong_family(),
         };
-        let valign = if span.sub || is_even { Align::BOTTOM } else { Align::Center };
-        let size = look.type_size(size as f32);
-        let (font_id, color) = (FontId::new(size, family), color32(colour));
-        job.append(&span.text, 0.0, TextFormat { font_id, color, valign, ..TextFormat::default() });
+        let mut format = look.set(span, lettering.size as f32, family);
+        format.color = color32(colour);
+        if is_even {
+            format.valign = Align::BOTTOM;
+        }
+        job.append(&span.text, 0.0, format);
     }
     job
 }

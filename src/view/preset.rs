@@ -159,6 +159,8 @@ impl Preset {
             Self::Bits => &[Codes, Neighbour, Counters],
             // In space, rail and automaton fill a side each.
             Self::Rail if D == 2 => &[Rail, Automaton, Codes, Counters],
+            // Its sums need all the room.
+            Self::Rail if own == Some(Neighbour) && about_rays => &[Rail],
             Self::Rail if own.is_none() || own == Some(Neighbour) => &[Rail, Codes, Counters],
             // What is peculiar to the algorithm takes the place of the codes.
             Self::Rail => &[Rail, Counters],
@@ -169,6 +171,8 @@ impl Preset {
             Self::Compare => &[Counters],
             // The algorithm's own panel, if it has one.
             Self::Lecture if own.is_some() => &[],
+            // Its rail has no planes.
+            Self::Lecture if is_by_codes(query) => &[Codes],
             Self::Lecture => &[Rail],
             Self::Tree => &[Tree, WhyNot],
             Self::Map => &[Map, Counters],
@@ -257,6 +261,11 @@ fn own_panel<const D: usize>(query: &Query<D>) -> Option<PanelKind> {
             NeighbourMethod::Tables => PanelKind::Tables,
         }),
     }
+}
+
+/// Whether the ray goes on from the codes of the node that it leaves.
+fn is_by_codes<const D: usize>(query: &Query<D>) -> bool {
+    matches!(query, Query::Ray { algorithm: Algorithm::Esvo, .. })
 }
 
 /// Whether an algorithm keeps a stack of nodes.

@@ -1,8 +1,8 @@
 //! Text with axis colours and subscripts.
 
 use crate::look::Look;
-use eframe::egui::text::{LayoutJob, TextFormat};
-use eframe::egui::{Align, FontFamily, FontId, Label, Response, Ui, WidgetInfo, accesskit::Role};
+use eframe::egui::text::LayoutJob;
+use eframe::egui::{FontFamily, Label, Response, Ui, WidgetInfo, accesskit::Role};
 use octoscope_core::explain::RichText;
 
 /// Shows `text` in type of `size` points, wrapped at `width`; a screen reader says
@@ -24,11 +24,9 @@ pub fn rich_job(text: &RichText, look: &Look, size: f32, width: f32) -> LayoutJo
         } else {
             FontFamily::Proportional
         };
-        let size = if span.sub { look.type_size(size * 0.72) } else { size };
-        let color = span.axis.map_or(look.palette.ink, |axis| look.palette.axes[axis]);
-        let valign = if span.sub { Align::BOTTOM } else { Align::Center };
-        let font_id = FontId::new(size, family);
-        job.append(&span.text, 0.0, TextFormat { font_id, color, valign, ..TextFormat::default() });
+        let mut format = look.set(span, size, family);
+        format.color = span.axis.map_or(look.palette.ink, |axis| look.palette.axes[axis]);
+        job.append(&span.text, 0.0, format);
     }
     job
 }

@@ -77,11 +77,13 @@ impl Desk {
 fn everything_in_a_lecture_is_read_from_the_back_row_at_once() {
     let (mut faults, mut n_texts) = (Vec::new(), 0);
     for (_, scene) in SCENES {
-        for language in Language::ALL {
+        // Long words in one language, and all kinds of steps in both together.
+        for (language, shares) in [(Language::English, [0.35, 0.6]), (Language::German, [0.6, 0.8])]
+        {
             let mut desk = lecture(scene, language);
             for question in Question::all() {
                 question.ask(&mut desk);
-                for share in [0.35, 0.8] {
+                for share in shares {
                     desk.go_to(&At::Share(share));
                     let place = format!("{scene} {language:?} {} {share}", question.name());
                     for (text, size) in painted(&desk) {

@@ -11,8 +11,6 @@ region-printed = Höchste Eins: Bit { $bit }. Nach der gedruckten Regel: Ebene {
 region-plus-one = +1 = Ebene { $level }
 neighbour-none = Zeigt, wie die Codes jenseits einer Zelle entstehen, sobald sie verlassen wird.
 neighbour-new = neu
-neighbour-carry = Überträge markiert
-neighbour-borrow = Überträge markiert
 neighbour-carries = Übertrag
 neighbour-borrows = Übertrag
 neighbour-climb = Ebene { $level }

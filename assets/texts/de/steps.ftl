@@ -207,7 +207,7 @@ algorithm-samet-corner = SametCorner (rekonstruiert)
 algorithm-samet-net = SametNet (rekonstruiert)
 algorithm-bsp = Sung–Shirley: binäre Teilung
 algorithm-dda = Amanatides–Woo: feinstes Raster
-algorithm-dda-octree = Rasterzellen, im Baum gesucht
+algorithm-dda-octree = Raster, im Baum gesucht
 algorithm-exhaustive = Jedes Blatt, exakt
 
 query-ray = Strahl

@@ -11,8 +11,6 @@ region-printed = Highest one: bit { $bit }. By the printed rule: level { $level 
 region-plus-one = +1 = level { $level }
 neighbour-none = Shows how the codes beyond a cell come about, once it is left.
 neighbour-new = new
-neighbour-carry = carries marked
-neighbour-borrow = borrows marked
 neighbour-carries = carry
 neighbour-borrows = borrow
 neighbour-climb = level { $level }

@@ -198,7 +198,7 @@ algorithm-samet-corner = SametCorner (reconstructed)
 algorithm-samet-net = SametNet (reconstructed)
 algorithm-bsp = Sung–Shirley: binary partition
 algorithm-dda = Amanatides–Woo: finest grid
-algorithm-dda-octree = Grid cells, looked up in the tree
+algorithm-dda-octree = Grid, looked up in the tree
 algorithm-exhaustive = Every leaf, exactly
 
 query-ray = Ray

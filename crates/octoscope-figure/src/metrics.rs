@@ -9,10 +9,15 @@ use ttf_parser::Face;
 /// Width of a text of a role, in page units; 0 for roles without letters. The
 /// same in every theme.
 pub fn width(role: Role, text: &RichText) -> f64 {
+    width_of_least(role, text, 0.0)
+}
+
+/// The same where no type is smaller than `least` page units.
+pub fn width_of_least(role: Role, text: &RichText, least: f64) -> f64 {
     let Some(lettering) = Style::of(Theme::Light, role).text else { return 0.0 };
     let spans = text.0.iter().map(|span| {
         let Lettering { size, weight, .. } = lettering.of_span(Theme::Light, span);
-        size * span.text.chars().map(|c| advance(weight, c)).sum::<f64>()
+        size.max(least) * span.text.chars().map(|c| advance(weight, c)).sum::<f64>()
     });
     spans.sum()
 }

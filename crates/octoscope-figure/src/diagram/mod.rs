@@ -108,7 +108,7 @@ const GUTTER: f64 = 24.0;
 const MARGIN: [f64; 3] = [14.0, 22.0, 6.0];
 /// Less than this, across and down, is not readable: what has no room even so
 /// is cut off by the page.
-const LEAST_SCALE: [f64; 2] = [0.72, 0.85];
+const LEAST_SCALE: [f64; 2] = [0.72, 0.74];
 /// More than this would take nodes apart that belong together.
 const LARGEST_SCALE: [f64; 2] = [1.0, 1.3];
 

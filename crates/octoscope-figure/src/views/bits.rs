@@ -42,6 +42,8 @@ pub struct BitTable {
     /// Least room for the names of rows: tables one below the other have their
     /// columns so.
     pub name_room: f64,
+    /// Whether the row of bit numbers is left out.
+    pub headless: bool,
 }
 
 /// Ones that are carried or borrowed, written small above the columns.
@@ -150,11 +152,12 @@ impl BitTable {
 
         // Two digits need more room than a narrow bit has.
         let every = if pitch < 16.0 { 2 } else { 1 };
-        for bit in (0..self.width).filter(|bit| bit % every == 0) {
-            let at = [middle_of(bit), 0.5 * Self::HEADER];
+        let header = if self.headless { 0.0 } else { Self::HEADER };
+        for bit in (0..self.width).filter(|bit| !self.headless && bit % every == 0) {
+            let at = [middle_of(bit), 0.5 * header];
             sheet.text(Role::Note, at, Anchor::Middle, bit.to_string());
         }
-        let mut top = Self::HEADER;
+        let mut top = header;
         if let Some(carries) = &self.carries {
             let y = top + 0.5 * Self::CARRIES;
             sheet.text(Role::Note, [0.0, y], Anchor::Start, carries.name.as_str());

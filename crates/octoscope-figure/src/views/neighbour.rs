@@ -37,7 +37,7 @@ pub fn neighbour_tables<const D: usize>(
             return None;
         }
         let mut rows =
-            if crossed { sum_rows(texts, &target, axis) } else { moved_rows(texts, &target, axis) };
+            if crossed { sum_rows(&target, axis) } else { moved_rows(texts, &target, axis) };
         // As soon as it is asked whether the result is outside.
         let sum = rows.last_mut().filter(|_| crossed && target.outside.is_some());
         sum.into_iter().for_each(|sum| sum.border = Some(root_level));
@@ -81,7 +81,7 @@ pub fn neighbour_tables<const D: usize>(
 }
 
 /// Code, what is added or subtracted, and the result.
-fn sum_rows<const D: usize>(texts: &Texts, target: &Target<D>, axis: usize) -> Vec<BitRow> {
+fn sum_rows<const D: usize>(target: &Target<D>, axis: usize) -> Vec<BitRow> {
     let from = i64::from(target.from[axis]);
     let to = target.to[axis];
     let upwards = to > from;
@@ -95,13 +95,10 @@ fn sum_rows<const D: usize>(texts: &Texts, target: &Target<D>, axis: usize) -> V
         ..BitRow::default()
     };
     let to_text = to.to_string().replace('-', "−");
-    let key = if upwards { "neighbour-carry" } else { "neighbour-borrow" };
-    let is_carried = changed & !step != 0;
-    let note = if is_carried { format!("{to_text} · {}", texts.get(key)) } else { to_text };
     vec![
         row(AXIS_NAMES[axis].to_owned(), from, from.to_string()),
         row(if upwards { "+" } else { "−" }.to_owned(), step, step.to_string()),
-        BitRow { marked: changed & !step, rule_above: true, ..row("=".to_owned(), to, note) },
+        BitRow { marked: changed & !step, rule_above: true, ..row("=".to_owned(), to, to_text) },
     ]
 }
 

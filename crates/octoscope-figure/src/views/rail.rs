@@ -68,7 +68,7 @@ impl<const D: usize> Rail<D> {
             let exit = grid.next.into_iter().fold(f64::INFINITY, f64::min);
             let rail = Self::of_node(NodeId::ROOT, [grid.enter, exit]);
             let far = Some(grid.next);
-            return Some(Self { of: RailOf::Cell(cell), far, far_name: "max", ..rail });
+            return Some(Self { of: RailOf::Cell(cell), far, far_name: "Max", ..rail });
         }
         if let Some(leaf) = leaf {
             let rail = Self::of_node(leaf.node, [leaf.enter, leaf.exit]);
@@ -173,7 +173,7 @@ mod tests {
         let grid = Some(GridCell { enter: 0.25, cell, next, crossed });
         let rail = Rail::<2>::of(&Moment { grid, ..Moment::default() }).unwrap();
         assert_eq!((rail.of, rail.interval), (RailOf::Cell([4, 10]), [0.25, 0.5]));
-        assert_eq!(rail.stops(1), [(0.75, "max")]);
+        assert_eq!(rail.stops(1), [(0.75, "Max")]);
     }
 
     #[test]

@@ -34,15 +34,17 @@ impl RailFigure {
 }
 
 /// One bar per axis from t0 to t1 with tm, in rows of height `row` on a page of
-/// this width; `None` as long as no parameter is known.
+/// this width, with room for type of at least `least` page units; `None` as long as
+/// no parameter is known.
 pub fn t_rail<const D: usize>(
     texts: &Texts,
     moment: &Moment<D>,
     [width, row]: [f64; 2],
+    least: f64,
 ) -> Option<RailFigure> {
     let rail = Rail::of(moment)?;
     let (range, track) = (rail.range(), [24.0, width - 8.0]);
-    let drawing = Drawing { rail: &rail, range, track, row };
+    let drawing = Drawing { rail: &rail, range, track, row, least };
     let mut sheet = Sheet::default();
     drawing.draw(&mut sheet, texts);
     let figure = sheet.figure([width, row * D as f64 + BELOW]);
@@ -62,7 +64,7 @@ pub fn rail_of<const D: usize>(moment: &Moment<D>) -> Option<RailOf<D>> {
 pub(super) fn view<const D: usize>(subject: &Subject<D>, width: f64) -> Option<Figure> {
     const ROW: f64 = 40.0;
     const HEAD: f64 = 20.0;
-    let rail = t_rail(subject.texts, subject.moment, [width, ROW])?;
+    let rail = t_rail(subject.texts, subject.moment, [width, ROW], 0.0)?;
     let mut sheet = Sheet::default();
     let of = rail_of(subject.moment)?;
     let text = super::place_note(subject.texts, of.place(subject.tree));
@@ -91,6 +93,7 @@ struct Drawing<'a, const D: usize> {
     range: [f64; 2],
     track: [f64; 2],
     row: f64,
+    least: f64,
 }
 
 /// Text beside a bar.
@@ -189,7 +192,7 @@ impl<const D: usize> Drawing<'_, D> {
         let x = if t.is_nan() { 0.5 * (self.track[0] + self.track[1]) } else { self.x_of(t) };
         let value = if with_value { format!(" {}", approx(t)) } else { String::new() };
         let text = joined([parameter(axis, plane), value.into()]);
-        let width = metrics::width(Role::Words, &text);
+        let width = metrics::width_of_least(Role::Words, &text, self.least);
         Label { at: [x - 0.5 * width, 0.0], width, text, is_odd }
     }
 

@@ -18,7 +18,7 @@ impl<const D: usize> Writer<'_, D> {
                 let [symbols, numbers] = self.quotient(e, if is_up { "1" } else { "0" }, plane);
                 let told = [plane, self.origin(e), self.direction(e), next[e]];
                 Statement {
-                    symbols: row![self.t(e, "max"), Sign::Equal, symbols],
+                    symbols: row![self.t(e, "Max"), Sign::Equal, symbols],
                     numbers: Some(row![numbers, equal(&told), number(next[e])]),
                 }
             })
@@ -33,7 +33,7 @@ impl<const D: usize> Writer<'_, D> {
         cell: [i64; D],
         outside: Axes<D>,
     ) -> Vec<Statement> {
-        let mut all = vec![self.earliest(&[], next, axes, "max")];
+        let mut all = vec![self.earliest(&[], next, axes, "Max")];
         all.extend(axes.iter().map(|e| {
             let is_up = self.ray.direction()[e] > 0.0;
             let sign = if is_up { Sign::Plus } else { Sign::Minus };
