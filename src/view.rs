@@ -121,6 +121,8 @@ impl View {
     pub const SCALES: [f32; 2] = [0.7, 2.5];
     /// Type is not made so large that the window holds less than so many points.
     const SMALLEST_ROOM: Vec2 = Vec2::new(600.0, 440.0);
+    /// What the coarsest projector shows, in points.
+    const PROJECTOR: Vec2 = Vec2::new(1024.0, 768.0);
 
     /// Larger or smaller type and lines, within the limits.
     pub fn change_scale(&mut self, factor: f32) {
@@ -182,7 +184,10 @@ impl View {
     /// be of `room` points if it were 1.
     pub fn zoom(&self, room: Vec2) -> f32 {
         let largest = (room / Self::SMALLEST_ROOM).min_elem();
-        (self.scale * self.preset.scale()).min(largest.max(1.0))
+        // A finer projector throws no larger picture: a lecture fills it the same way.
+        let fineness = (room / Self::PROJECTOR).min_elem().max(1.0);
+        let fineness = if self.preset == Preset::Lecture { fineness } else { 1.0 };
+        (self.scale * self.preset.scale() * fineness).min(largest.max(1.0))
     }
 }
 
@@ -268,5 +273,14 @@ mod tests {
         assert_eq!(view.zoom(Vec2::new(400.0, 300.0)), 1.0);
         view.scale = 0.7;
         assert_eq!(view.zoom(Vec2::new(400.0, 300.0)), 0.7);
+    }
+
+    #[test]
+    fn a_lecture_has_the_same_room_on_every_projector() {
+        let view = View { preset: Preset::Lecture, ..View::default() };
+        for size in [[1024.0, 768.0], [1400.0, 1050.0], [2048.0, 1536.0]].map(Vec2::from) {
+            let room = size / view.zoom(size);
+            assert!((room - Vec2::new(640.0, 480.0)).length() < 1e-3, "{room:?}");
+        }
     }
 }
