@@ -44,6 +44,9 @@ fn of_file(texts: &Texts, fault: &FileFault) -> String {
         FileFault::FolderAsFile => texts.get("error-folder-as-file"),
         FileFault::FileAsFolder => texts.get("error-file-as-folder"),
         FileFault::NoFolder => texts.get("error-no-folder"),
+        FileFault::NoFileHere => texts.get("error-no-file-here"),
+        FileFault::ReadOnly => texts.get("error-read-only"),
+        FileFault::NameTooLong => texts.get("error-name-too-long"),
         FileFault::TooLong { kind, limit } => {
             let arguments =
                 [("kind", kind.to_string().into()), ("limit", limit.to_string().into())];

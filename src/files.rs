@@ -25,6 +25,11 @@ pub fn read_text(path: &Path) -> anyhow::Result<String> {
     Ok(text.to_owned())
 }
 
+/// Whether `path` stands for standard output.
+pub fn is_standard(path: &Path) -> bool {
+    path == Path::new("-")
+}
+
 /// Whether there is a file or folder at `path`.
 pub fn is_there(path: &Path) -> bool {
     path.exists()
@@ -36,7 +41,7 @@ pub fn is_there(path: &Path) -> bool {
 /// Says why it cannot be written, and its path.
 pub fn write(path: &Path, bytes: &[u8]) -> anyhow::Result<()> {
     let mut output = Output::open(Some(path))?;
-    output.write_all(bytes).map_err(|error| about(path, &error))?;
+    output.put(bytes)?;
     output.finish()
 }
 
@@ -57,12 +62,12 @@ pub enum Output {
 }
 
 impl Output {
-    /// Standard output, or the file at `path`.
+    /// Standard output, as `-` too, or the file at `path`.
     ///
     /// # Errors
     /// Says why nothing can be written there.
     pub fn open(path: Option<&Path>) -> anyhow::Result<Self> {
-        let Some(path) = path else {
+        let Some(path) = path.filter(|path| !is_standard(path)) else {
             return Ok(Self::Standard(BufWriter::new(io::stdout())));
         };
         let failed = |error: io::Error| about(path, &error);
@@ -80,13 +85,35 @@ impl Output {
             _ => Path::new("."),
         };
         check_folder(folder)?;
+        if fs::metadata(&target).is_ok_and(|found| found.permissions().readonly()) {
+            return Err(FileFault::ReadOnly.at(path));
+        }
         let mut builder = tempfile::Builder::new();
         builder.prefix(".octoscope-");
         // As usual for a new file; the user's mask takes away what it must.
         #[cfg(unix)]
         builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
-        let temporary = builder.tempfile_in(folder).map_err(failed)?;
+        // The folder is there: that nothing is found means that it takes no file.
+        let temporary = builder.tempfile_in(folder).map_err(|error| match error.kind() {
+            io::ErrorKind::NotFound => FileFault::NoFileHere.at(path),
+            _ => failed(error),
+        })?;
         Ok(Self::File { temporary: BufWriter::new(temporary), target })
+    }
+
+    /// Writes bytes.
+    ///
+    /// # Errors
+    /// Says why they cannot be written, and where to.
+    pub fn put(&mut self, bytes: &[u8]) -> anyhow::Result<()> {
+        let Err(error) = self.write_all(bytes) else { return Ok(()) };
+        Err(match self {
+            // Whoever asks ends quietly then.
+            Self::Standard(_) if error.kind() == io::ErrorKind::BrokenPipe => error.into(),
+            Self::Standard(_) => about(Path::new("standard output"), &error),
+            Self::File { target, .. } => about(target, &error),
+            Self::Device(_, path) => about(path, &error),
+        })
     }
 
     /// Ends the output; a file appears under its name.
@@ -130,11 +157,14 @@ impl Write for Output {
 
 /// Refuses what is no folder that a file can appear in.
 fn check_folder(folder: &Path) -> anyhow::Result<()> {
-    if folder.is_dir() {
-        return Ok(());
+    match fs::metadata(folder) {
+        Ok(found) if found.is_dir() => Ok(()),
+        Ok(_) => Err(FileFault::FileAsFolder.at(folder)),
+        Err(error) if error.kind() == io::ErrorKind::NotFound => {
+            Err(FileFault::NoFolder.at(folder))
+        }
+        Err(error) => Err(about(folder, &error)),
     }
-    let fault = if folder.exists() { FileFault::FileAsFolder } else { FileFault::NoFolder };
-    Err(fault.at(folder))
 }
 
 /// The fact first, the path last.
@@ -168,5 +198,39 @@ mod tests {
         drop(output);
         assert_eq!(fs::read(&path).unwrap(), b"old");
         assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 1);
+    }
+
+    /// What is said when nothing can be written to `path`.
+    #[track_caller]
+    fn check_refused(path: &Path, expected: &str) {
+        let said = write(path, b"new").unwrap_err().to_string();
+        assert!(said.starts_with(expected), "{said}");
+    }
+
+    #[test]
+    fn what_cannot_be_written_is_told_with_what_to_do() {
+        let folder = tempfile::tempdir().unwrap();
+        let at = |name: &str| folder.path().join(name);
+        fs::write(at("file"), b"old").unwrap();
+        check_refused(folder.path(), "this is a folder; name a file: ");
+        check_refused(&at("none/a.svg"), "there is no such folder to write to; create it first");
+        check_refused(&at("file/a.svg"), "this is a file, so nothing can be written inside it");
+        check_refused(&at("file/b/a.svg"), "this is a file, so nothing can be written inside it");
+        check_refused(&at(&"x".repeat(300)), "the name is too long; choose a shorter one: ");
+        let deep = at(&"d/".repeat(3000)).join("a.svg");
+        check_refused(&deep, "the name is too long; choose a shorter one: ");
+        let mut kept = fs::metadata(at("file")).unwrap().permissions();
+        kept.set_readonly(true);
+        fs::set_permissions(at("file"), kept).unwrap();
+        check_refused(&at("file"), "this file is read-only; allow writing it, or name another");
+        assert_eq!(fs::read(at("file")).unwrap(), b"old");
+    }
+
+    #[test]
+    #[cfg(target_os = "linux")]
+    fn folders_and_devices_that_take_nothing_say_so() {
+        let here = "no file can be made in this folder; name another folder: /proc/a.svg";
+        check_refused(Path::new("/proc/a.svg"), here);
+        check_refused(Path::new("/dev/full"), "there is no room left; make some");
     }
 }

@@ -82,6 +82,11 @@ impl ShownPart {
         }
     }
 
+    /// Its name in arguments and files.
+    pub fn name(self) -> &'static str {
+        self.id().trim_start_matches("show-")
+    }
+
     /// Whether it is shown.
     pub fn of(self, show: &mut Show) -> &mut bool {
         match self {
@@ -209,6 +214,25 @@ mod tests {
             ShowChange::MoreSmall.make(&mut show, &domain);
         }
         assert_eq!(show.levels, Levels::ALL);
+    }
+
+    #[test]
+    fn what_was_stored_is_within_bounds() {
+        let read = |text: &str| serde_json::from_str::<Show>(text);
+        let slice = Some(Slice { axis: 2, at: 1.0 });
+        let stored = r#"{"slice": {"axis": 2, "at": 1.0}, "explosion": 2.0}"#;
+        assert_eq!(read(stored).unwrap(), Show { slice, explosion: 2.0, ..Show::default() });
+        assert_eq!(read(r#"{"codes": false}"#).unwrap(), Show::default());
+        for bad in [
+            r#"{"slice": {"axis": 3, "at": 0.5}}"#,
+            r#"{"slice": {"axis": 255, "at": 0.5}}"#,
+            r#"{"slice": {"axis": 0, "at": -0.5}}"#,
+            r#"{"slice": {"axis": 0, "at": 1e300}}"#,
+            r#"{"explosion": 1e300}"#,
+            r#"{"explosion": -1}"#,
+        ] {
+            assert!(read(bad).is_err(), "{bad}");
+        }
     }
 
     #[test]

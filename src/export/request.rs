@@ -17,7 +17,6 @@ use octoscope_figure::views::{Fields, FigureView, ViewError};
 use octoscope_figure::{
     Background, Figure, FileOptions, Page, Pixels, PixelsError, Scale, Show, TikzForm, Unit, svg,
 };
-use std::io::Write;
 use std::ops::RangeInclusive;
 use std::path::Path;
 
@@ -57,7 +56,7 @@ impl Request {
     ) -> anyhow::Result<()> {
         if self.order.format.is_of_text() {
             let mut output = Output::open(path)?;
-            output.write_all(self.text(document)?.as_bytes())?;
+            output.put(self.text(document)?.as_bytes())?;
             return output.finish();
         }
         let folder = path.map(|path| path.parent().unwrap_or(Path::new("")));

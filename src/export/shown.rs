@@ -1,38 +1,15 @@
 //! What a figure shows beside the algorithm's state, by name.
 
+use crate::show_change::ShownPart;
 use octoscope_core::geometry::AXIS_NAMES;
 use octoscope_figure::{Levels, Rest, Show, Slice};
 
-/// Names of all that can be shown, and where it is kept.
-fn parts(show: &mut Show) -> [(&'static str, &mut bool); 9] {
-    [
-        ("order-numbers", &mut show.order_numbers),
-        ("half-open-sides", &mut show.half_open_sides),
-        ("codes", &mut show.codes),
-        ("mirrored-ray", &mut show.mirrored_ray),
-        ("content", &mut show.content),
-        ("empty-leaves", &mut show.empty_leaves),
-        ("inner-nodes", &mut show.inner_nodes),
-        ("ancestors", &mut show.ancestors),
-        ("children", &mut show.children),
-    ]
+/// What shows nothing but the algorithm's state.
+fn nothing() -> Show {
+    let mut show = Show::default();
+    ShownPart::ALL.into_iter().for_each(|part| *part.of(&mut show) = false);
+    show
 }
-
-const NOTHING: Show = Show {
-    order_numbers: false,
-    half_open_sides: false,
-    codes: false,
-    mirrored_ray: false,
-    content: false,
-    empty_leaves: false,
-    ancestors: false,
-    children: false,
-    inner_nodes: false,
-    levels: Levels::ALL,
-    rest: Rest::Plain,
-    slice: None,
-    explosion: 0.0,
-};
 
 /// What these names between commas stand for; `none` for nothing. Beside the names:
 /// `levels=2-5`, `rest=faint`, `slice=x:0.5`, `apart=0.7`.
@@ -40,17 +17,16 @@ const NOTHING: Show = Show {
 /// # Errors
 /// Lists the names there are.
 pub fn parse_shown(text: &str) -> Result<Show, String> {
-    let mut show = NOTHING;
+    let mut show = nothing();
     for name in text.split(',').map(str::trim).filter(|name| *name != "none") {
         if let Some((name, value)) = name.split_once('=') {
             set(&mut show, name, value)?;
             continue;
         }
-        let mut parts = parts(&mut show);
-        match parts.iter_mut().find(|(known, _)| *known == name) {
-            Some((_, part)) => **part = true,
+        match ShownPart::ALL.into_iter().find(|part| part.name() == name) {
+            Some(part) => *part.of(&mut show) = true,
             None => {
-                let known = parts.map(|(name, _)| name).join(", ");
+                let known = ShownPart::ALL.map(ShownPart::name).join(", ");
                 return Err(format!("there is no ‘{name}’ to show; there are {known}, and none"));
             }
         }
@@ -105,9 +81,9 @@ fn set(show: &mut Show, name: &str, value: &str) -> Result<(), String> {
 
 /// The names, as [`parse_shown`] reads them.
 pub fn print_shown(show: &Show) -> String {
-    let mut show = *show;
-    let names = parts(&mut show).into_iter().filter(|(_, is_on)| **is_on);
-    let mut names: Vec<String> = names.map(|(name, _)| name.to_owned()).collect();
+    let is_shown = |part: &ShownPart| *part.of(&mut show.clone());
+    let names = ShownPart::ALL.into_iter().filter(is_shown);
+    let mut names: Vec<String> = names.map(|part| part.name().to_owned()).collect();
     if names.is_empty() {
         names.push("none".to_owned());
     }
@@ -133,16 +109,16 @@ mod tests {
 
     #[test]
     fn names_say_what_is_shown() {
-        for show in [NOTHING, Show::default(), Show::at_first::<3>()] {
+        for show in [nothing(), Show::default(), Show::at_first::<3>()] {
             assert_eq!(parse_shown(&print_shown(&show)), Ok(show));
         }
-        assert_eq!(parse_shown("codes"), Ok(Show { codes: true, ..NOTHING }));
+        assert_eq!(parse_shown("codes"), Ok(Show { codes: true, ..nothing() }));
         let set = Show {
             levels: Levels { least: 2, most: 5 },
             rest: Rest::Faint,
             slice: Some(Slice { axis: 2, at: 0.375 }),
             explosion: 0.7,
-            ..NOTHING
+            ..nothing()
         };
         assert_eq!(print_shown(&set), "none,levels=2-5,rest=faint,slice=z:0.375,apart=0.7");
         assert_eq!(parse_shown(&print_shown(&set)), Ok(set));

@@ -1,23 +1,26 @@
 //! Figures of steps → files.
 
+use super::moving::each_frame;
 use super::{Format, Order};
-use crate::files::Output;
-use anyhow::{Context, bail};
+use crate::files::{Output, is_standard};
+use anyhow::bail;
 use octoscope_core::explain::RichText;
 use octoscope_core::progress::Progress;
 use octoscope_figure::{
-    Apng, Extent, Figure, FileOptions, Gif, Page, Pdf, Pixels, Rasteriser, Scale, Tikz, png, svg,
+    Apng, Extent, Figure, FileOptions, Gif, Page, Pdf, Pixels, Scale, Tikz, png, svg,
 };
-use std::io::Write;
 use std::ops::RangeInclusive;
 use std::path::{Path, PathBuf};
+
+/// Makes the figure of a step, laid out on a page; of several on several threads.
+pub(super) type FigureOf<'a> = &'a (dyn Fn(Page, usize) -> anyhow::Result<Figure> + Sync);
 
 /// What is exported: figures of the steps of one run, made when they are needed.
 pub struct Series<'a> {
     /// The steps.
     pub steps: RangeInclusive<usize>,
     /// Figure of a step, laid out on a page.
-    pub figure: &'a dyn Fn(Page, usize) -> anyhow::Result<Figure>,
+    pub figure: FigureOf<'a>,
     /// What happens in a step, in words.
     pub caption: &'a dyn Fn(usize) -> RichText,
     /// The scenario with the playhead at a step, as JSON.
@@ -34,7 +37,7 @@ impl Series<'_> {
     ) -> anyhow::Result<(Figure, Scale)> {
         let one = Series { steps: step..=step, ..*series };
         let frames = Frames::of(order, &one, progress)?;
-        Ok((frames.figure(&one, step)?, frames.scale(order)))
+        Ok((frames.figure(one.figure, step)?, frames.scale(order)))
     }
 }
 
@@ -57,25 +60,19 @@ pub fn write(
     progress.start(n_steps);
     if first == last || order.format.holds_steps() {
         let mut output = Output::open(path)?;
-        output.write_all(&bytes(order, series, &frames, progress)?).with_context(|| place(path))?;
+        output.put(&bytes(order, series, &frames, progress)?)?;
         return output.finish();
     }
-    let Some(path) = path else {
+    let Some(path) = path.filter(|path| !is_standard(path)) else {
         bail!("these are {n_steps} files; give the name of the first with -o");
     };
     for step in first..=last {
         let one = Series { steps: step..=step, ..*series };
         let mut output = Output::open(Some(&numbered(path, step, last)))?;
-        output
-            .write_all(&bytes(order, &one, &frames, progress)?)
-            .with_context(|| place(Some(path)))?;
+        output.put(&bytes(order, &one, &frames, progress)?)?;
         output.finish()?;
     }
     Ok(())
-}
-
-fn place(path: Option<&Path>) -> String {
-    path.map_or_else(|| "standard output".to_owned(), |path| path.display().to_string())
 }
 
 /// `name.svg` with the number of the step: `name-007.svg`, with as many digits
@@ -163,8 +160,8 @@ impl Frames {
     }
 
     /// The figure of a step, on the page of all.
-    pub(super) fn figure(&self, series: &Series, step: usize) -> anyhow::Result<Figure> {
-        let figure = (series.figure)(self.page, step)?;
+    pub(super) fn figure(&self, figure: FigureOf, step: usize) -> anyhow::Result<Figure> {
+        let figure = figure(self.page, step)?;
         Ok(match self.kept {
             Some(kept) => figure.on(kept),
             None => figure,
@@ -197,7 +194,7 @@ fn bytes(
     };
     let mut figures = series.steps.clone().map(|step| -> anyhow::Result<Figure> {
         progress.advance(1)?;
-        frames.figure(series, step)
+        frames.figure(series.figure, step)
     });
     match order.format {
         Format::Svg => match figures.next() {
@@ -225,23 +222,19 @@ fn bytes(
         Format::Gif => {
             let (mut file, pause) = (Vec::new(), order.pause_secs);
             let mut gif = Gif::begin(&mut file, &samples(series, frames, &options)?, pause)?;
-            let mut rasteriser = Rasteriser::new(&options);
-            for figure in figures {
-                gif.frame(rasteriser.pixels(&figure?)?)?;
-            }
+            each_frame(series, frames, &options, progress, |pixels| Ok(gif.frame(pixels)?))?;
             gif.finish()?;
             Ok(file)
         }
         Format::Apng => {
-            let Some(first) = figures.next() else { bail!("there is no step to draw") };
             let (mut file, pause) = (Vec::new(), order.pause_secs);
             let n_frames = u32::try_from(series.steps.clone().count())?;
-            let mut rasteriser = Rasteriser::new(&options);
-            let first = rasteriser.pixels(&first?)?;
-            let mut apng = Apng::begin(&mut file, first, n_frames, pause, &options)?;
-            for figure in figures {
-                apng.frame(rasteriser.pixels(&figure?)?)?;
-            }
+            let alone = frames.figure(series.figure, first)?;
+            let alone = Pixels::of(&alone, &options)?;
+            progress.advance(1)?;
+            let mut apng = Apng::begin(&mut file, alone, n_frames, pause, &options)?;
+            let others = Series { steps: first + 1..=*series.steps.end(), ..*series };
+            each_frame(&others, frames, &options, progress, |pixels| Ok(apng.frame(pixels)?))?;
             apng.finish()?;
             Ok(file)
         }
@@ -258,8 +251,9 @@ fn samples(series: &Series, frames: &Frames, options: &FileOptions) -> anyhow::R
     let mut steps: Vec<usize> =
         (0..MOST).map(|i| first + (last - first) * i / (MOST - 1)).collect();
     steps.dedup();
-    let pixels =
-        steps.into_iter().map(|step| Ok(Pixels::of(&frames.figure(series, step)?, options)?));
+    let pixels = steps
+        .into_iter()
+        .map(|step| Ok(Pixels::of(&frames.figure(series.figure, step)?, options)?));
     pixels.collect()
 }
 
@@ -298,7 +292,7 @@ mod tests {
         };
         let frames = Frames::of(&order, &series, &Progress::default()).unwrap();
         for step in 0..=1 {
-            let page = frames.figure(&series, step).unwrap().page;
+            let page = frames.figure(series.figure, step).unwrap().page;
             let factor = frames.scale(&order).factor;
             let found = [page.width * factor, page.height * factor];
             for e in 0..2 {

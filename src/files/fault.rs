@@ -39,6 +39,15 @@ pub enum FileFault {
     /// The folder to write to is not there.
     #[error("there is no such folder to write to; create it first, or name another")]
     NoFolder,
+    /// A folder that is there takes no file.
+    #[error("no file can be made in this folder; name another folder")]
+    NoFileHere,
+    /// A file that is there must not be replaced.
+    #[error("this file is read-only; allow writing it, or name another")]
+    ReadOnly,
+    /// A name, or the whole path, is longer than the system takes.
+    #[error("the name is too long; choose a shorter one")]
+    NameTooLong,
     /// More than is read.
     #[error("the {kind} holds more than {limit}; reduce it first")]
     TooLong {
@@ -110,7 +119,10 @@ impl From<&io::Error> for FileFault {
         match error.kind() {
             io::ErrorKind::NotFound => Self::NotFound,
             io::ErrorKind::PermissionDenied => Self::Denied,
-            io::ErrorKind::StorageFull => Self::Full,
+            io::ErrorKind::StorageFull | io::ErrorKind::QuotaExceeded => Self::Full,
+            io::ErrorKind::ReadOnlyFilesystem => Self::NoFileHere,
+            io::ErrorKind::InvalidFilename => Self::NameTooLong,
+            io::ErrorKind::NotADirectory => Self::FileAsFolder,
             // The number of the system's error helps nobody.
             _ => {
                 let told = error.to_string();

@@ -5,7 +5,7 @@ use crate::theme::color32;
 use eframe::egui::Color32;
 use octoscope_core::geometry::Aabb;
 use octoscope_core::tree::{Domain, Tree};
-use octoscope_figure::{Cut, Role, Show, Style, Theme};
+use octoscope_figure::{Cut, Role, Show, Style, Theme, section_role};
 
 /// Planes that lie in a slice are moved so much behind it, in sides of the root, that
 /// rounding does not take them away.
@@ -20,6 +20,9 @@ pub fn plane<const D: usize>(domain: &Domain<D>, cut: &Cut) -> [f64; 4] {
     plane
 }
 
+/// Roles of cells in the plane, the filled ones last.
+const SECTIONS: [Role; 3] = [Role::FaintNode, Role::EmptySection, Role::FullSection];
+
 /// The faces of full leaves in the plane, and the outlines of all cells in it. They are
 /// whole: what the path leaves is not seen, as it is drawn over them. O(cells in the
 /// plane).
@@ -31,9 +34,10 @@ pub fn layers<const D: usize>(tree: &Tree<D>, show: &Show, cut: &Cut, theme: The
         let mut code = tree.code(node.id);
         code[cut.axis] = 0;
         let code = std::array::from_fn(|e| if e < D { code[e] } else { 0 });
-        let style = u8::from(node.is_full());
+        let role = section_role(show, node);
+        let style = SECTIONS.iter().position(|other| *other == role).unwrap_or(0) as u8;
         cells.push(Cell { level: tree.level(node.id), style, code });
-        if node.is_full() {
+        if role == Role::FullSection {
             triangles.extend(halves(&section, cut.axis));
         }
     }
@@ -41,13 +45,13 @@ pub fn layers<const D: usize>(tree: &Tree<D>, show: &Show, cut: &Cut, theme: The
     let mut min: [f64; 3] = std::array::from_fn(|e| if e < D { domain.min()[e] } else { 0.0 });
     min[cut.axis] = cut.at;
     let grid = Grid { min, cell: domain.cell_side(0), root_level: domain.root_level() };
-    let styles = [Role::EmptySection, Role::FullSection].map(|role| Style::of(theme, role));
+    let styles = SECTIONS.map(|role| Style::of(theme, role));
     let outlines = styles.map(|style| BoxStyle {
         fill: Color32::TRANSPARENT,
         edge: style.stroke.map_or(Color32::TRANSPARENT, color32),
         width: style.width as f32,
     });
-    let fill = styles[1].fill.map_or(Color32::TRANSPARENT, color32);
+    let fill = styles[2].fill.map_or(Color32::TRANSPARENT, color32);
     vec![Layer::triangles(&triangles, fill), Layer::faces_across(grid, cut.axis, &cells, &outlines)]
 }
 

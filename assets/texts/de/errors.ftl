@@ -7,6 +7,9 @@ error-folder = Das ist ein Ordner, keine Datei; wählen Sie eine Datei
 error-folder-as-file = Das ist ein Ordner; nennen Sie eine Datei
 error-file-as-folder = Das ist eine Datei, in die nichts hineingeschrieben werden kann; nennen Sie einen Ordner
 error-no-folder = Den Ordner dafür gibt es nicht; legen Sie ihn an oder nennen Sie einen anderen
+error-no-file-here = In diesem Ordner kann keine Datei angelegt werden; nennen Sie einen anderen
+error-read-only = Diese Datei ist schreibgeschützt; erlauben Sie das Schreiben oder nennen Sie eine andere
+error-name-too-long = Der Name ist zu lang; wählen Sie einen kürzeren
 error-too-long = { $kind ->
     [device] Das Gerät
     [pipe] Die Pipe

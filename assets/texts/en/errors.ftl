@@ -7,6 +7,9 @@ error-folder = This is a folder, not a file; choose a file
 error-folder-as-file = This is a folder; name a file
 error-file-as-folder = This is a file, so nothing can be written inside it; name a folder
 error-no-folder = There is no such folder to write to; create it first, or name another
+error-no-file-here = No file can be made in this folder; name another folder
+error-read-only = This file is read-only; allow writing it, or name another
+error-name-too-long = The name is too long; choose a shorter one
 error-too-long = The { $kind ->
     [device] device
     [pipe] pipe

@@ -14,8 +14,17 @@ pub fn cells<const D: usize>(tree: &Tree<D>, show: &Show, cut: Option<&Cut>) -> 
         return whole.collect();
     };
     let sections = cut.nodes(tree).filter(|&node| show.shows(tree, node));
-    let sections = sections.filter_map(|node| cut.section(tree, node));
+    let sections = sections.filter_map(|node| cut.section(tree, node, section_role(show, node)));
     whole.flat_map(|mark| cut.parts(mark)).chain(sections).collect()
+}
+
+/// Role of where a slice meets a node off the path.
+pub fn section_role(show: &Show, node: Node) -> Role {
+    match show.rest {
+        Rest::Plain if node.is_full() => Role::FullSection,
+        Rest::Plain => Role::EmptySection,
+        Rest::Faint | Rest::Hidden => Role::FaintNode,
+    }
 }
 
 /// Role of a node off the path.

@@ -18,7 +18,8 @@ pub(crate) fn is_ground<const D: usize>(mark: &Mark<D>) -> bool {
         mark.role,
         Role::EmptyLeaf | Role::FullLeaf | Role::Pixel(_) | Role::InnerNode | Role::FaintNode
     );
-    let is_in_it = matches!(mark.role, Role::Solid | Role::EmptySection | Role::FullSection);
+    let is_in_it = matches!(mark.role, Role::Solid | Role::EmptySection | Role::FullSection)
+        || mark.role == Role::FaintNode && matches!(mark.shape, Shape::Plane { .. });
     D == 3 && (is_cell && matches!(mark.shape, Shape::Box(_)) || is_in_it)
 }
 
@@ -53,7 +54,10 @@ pub(crate) fn ground<const D: usize>(
         }),
     );
     drawn.extend(
-        of(Role::EmptySection).chain(of(Role::FullSection)).filter_map(|m| view.section(m)),
+        [Role::FaintNode, Role::EmptySection, Role::FullSection]
+            .into_iter()
+            .flat_map(of)
+            .filter_map(|mark| view.section(mark)),
     );
     drawn
 }

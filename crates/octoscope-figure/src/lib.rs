@@ -8,6 +8,7 @@
 
 mod camera;
 mod cells;
+mod changes;
 mod colours;
 mod content;
 mod depth_map;
@@ -32,6 +33,7 @@ mod parts;
 mod pdf;
 mod pixels;
 mod png;
+mod rasteriser;
 mod role;
 mod shared;
 mod show;
@@ -46,7 +48,7 @@ pub mod views;
 mod ways;
 
 pub use camera::{Camera, Lens, Page, Projected};
-pub use cells::{cells, role as cell_role};
+pub use cells::{cells, role as cell_role, section_role};
 pub use content::{axes, axis_names, content};
 pub use diagram::{Diagram, DiagramLens, DiagramNode, DiagramOf, NodeKind, tree_diagram};
 pub use figure::{Anchor, Drawn, Extent, Figure, Form, Part};
@@ -60,8 +62,9 @@ pub use options::{Background, FileOptions, Scale, Unit};
 pub use paint::Paint;
 pub use palette::{Colour, Palette, Theme, contrast, ramp};
 pub use pdf::{ATTACHMENT, Pdf, PdfError, pdf};
-pub use pixels::{Pixels, PixelsError, Rasteriser};
+pub use pixels::{Pixels, PixelsError};
 pub use png::{Apng, PngError, png, png_of_pixels};
+pub use rasteriser::Rasteriser;
 pub use role::Role;
 pub use show::{Levels, Rest, Show};
 pub use slice::{Cut, Slice};

@@ -1,9 +1,7 @@
 //! Figures as pixels.
 
-use crate::{Background, Drawn, Figure, FileOptions, Scale, fonts, svg};
-use resvg::{tiny_skia, usvg};
-use std::ops::Range;
-use std::sync::{Arc, LazyLock};
+use crate::{Figure, FileOptions, Rasteriser};
+use resvg::usvg;
 use thiserror::Error;
 
 /// A picture of pixels.
@@ -30,10 +28,6 @@ pub enum PixelsError {
     )]
     Size(f64, f64),
 }
-
-/// Most pixels along a side, and in all.
-const LARGEST: u32 = 1 << 14;
-const MOST_PIXELS: f64 = 1e8;
 
 impl Pixels {
     /// Pixels of a figure. A page unit is as many as the scale says, in whatever
@@ -73,139 +67,9 @@ impl Pixels {
     }
 }
 
-/// Figures as pixels, one after the other. What several begin with is drawn once:
-/// the steps of a run differ above the leaves only.
-pub struct Rasteriser<'a> {
-    options: FileOptions<'a>,
-    /// The figure before.
-    before: Vec<Drawn>,
-    /// The first shapes of it as pixels, and their number.
-    base: Option<(tiny_skia::Pixmap, usize)>,
-}
-
-impl<'a> Rasteriser<'a> {
-    /// One that has drawn nothing yet.
-    pub fn new(options: &FileOptions<'a>) -> Self {
-        // The picture holds neither a title nor a scenario.
-        let options = FileOptions { title: "", scenario: "", ..*options };
-        Self { options, before: Vec::new(), base: None }
-    }
-
-    /// Pixels of a figure, as [`Pixels::of`].
-    ///
-    /// # Errors
-    /// Refuses sizes without pixels or with far too many.
-    pub fn pixels(&mut self, figure: &Figure) -> Result<Pixels, PixelsError> {
-        let page = [figure.page.width, figure.page.height];
-        let [width, height] = page.map(|side| (side * self.options.scale.factor).round());
-        let fits = |side: f64| (1.0..=f64::from(LARGEST)).contains(&side);
-        let size = || PixelsError::Size(width, height);
-        if !fits(width) || !fits(height) || width * height > MOST_PIXELS {
-            return Err(size());
-        }
-        let (width, height) = (width as u32, height as u32);
-        let is_as_large = |(base, _): &(tiny_skia::Pixmap, usize)| {
-            [base.width(), base.height()] == [width, height]
-        };
-        let n_shared = figure.drawn.iter().zip(&self.before).take_while(|(a, b)| a == b).count();
-        let base = self.base.take().filter(is_as_large).filter(|(_, n_drawn)| {
-            // Much more is shared than is drawn: then it is worth drawing that.
-            (n_shared / 2..=n_shared).contains(n_drawn)
-        });
-        let base = match base {
-            Some(base) => base,
-            None => {
-                let mut blank = tiny_skia::Pixmap::new(width, height).ok_or_else(size)?;
-                let background = self.options.background;
-                self.draw(figure, 0..n_shared, background, &mut blank)?;
-                (blank, n_shared)
-            }
-        };
-        let mut pixmap = base.0.clone();
-        let rest = base.1..figure.drawn.len();
-        self.draw(figure, rest, Background::Transparent, &mut pixmap)?;
-        (self.base, self.before) = (Some(base), figure.drawn.clone());
-        let rgba = pixmap.pixels().iter().flat_map(|pixel| {
-            let pixel = pixel.demultiply();
-            [pixel.red(), pixel.green(), pixel.blue(), pixel.alpha()]
-        });
-        Ok(Pixels { width, height, rgba: rgba.collect() })
-    }
-
-    /// Draws some of the shapes of a figure over what is there.
-    fn draw(
-        &self,
-        figure: &Figure,
-        shapes: Range<usize>,
-        background: Background,
-        pixmap: &mut tiny_skia::Pixmap,
-    ) -> Result<(), PixelsError> {
-        static TYPEFACES: LazyLock<Arc<usvg::fontdb::Database>> = LazyLock::new(|| {
-            let mut database = usvg::fontdb::Database::new();
-            for font in fonts::ALL {
-                database.load_font_data(font.to_vec());
-            }
-            database.set_sans_serif_family("Inter");
-            database.set_monospace_family("JetBrains Mono");
-            Arc::new(database)
-        });
-        if shapes.is_empty() && background == Background::Transparent {
-            return Ok(());
-        }
-        let setting = usvg::Options {
-            fontdb: TYPEFACES.clone(),
-            font_family: "Inter".to_string(),
-            ..usvg::Options::default()
-        };
-        let page = figure.page;
-        let part = Figure { page, drawn: figure.drawn[shapes].to_vec() };
-        let options = FileOptions { scale: Scale::default(), background, ..self.options };
-        let tree = usvg::Tree::from_str(&svg(&part, &options), &setting)?;
-        let transform = tiny_skia::Transform::from_scale(
-            (f64::from(pixmap.width()) / page.width) as f32,
-            (f64::from(pixmap.height()) / page.height) as f32,
-        );
-        resvg::render(&tree, transform, &mut pixmap.as_mut());
-        Ok(())
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Form, Page, Part, Role};
-
-    /// A few leaves, visited ones above them, and a text.
-    fn figure(n_visited: usize) -> Figure {
-        let square = |n: usize| {
-            let x = 8.0 * n as f64 + 3.3;
-            Form::Polygon(vec![[x, 5.0], [x + 8.0, 5.0], [x + 8.0, 20.5], [x, 20.5]])
-        };
-        let drawn = |role, form| Drawn { form, role, part: Part::Whole, node: None };
-        let mut all: Vec<_> = (0..9).map(|n| drawn(Role::FullLeaf, square(n))).collect();
-        all.extend((0..n_visited).map(|n| drawn(Role::Visited { share: 0.1 }, square(n))));
-        let (at, anchor) = ([40.0, 12.0], crate::Anchor::Middle);
-        let text = n_visited.to_string().into();
-        all.push(drawn(Role::Words, Form::Text { at, anchor, text }));
-        Figure { page: Page { width: 80.0, height: 30.0 }, drawn: all }
-    }
-
-    #[test]
-    fn figures_one_after_the_other_look_as_each_alone() {
-        for background in [Background::Filled, Background::Transparent] {
-            let options = FileOptions { background, ..FileOptions::default() };
-            let mut rasteriser = Rasteriser::new(&options);
-            for n_visited in [0, 1, 2, 7, 3, 0, 9, 9, 8] {
-                let figure = figure(n_visited);
-                let expected = Pixels::of(&figure, &options).unwrap();
-                let found = rasteriser.pixels(&figure).unwrap();
-                let worst = found.rgba.iter().zip(&expected.rgba).map(|(a, b)| a.abs_diff(*b));
-                assert!(worst.max() <= Some(1), "{n_visited} {background:?}");
-            }
-            let larger = Figure { page: Page { width: 90.0, height: 30.0 }, ..figure(8) };
-            assert_eq!(rasteriser.pixels(&larger).unwrap().width, 90);
-        }
-    }
 
     #[test]
     fn what_has_changed_is_the_smallest_rectangle() {

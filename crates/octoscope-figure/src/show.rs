@@ -2,7 +2,8 @@
 
 use crate::Slice;
 use octoscope_core::tree::{Node, NodeId, Tree};
-use serde::{Deserialize, Serialize};
+use serde::de::Error;
+use serde::{Deserialize, Deserializer, Serialize};
 
 /// What is to be seen beside the algorithm's state.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
@@ -34,7 +35,18 @@ pub struct Show {
     pub slice: Option<Slice>,
     /// How far the children of the current node are moved apart, in their own
     /// sides; 0 leaves them where they are.
+    #[serde(deserialize_with = "apart")]
     pub explosion: f64,
+}
+
+/// Sides by which children are moved apart.
+fn apart<'de, S: Deserializer<'de>>(from: S) -> Result<f64, S::Error> {
+    let sides = f64::deserialize(from)?;
+    if (0.0..=Show::MOST_APART).contains(&sides) {
+        Ok(sides)
+    } else {
+        Err(S::Error::custom(format!("children cannot be {sides} sides apart")))
+    }
 }
 
 /// Levels from the least to the most, both included; 0 is that of the smallest cells.

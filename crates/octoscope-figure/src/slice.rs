@@ -3,14 +3,17 @@
 use crate::{Camera, Mark, Role, Shape};
 use octoscope_core::geometry::Aabb;
 use octoscope_core::tree::{Domain, Node, Tree};
-use serde::{Deserialize, Serialize};
+use serde::de::Error;
+use serde::{Deserialize, Deserializer, Serialize};
 
 /// A plane across an axis. What lies on the side of the eye is not drawn.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Slice {
     /// The axis, 0 = x.
+    #[serde(deserialize_with = "an_axis")]
     pub axis: u8,
     /// Where the plane lies, as a share of the root's side.
+    #[serde(deserialize_with = "a_share")]
     pub at: f64,
 }
 
@@ -23,6 +26,19 @@ pub struct Cut {
     pub at: f64,
     /// Whether what lies below is drawn, or what lies above.
     pub keeps_lower: bool,
+}
+
+/// An axis of space.
+fn an_axis<'de, S: Deserializer<'de>>(from: S) -> Result<u8, S::Error> {
+    let axis = u8::deserialize(from)?;
+    if axis < 3 { Ok(axis) } else { Err(S::Error::custom(format!("{axis} is no axis: 0 to 2"))) }
+}
+
+/// A number from 0 to 1.
+fn a_share<'de, S: Deserializer<'de>>(from: S) -> Result<f64, S::Error> {
+    let share = f64::deserialize(from)?;
+    let is_share = (0.0..=1.0).contains(&share);
+    if is_share { Ok(share) } else { Err(S::Error::custom(format!("{share} is not in 0 to 1"))) }
 }
 
 impl Slice {
@@ -133,9 +149,13 @@ impl Cut {
     }
 
     /// Mark of where the plane meets a node.
-    pub(crate) fn section<const D: usize>(&self, tree: &Tree<D>, node: Node) -> Option<Mark<D>> {
+    pub(crate) fn section<const D: usize>(
+        &self,
+        tree: &Tree<D>,
+        node: Node,
+        role: Role,
+    ) -> Option<Mark<D>> {
         let bounds = self.section_of(&tree.node_box(node.id))?;
-        let role = if node.is_full() { Role::FullSection } else { Role::EmptySection };
         Some(Mark::new(Shape::Plane { axis: self.axis, bounds }, role).of_node(node.id))
     }
 }
