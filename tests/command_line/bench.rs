@@ -77,14 +77,20 @@ fn bench_refuses_what_it_cannot_measure() {
 #[test]
 fn a_bench_that_is_broken_off_leaves_nothing() {
     let desk = Desk::new();
-    let before = fs::read_dir(desk.0.path()).unwrap().count();
+    let changed_at = || fs::metadata(desk.0.path()).unwrap().modified().unwrap();
+    let n_files = || fs::read_dir(desk.0.path()).unwrap().count();
+    let before = (changed_at(), n_files());
     let mut bench = desk.command("bench --depth 8 --rays 100000 -o out.csv --csv").spawn().unwrap();
-    std::thread::sleep(Duration::from_millis(300));
+    // It has tried whether it may write there, and measures.
+    while changed_at() == before.0 || n_files() != before.1 {
+        assert!(bench.try_wait().unwrap().is_none());
+        std::thread::yield_now();
+    }
     let interrupt =
         std::process::Command::new("kill").args(["-INT", &bench.id().to_string()]).status();
     assert!(interrupt.unwrap().success());
     let start = Instant::now();
     assert!(!bench.wait().unwrap().success());
     assert!(start.elapsed() < Duration::from_secs(20));
-    assert_eq!(fs::read_dir(desk.0.path()).unwrap().count(), before);
+    assert_eq!(n_files(), before.1);
 }

@@ -64,6 +64,24 @@ fn rays_in_lanes_meet_what_each_meets_alone() {
     assert!(n_rays >= 100_000, "only {n_rays}");
 }
 
+/// Codes reach no deeper.
+#[test]
+fn rays_in_lanes_meet_what_each_meets_alone_in_the_deepest_tree() {
+    let (mut random, mut n_deep) = (Random::new(14), 0);
+    for n in 0..12 {
+        let tree = random_tree(domain::<3>(20, n), 200, &mut random);
+        n_deep += usize::from(tree.nodes().any(|node| tree.level(node.id) == 0));
+        let rays: Vec<_> = Class::ALL
+            .into_iter()
+            .flat_map(|class| [class; 25])
+            .map(|class| random_ray(&tree, class, &mut random))
+            .collect();
+        check(&tree, &rays, StopAt::End);
+        check(&tree, &rays, StopAt::FirstFull);
+    }
+    assert!(n_deep >= 6, "only {n_deep} reach the leaf grid");
+}
+
 #[test]
 fn lanes_without_rays_do_no_harm() {
     let mut random = Random::new(13);
