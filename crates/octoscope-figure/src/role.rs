@@ -189,7 +189,7 @@ pub enum Role {
 }
 
 /// Classes of the lines of a chart.
-const SERIES: [&str; 15] = [
+const SERIES: [&str; 17] = [
     "series-1",
     "series-2",
     "series-3",
@@ -205,6 +205,8 @@ const SERIES: [&str; 15] = [
     "series-13",
     "series-14",
     "series-15",
+    "series-16",
+    "series-17",
 ];
 
 /// Names of formulas in their sizes, the largest first.
@@ -225,7 +227,7 @@ impl Role {
 
     /// One role of every kind, in the order in which they cover each other,
     /// the lowest first.
-    pub const KINDS: [Self; 125] = [
+    pub const KINDS: [Self; 127] = [
         Self::Pixel([128; 3]),
         Self::FaintNode,
         Self::InnerNode,
@@ -333,6 +335,8 @@ impl Role {
         Self::Series(12),
         Self::Series(13),
         Self::Series(14),
+        Self::Series(15),
+        Self::Series(16),
         Self::Hit,
         Self::Miss,
         Self::BorderBit,

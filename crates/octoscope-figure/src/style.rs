@@ -31,15 +31,18 @@ pub enum Dash {
     Dashed,
     /// Dots.
     Dotted,
+    /// Dashes and dots in turn.
+    DashDotted,
 }
 
 impl Dash {
-    /// Lengths of dash and gap in units of the line's width; empty if unbroken.
+    /// Lengths of dash, gap, dash, gap… in units of the line's width; empty if unbroken.
     pub fn pattern(self) -> &'static [f64] {
         match self {
             Self::Solid => &[],
             Self::Dashed => &[4.0, 3.0],
             Self::Dotted => &[1.0, 2.0],
+            Self::DashDotted => &[6.0, 2.0, 1.0, 2.0],
         }
     }
 }
@@ -270,7 +273,7 @@ impl Style {
             Role::Compared => Self { fill: Some(p.quiet_ink.faded(0.75)), ..Self::default() },
             Role::Series(number) => {
                 let colours = [p.accent, p.ray, p.current_outline, p.rejected, p.quiet_ink];
-                let dash = [Dash::Solid, Dash::Dashed, Dash::Dotted];
+                let dash = [Dash::Solid, Dash::Dashed, Dash::Dotted, Dash::DashDotted];
                 let colour = colours[number % Role::N_SERIES_COLOURS];
                 let dash = dash[number / Role::N_SERIES_COLOURS % dash.len()];
                 Self { dash, ..line(colour, 1.8) }

@@ -343,9 +343,15 @@ impl<'a> Tikz<'a> {
             let points = self.options.scale.points();
             parts.push(format!("line width={}", length(paint.width * points)));
             parts.push("line join=round".to_owned());
-            if let [dash, gap] = paint.dash.pattern() {
-                let [on, off] = [dash, gap].map(|part| length(part * paint.width * points));
-                parts.push(format!("dash pattern=on {on} off {off}"));
+            let pattern: Vec<_> = paint
+                .dash
+                .pattern()
+                .iter()
+                .zip(["on", "off"].into_iter().cycle())
+                .map(|(part, is)| format!("{is} {}", length(part * paint.width * points)))
+                .collect();
+            if !pattern.is_empty() {
+                parts.push(format!("dash pattern={}", pattern.join(" ")));
             }
         }
         Some(parts.join(", "))

@@ -114,7 +114,7 @@ fn a_law_that_is_there_is_written_behind_the_name() {
     let figure = growth_chart(&results(5..=8), of, &texts(Language::German), [760.0, 460.0]);
     let is_named = |drawn: &octoscope_figure::Drawn| match &drawn.form {
         // 1.6 is two to the power of 0.678.
-        Form::Text { text, .. } => text.plain() == "Samet  0,68",
+        Form::Text { text, .. } => text.plain() == "Samet  0.68",
         Form::Polygon(_) | Form::Polyline(_) | Form::Circle { .. } | Form::Formula { .. } => false,
     };
     assert!(figure.drawn.iter().any(is_named));
@@ -123,7 +123,7 @@ fn a_law_that_is_there_is_written_behind_the_name() {
 #[test]
 fn the_verdict_counts_what_holds() {
     // Each is 1.3 times as slow as the one before: all but the statements on Samet, who
-    // is slower here, hold in sign; Gargantini is far from equal.
+    // is slower here, hold in their order; Gargantini is far from equal.
     let told = verdict(&results(5..=8), &texts(Language::English));
     let expected = "7 published statements were measured: 0 hold here, 3 only in which is faster, \
                     4 not.";

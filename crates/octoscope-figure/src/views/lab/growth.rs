@@ -62,7 +62,7 @@ pub fn growth_chart(
     let labels: Vec<RichText> = all
         .iter()
         .map(|series| {
-            let exponent = ratio(series.law.map(|law| law.exponent), texts);
+            let exponent = ratio(series.law.map(|law| law.exponent));
             format!("{}  {exponent}", way_name(series.way, texts)).into()
         })
         .collect();
@@ -75,7 +75,7 @@ pub fn growth_chart(
     let ticks_wide = y_axis
         .ticks()
         .iter()
-        .map(|&tick| metrics::width(Role::Scale, &short(tick, texts).into()))
+        .map(|&tick| metrics::width(Role::Scale, &short(tick).into()))
         .fold(0.0, f64::max);
     let [left, right] = [ticks_wide + 10.0, width - widest - 34.0];
     let [upper, lower] = [top + 28.0, height - 40.0];
@@ -87,13 +87,13 @@ pub fn growth_chart(
     for tick in y_axis.ticks() {
         let y = place([1.0, tick])[1];
         sheet.line(Role::Scale, [[left, y], [right, y]]);
-        sheet.text(Role::Scale, [left - 6.0, y], Anchor::End, short(tick, texts));
+        sheet.text(Role::Scale, [left - 6.0, y], Anchor::End, short(tick));
     }
     let mut free_from = f64::NEG_INFINITY;
     for tick in x_axis.ticks() {
         let x = place([tick, 1.0])[0];
         sheet.line(Role::Scale, [[x, upper], [x, lower]]);
-        let text = RichText::from(short(tick, texts));
+        let text = RichText::from(short(tick));
         let half = 0.5 * metrics::width(Role::Scale, &text);
         if x - half > free_from {
             sheet.text(Role::Scale, [x, lower + 12.0], Anchor::Middle, text);
@@ -212,6 +212,18 @@ fn spread(wanted: &[f64], gap: f64, [upper, lower]: [f64; 2]) -> Vec<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::{Style, Theme};
+
+    #[test]
+    fn every_way_has_a_name_and_a_look_of_its_own() {
+        let mut looks: Vec<(&str, String)> = Vec::new();
+        for way in Way::all() {
+            let (role, style) = (role_of(way), Style::of(Theme::Light, role_of(way)));
+            let look = format!("{:?} {:?}", style.stroke, style.dash);
+            assert!(looks.iter().all(|(class, of)| *class != role.class() && *of != look), "{way}");
+            looks.push((role.class(), look));
+        }
+    }
 
     #[test]
     fn labels_keep_apart_and_within_their_limits() {

@@ -40,25 +40,18 @@ pub(super) fn in_unit(quantity: Quantity, x: f64) -> f64 {
     }
 }
 
-/// A number with three digits or so, and a decimal sign as the language has it.
-pub(super) fn short(x: f64, texts: &Texts) -> String {
+/// A number with three digits or so.
+pub(super) fn short(x: f64) -> String {
     let digits = match x.abs() {
         0.0..10.0 => 2,
         10.0..100.0 => 1,
         _ => 0,
     };
     let rounded = if x.is_finite() { format!("{x:.digits$}").parse().unwrap_or(x) } else { x };
-    in_language(approx(rounded), texts)
+    approx(rounded)
 }
 
 /// A ratio with two digits behind the sign.
-pub(super) fn ratio(x: Option<f64>, texts: &Texts) -> String {
-    x.map_or_else(|| "–".to_owned(), |x| in_language(format!("{x:.2}"), texts))
-}
-
-fn in_language(number: String, texts: &Texts) -> String {
-    match texts.language() {
-        octoscope_core::text::Language::English => number,
-        octoscope_core::text::Language::German => number.replace('.', ","),
-    }
+pub(super) fn ratio(x: Option<f64>) -> String {
+    x.map_or_else(|| "–".to_owned(), |x| format!("{x:.2}"))
 }

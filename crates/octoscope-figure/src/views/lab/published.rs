@@ -47,8 +47,8 @@ fn row(one: &Judged, texts: &Texts) -> Vec<Entry> {
     };
     let plain = if tone == Tone::Quiet { Tone::Quiet } else { Tone::Plain };
     let name = texts.get(&format!("lab-claim-{}", one.claim.id));
-    let numbers = [published(one, texts), ratio(one.time, texts)];
-    let counts = [one.node_touches, one.comparisons].map(|x| ratio(x, texts));
+    let numbers = [published(one, texts), ratio(one.time)];
+    let counts = [one.node_touches, one.comparisons].map(ratio);
     let mut row = vec![Entry::new(name, plain)];
     row.extend(numbers.into_iter().chain(counts).map(|number| Entry::new(number, plain)));
     row.push(Entry::new(holds, tone));
@@ -79,10 +79,10 @@ pub fn verdict(results: &Results, texts: &Texts) -> String {
 fn why(one: &Judged, texts: &Texts) -> String {
     let arguments = [
         ("name", texts.get(&format!("lab-claim-{}", one.claim.id)).into()),
-        ("here", ratio(one.time, texts).into()),
+        ("here", ratio(one.time).into()),
         ("published", published(one, texts).into()),
-        ("nodes", ratio(one.node_touches, texts).into()),
-        ("comparisons", ratio(one.comparisons, texts).into()),
+        ("nodes", ratio(one.node_touches).into()),
+        ("comparisons", ratio(one.comparisons).into()),
     ];
     texts.format(&format!("lab-why-{}", id(one.verdict)), &arguments)
 }
@@ -90,7 +90,7 @@ fn why(one: &Judged, texts: &Texts) -> String {
 fn published(one: &Judged, texts: &Texts) -> String {
     match one.claim.published {
         Published::Equal => texts.get("lab-about-one"),
-        Published::Share(share) => ratio(Some(share), texts),
+        Published::Share(share) => ratio(Some(share)),
     }
 }
 

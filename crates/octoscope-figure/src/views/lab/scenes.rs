@@ -68,7 +68,7 @@ fn panel(
         sheet.text(Role::Words, [x, y + 10.0], Anchor::Start, texts.get("lab-nothing"));
         return 20.0;
     };
-    let value = short(in_unit(quantity, best), texts);
+    let value = short(in_unit(quantity, best));
     let note = texts.format("lab-best", &[("value", value.into())]);
     let note_wide = metrics::width(Role::Note, &note.as_str().into());
     sheet.text(Role::Note, [x + width, y + 8.0], Anchor::End, note);
@@ -79,7 +79,7 @@ fn panel(
     }
 
     let left = x + names_wide + 8.0;
-    let numbers_wide = metrics::width(Role::Note, &"00,00".into()) + 8.0;
+    let numbers_wide = metrics::width(Role::Note, &"00.00".into()) + 8.0;
     let room = x + width - left - numbers_wide;
     let ratios: Vec<f64> = site.rows.iter().map(|row| quantity.of(site, row) / best).collect();
     let longest = ratios.iter().copied().filter(|r| r.is_finite()).fold(1.0, f64::max).min(MOST);
@@ -107,7 +107,7 @@ fn panel(
         };
         let role = if ratio == 1.0 { Role::Spent } else { Role::Compared };
         sheet.push(role, Part::Whole, Form::Polygon(points));
-        sheet.text(Role::Note, [end + 5.0, middle], Anchor::Start, in_units(Some(ratio), texts));
+        sheet.text(Role::Note, [end + 5.0, middle], Anchor::Start, in_units(Some(ratio)));
     }
     let bottom = y + HEAD + ROW * site.rows.len() as f64;
     sheet.line(Role::Rule, [[left, y + HEAD - 2.0], [left, bottom + 2.0]]);
