@@ -150,8 +150,8 @@ pub fn status(context: &Context, look: &Look, notice: &mut Notice, space: Option
         return;
     }
     let space = space.unwrap_or_else(|| context.content_rect());
-    let area = Area::new(Id::unique("status")).order(Order::Foreground);
-    // Above what is written into the corner of the view.
+    // Above dialogs, which it may be about, and what is written into the corner of the view.
+    let area = Area::new(Id::unique("status")).order(Order::Tooltip);
     let area = area.pivot(Align2::CENTER_BOTTOM).fixed_pos(space.center_bottom() - vec2(0.0, 44.0));
     let clicked = area.show(context, |ui| {
         ui.multiply_opacity(strength);
