@@ -66,8 +66,12 @@ pub fn install_fonts(context: &Context) {
         fonts.families.insert(family, vec![name.to_owned(), "mono".to_owned(), "sans".to_owned()]);
     }
     context.set_fonts(fonts);
-    // The window has a scale of its own, by the same keys.
-    context.options_mut(|options| options.zoom_with_keyboard = false);
+    context.options_mut(|options| {
+        // The window has a scale of its own, by the same keys.
+        options.zoom_with_keyboard = false;
+        // Where a frame takes long, a short click is seen as a long one.
+        options.input_options.max_click_duration = f64::INFINITY;
+    });
 }
 
 /// How long controls take to open, or to light up.

@@ -1,7 +1,7 @@
 //! Parameters t of the planes of the current node, on one axis.
 
 use crate::look::Look;
-use crate::widgets::{paint_figure, rich_label, room, step_slider};
+use crate::widgets::{acted_at, paint_figure, rich_label, room, step_slider};
 use eframe::egui::{
     Align, Label, Layout, Pos2, RichText, Sense, Ui, UiBuilder, WidgetInfo, accesskit::Role, vec2,
 };
@@ -51,7 +51,7 @@ pub fn ui<const D: usize>(
     let response = response.on_hover_ui(|ui| digits(ui, look, &rail));
     let t_at = |pointer: Pos2| rail.t_at(f64::from(pointer.x - rect.left()));
     Pointed {
-        step: match response.interact_pointer_pos() {
+        step: match acted_at(&response) {
             Some(pointer) => Some(step_at(trace, t_at(pointer))),
             None => step_slider(ui, &response, moment.step, trace.events.len()),
         },

@@ -4,7 +4,7 @@ use crate::command::Command;
 use crate::look::Look;
 use crate::playback::Playback;
 use crate::shortcut;
-use crate::widgets::step_slider;
+use crate::widgets::{acted_at, step_slider};
 use eframe::egui::{
     Color32, FontId, Painter, Pos2, Rect, Response, RichText, Sense, Shape, Stroke, Ui, WidgetInfo,
     accesskit::Role, lerp, pos2, remap_clamp, vec2,
@@ -87,7 +87,7 @@ fn ruler<const D: usize>(
     let length = trace.events.len();
     let (rect, response) = ui.allocate_exact_size(vec2(width, 36.0), Sense::click_and_drag());
     let track = rect.shrink2(vec2(8.0, 4.0));
-    if let Some(pointer) = response.interact_pointer_pos() {
+    if let Some(pointer) = acted_at(&response) {
         let step = remap_clamp(pointer.x, track.x_range(), 0.0..=length as f32);
         playback.playing = false;
         playback.go_to(step.round() as usize, length);

@@ -11,6 +11,7 @@ use super::pick::{leaf_at, side_at};
 use crate::document::Document;
 use crate::look::Look;
 use crate::short_number::rounded;
+use crate::widgets::acted_at;
 use eframe::egui::{
     CursorIcon, Id, Painter, PointerButton, Pos2, Rect, Response, Stroke, StrokeKind, Ui, pos2,
 };
@@ -80,17 +81,17 @@ pub fn handle<const D: usize>(
         drag(ui, response, frame, camera, document, grip, at);
     }
     if response.drag_stopped() {
-        if let (Some(Grip::Region(from)), Some(to)) = (grip, response.interact_pointer_pos()) {
+        if let (Some(Grip::Region(from)), Some(to)) = (grip, acted_at(response)) {
             ask_region(frame, camera, document, from, to);
         }
         ui.data_mut(|data| data.remove::<Grip>(memory));
     }
     if response.double_clicked() {
-        if let Some(at) = response.interact_pointer_pos() {
+        if let Some(at) = acted_at(response) {
             ask_point(frame, camera, document, at);
         }
     } else if response.clicked()
-        && let Some(at) = response.interact_pointer_pos()
+        && let Some(at) = acted_at(response)
     {
         match grip_at(ui, frame, camera, document, at) {
             Grip::Camera | Grip::Region(_) => click(frame, camera, document, at),

@@ -74,10 +74,14 @@ fn paint_line(painter: &Painter, points: &[Pos2], stroke: Stroke, dashes: &[f64]
     if stroke.color == Color32::TRANSPARENT || stroke.width <= 0.0 {
         return;
     }
-    if let [dash, gap] = dashes {
-        let [dash, gap] = [dash, gap].map(|length| *length as f32 * stroke.width.max(1.0));
-        painter.extend(Shape::dashed_line(points, stroke, dash, gap));
-    } else {
+    if dashes.is_empty() {
         painter.add(Shape::line(points.to_vec(), stroke));
+        return;
     }
+    let every_second = |first: usize| -> Vec<f32> {
+        let lengths = dashes.iter().skip(first).step_by(2);
+        lengths.map(|length| *length as f32 * stroke.width.max(1.0)).collect()
+    };
+    let [dash, gap] = [every_second(0), every_second(1)];
+    painter.extend(Shape::dashed_line_with_offset(points, stroke, &dash, &gap, 0.0));
 }

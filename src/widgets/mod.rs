@@ -1,5 +1,6 @@
 //! Controls and drawings that several panels share.
 
+mod acted_at;
 mod beside;
 mod bits;
 mod child_bits;
@@ -16,6 +17,7 @@ mod step_slider;
 mod table;
 mod tick;
 
+pub use acted_at::acted_at;
 pub use beside::beside_or_below;
 pub use bits::bit_table;
 pub use child_bits::child_bits;
