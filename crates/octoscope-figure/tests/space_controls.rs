@@ -98,6 +98,13 @@ fn a_slice_takes_away_what_is_before_it_but_never_the_path() {
         bounds.size()[1] * bounds.size()[2]
     });
     assert!((areas.sum::<f64>() - 1.0).abs() < 1e-12);
+    // Where the cells are faint, so are these.
+    let faint = cells(&tree, &Show { rest: Rest::Faint, ..Show::default() }, Some(&cut));
+    assert_eq!(faint.len(), left.len());
+    assert!(faint.iter().all(|mark| mark.role == Role::FaintNode));
+    let figure = space_figure(&faint, &camera, PAGE);
+    let is_drawn = |drawn: &octoscope_figure::Drawn| matches!(drawn.form, Form::Polygon(_));
+    assert!(figure.drawn.iter().any(is_drawn));
     let [whole, sliced] =
         [None, Some(slice)].map(|slice| marks_at::<3>(1.0, 9, &Show { slice, ..Show::default() }));
     assert_eq!(whole, sliced);
