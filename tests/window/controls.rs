@@ -195,3 +195,20 @@ fn a_key_in_the_frame_of_a_click_belongs_to_the_field_that_is_clicked() {
         desk.press(Key::Escape);
     }
 }
+
+#[test]
+fn a_click_is_one_however_long_its_frames_take() {
+    let mut desk = Desk::new();
+    let pos = desk.get_all_by_role(Role::ComboBox).last().unwrap().rect().center();
+    desk.point_at(pos);
+    assert!(!desk.says("HERO: mask and sorted planes"));
+    for pressed in [true, false] {
+        let (modifiers, button) = (Modifiers::NONE, PointerButton::Primary);
+        desk.event(Event::PointerButton { pos, button, pressed, modifiers });
+        let late = desk.ctx.input(|input| input.time) + 2.0;
+        desk.input_mut().time = Some(late);
+        desk.step();
+    }
+    desk.step();
+    assert!(desk.says("HERO: mask and sorted planes"), "{:?}", desk.texts());
+}
