@@ -24,6 +24,8 @@ pub struct Run {
     /// Whether they are the leaves of the oracle, or of the reference where
     /// the tree is too large for the oracle; slivers left out.
     pub agrees: bool,
+    /// Number of those.
+    pub n_expected: usize,
 }
 
 /// More leaves than this are not tested one by one for every movement.
@@ -55,36 +57,42 @@ pub fn is_quick<const D: usize>(algorithm: Algorithm, tree: &Tree<D>) -> bool {
     }
 }
 
-/// Runs every algorithm that is quick enough on `ray`, in doubles, with every rule
-/// in its right form.
+/// Runs every algorithm that is quick enough on `ray`, as `query` does: in its arithmetic
+/// and up to its end, with every rule in its right form, but the algorithm of the query
+/// with the rules of the query.
 ///
 /// # Errors
 /// Stops with [`Cancelled`] when `progress` is cancelled.
 pub fn compare<const D: usize>(
     tree: &Tree<D>,
     ray: &Ray<D>,
-    options: Options,
+    query: &Query<D>,
     progress: &Progress,
 ) -> Result<Vec<Run>, Cancelled> {
-    let options = Options { variants: Variants::NONE, ..options };
-    let wanted = Algorithm::ALL.into_iter().filter(|&algorithm| is_quick(algorithm, tree));
-    let run = |algorithm, options| run(tree, ray, algorithm, options, progress);
-    let mut runs =
-        wanted.map(|algorithm| run(algorithm, options)).collect::<Result<Vec<Run>, Cancelled>>()?;
-    let oracle = runs.iter().find(|run| run.algorithm == Algorithm::Exhaustive);
-    let Some(reference) = oracle.or(runs.first()) else { return Ok(runs) };
-    let expected = match options.stop_at {
-        StopAt::End => reference.leaves.clone(),
-        StopAt::FirstFull => {
-            let whole = Options { stop_at: StopAt::End, ..options };
-            run(reference.algorithm, whole)?.leaves
+    let (shown, own, arithmetic) = match *query {
+        Query::Ray { algorithm, options, arithmetic } => (Some(algorithm), options, arithmetic),
+        Query::Point { .. } | Query::Region { .. } | Query::Neighbour { .. } => {
+            (None, Options::default(), Arithmetic::Doubles)
         }
     };
+    let options = Options { variants: Variants::NONE, ..own };
+    let wanted = Algorithm::ALL.into_iter().filter(|&algorithm| is_quick(algorithm, tree));
+    let run = |algorithm, options| {
+        run(tree, ray, &Query::Ray { algorithm, options, arithmetic }, algorithm, progress)
+    };
+    let of = |algorithm| run(algorithm, if shown == Some(algorithm) { own } else { options });
+    let mut runs = wanted.map(of).collect::<Result<Vec<Run>, Cancelled>>()?;
+    let oracle = runs.iter().find(|run| run.algorithm == Algorithm::Exhaustive);
+    let Some(reference) = oracle.or(runs.first()) else { return Ok(runs) };
+    let n_expected = run(reference.algorithm, options)?.leaves.len();
+    let whole = Options { stop_at: StopAt::End, ..options };
+    let expected = run(reference.algorithm, whole)?.leaves;
     for run in &mut runs {
         let slivers = Slivers::Ignore;
         let difference =
             first_difference_of_run(tree, ray, options, &expected, &run.leaves, slivers);
         run.agrees = difference.is_none();
+        run.n_expected = n_expected;
     }
     Ok(runs)
 }
@@ -92,19 +100,19 @@ pub fn compare<const D: usize>(
 fn run<const D: usize>(
     tree: &Tree<D>,
     ray: &Ray<D>,
+    query: &Query<D>,
     algorithm: Algorithm,
-    options: Options,
     progress: &Progress,
 ) -> Result<Run, Cancelled> {
-    let query = Query::Ray { algorithm, options, arithmetic: Arithmetic::Doubles };
     // A run that is cut has not found all that it should.
-    let Counted { n_steps, counters, leaves, .. } = counted(tree, ray, &query, progress)?;
-    Ok(Run { algorithm, n_steps, counters, leaves, agrees: false })
+    let Counted { n_steps, counters, leaves, .. } = counted(tree, ray, query, progress)?;
+    Ok(Run { algorithm, n_steps, counters, leaves, agrees: false, n_expected: 0 })
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use octoscope_core::traverse::Variant;
     use octoscope_core::tree::{Domain, Split, grow};
 
     #[test]
@@ -114,8 +122,24 @@ mod tests {
         });
         let tree = tree.unwrap();
         let ray = Ray::new([-1.0; 3], [1.0; 3]).unwrap();
-        let runs = compare(&tree, &ray, Options::default(), &Progress::default()).unwrap();
+        let query = Query::Ray {
+            algorithm: Algorithm::Codes,
+            options: Options::default(),
+            arithmetic: Arithmetic::Doubles,
+        };
+        let runs = compare(&tree, &ray, &query, &Progress::default()).unwrap();
         assert!(runs.iter().all(|run| run.agrees && run.leaves.len() == 2));
         assert_eq!(runs.len(), Algorithm::ALL.len());
+
+        // The run that is shown follows its own rules, and no other one.
+        let variants = Variants::NONE.with(Variant::B2);
+        let options = Options { variants, ..Options::default() };
+        let query =
+            Query::Ray { algorithm: Algorithm::Parametric, options, arithmetic: Arithmetic::Exact };
+        let ray = Ray::new([-1.0, 0.25, 0.5], [1.0, 0.5, 0.25]).unwrap();
+        let runs = compare(&tree, &ray, &query, &Progress::default()).unwrap();
+        let wrong: Vec<Algorithm> =
+            runs.iter().filter(|run| !run.agrees).map(|run| run.algorithm).collect();
+        assert_eq!(wrong, [Algorithm::Parametric]);
     }
 }

@@ -5,8 +5,6 @@ use super::Document;
 use crate::comparison::{MOST_LEAVES, Run, compare};
 use octoscope_core::paper::{Verdict, erratum_of, verdict};
 use octoscope_core::progress::{Cancelled, Progress};
-use octoscope_core::query::Query;
-use octoscope_core::traverse::Options;
 use std::sync::Arc;
 
 /// Trees of no more leaves than this are searched leaf by leaf in a small part of a
@@ -145,13 +143,7 @@ impl<const D: usize> Document<D> {
     pub fn judge(&mut self, progress: &Progress) -> Result<(), Cancelled> {
         let (tree, ray, trace) = (&self.tree, &self.traced.0, &self.trace);
         if self.comparison.state == State::Wanted {
-            let options = match self.traced.1 {
-                Query::Ray { options, .. } => options,
-                Query::Point { .. } | Query::Region { .. } | Query::Neighbour { .. } => {
-                    Options::default()
-                }
-            };
-            self.comparison.know(compare(tree, ray, options, progress)?);
+            self.comparison.know(compare(tree, ray, &self.traced.1, progress)?);
         }
         if self.verdict.state == State::Wanted {
             self.verdict.know(verdict(tree, ray, trace));

@@ -160,8 +160,13 @@ fn row(ui: &mut Ui, look: &Look, run: &Run, is_shown: bool, n_numbers: usize) ->
     let clicked = response.on_hover_text(&name).clicked();
 
     let [n_leaves, others @ ..] = numbers(run);
-    let key = if run.agrees { "compare-agrees" } else { "compare-differs" };
-    let verdict = look.texts.format(key, &[("leaves", n_leaves.into())]);
+    let key = match (run.agrees, run.n_expected as u64 == n_leaves) {
+        (true, true) => "compare-agrees",
+        (true, false) => "compare-slivers",
+        (false, _) => "compare-differs",
+    };
+    let arguments = [("leaves", n_leaves.into()), ("expected", run.n_expected.into())];
+    let verdict = look.texts.format(key, &arguments);
     let (sign, color) =
         if run.agrees { ("=", look.palette.ink) } else { ("≠", look.palette.ray) };
     let leaves = format!("{sign} {n_leaves}");

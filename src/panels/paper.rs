@@ -79,6 +79,12 @@ fn judged<const D: usize>(
         }
     };
     match verdict.first_wrong_step {
+        None if verdict.is_detour() => {
+            let [steps, right] = verdict.n_steps;
+            let arguments = [("steps", steps.into()), ("right", right.into())];
+            let text = look.texts.format("paper-longer", &arguments);
+            ui.label(RichText::new(text).strong().color(look.palette.ray));
+        }
         None => {
             ui.label(look.text("paper-agrees"));
         }

@@ -50,7 +50,7 @@ pub fn ui<const D: usize>(ui: &mut Ui, look: &Look, document: &mut Document<D>) 
     let max_level = document.tree.domain().root_level();
     match &mut document.scenario.query {
         Query::Ray { algorithm, options, arithmetic } => {
-            ray_query(ui, look, algorithm, options, arithmetic);
+            ray_query::<D>(ui, look, algorithm, options, arithmetic);
         }
         Query::Point { at, method, variants: _ } => {
             let choices = [
@@ -113,7 +113,7 @@ fn starting_query<const D: usize>(document: &Document<D>, kind: Kind) -> Query<D
     }
 }
 
-fn ray_query(
+fn ray_query<const D: usize>(
     ui: &mut Ui,
     look: &Look,
     algorithm: &mut Algorithm,
@@ -143,7 +143,7 @@ fn ray_query(
         choices.map(|(choice, key)| (choice, look.text(key), look.text(&format!("{key}-why"))));
     ui.horizontal(|ui| {
         explained_segments(ui, arithmetic, &choices);
-        rules(ui, look, *algorithm, &mut options.variants);
+        rules::<D>(ui, look, *algorithm, &mut options.variants);
     });
     let mut first = options.stop_at == StopAt::FirstFull;
     let response = ui.checkbox(&mut first, look.text("query-first-full"));
@@ -193,8 +193,9 @@ fn segment_end(ui: &mut Ui, look: &Look, end: &mut Option<f64>) {
 }
 
 /// Menu of the rules of the algorithm that can be had in another form.
-fn rules(ui: &mut Ui, look: &Look, algorithm: Algorithm, chosen: &mut Variants) {
-    let own = Variant::ALL.into_iter().filter(|variant| variant.belongs_to(algorithm));
+fn rules<const D: usize>(ui: &mut Ui, look: &Look, algorithm: Algorithm, chosen: &mut Variants) {
+    let is_own = |variant: &Variant| variant.belongs_to(algorithm) && variant.is_of_dimension(D);
+    let own = Variant::ALL.into_iter().filter(is_own);
     let n_changed = chosen.iter().count();
     let title = look.texts.format("query-rules", &[("n", n_changed.into())]);
     let stays = MenuConfig::new().close_behavior(PopupCloseBehavior::CloseOnClickOutside);

@@ -277,6 +277,7 @@ compare-algorithm = Verfahren
 compare-algorithm-why = In der Reihenfolge des Menüs
 counters-why = Groß: alle Schritte bisher. Mit +: in diesem Schritt. Gesamt: im ganzen Lauf.
 compare-agrees = { $leaves } Blätter, die richtigen
+compare-slivers = { $leaves } Blätter, laut Referenz { $expected }: In den übrigen ist der Strahl nicht länger, als Gleitkommazahlen unterscheiden
 compare-differs = { $leaves } Blätter, andere als die Referenz
 compare-leaves = Blätter
 compare-leaves-why = Besuchte Blätter; = wenn es die der Referenz sind, ≠ wenn nicht
@@ -423,6 +424,7 @@ paper-counterexample = Gegenbeispiel laden
 paper-too-large = Der Baum ist zu groß, um Blatt für Blatt geprüft zu werden.
 paper-coming = Der Lauf wird Blatt für Blatt geprüft …
 paper-agrees = Bei dieser Eingabe schadet die gedruckte Regel nicht.
+paper-longer = Kommt zum richtigen Ergebnis, aber mit { $steps } Schritten statt { $right }.
 paper-wrong = Geht bei Schritt { $step } schief.
 paper-go = Zu diesem Schritt
 paper-other = Anderen Strahl suchen, bei dem sie abweichen

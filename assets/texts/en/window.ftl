@@ -277,6 +277,7 @@ compare-algorithm = algorithm
 compare-algorithm-why = In the order of the menu
 counters-why = Large: all steps so far. With +: in this step. Total: in the whole run.
 compare-agrees = { $leaves } leaves, the right ones
+compare-slivers = { $leaves } leaves, and { $expected } by the reference: the ray is in the others no longer than doubles tell
 compare-differs = { $leaves } leaves, not those of the reference
 compare-leaves = leaves
 compare-leaves-why = Visited leaves; = if they are those of the reference, ≠ if not
@@ -423,6 +424,7 @@ paper-counterexample = Load the counterexample
 paper-too-large = The tree is too large to be checked leaf by leaf.
 paper-coming = The run is being checked leaf by leaf …
 paper-agrees = On this input the printed rule does no harm.
+paper-longer = Comes to the right result, but by { $steps } steps instead of { $right }.
 paper-wrong = Goes wrong at step { $step }.
 paper-go = Go to that step
 paper-other = Find another ray where they differ

@@ -165,15 +165,10 @@ impl<const D: usize> Query<D> {
 
     /// Whether the query has the rule; variants of other rules do nothing.
     pub fn takes(&self, variant: Variant) -> bool {
-        use Variant::{
-            B2, B2Morton, B3, B18, B19, B21, B24a, B24b, B24c, B25Leftmost, B25Rightmost, B28,
-        };
+        use Variant::{B18, B19, B21, B24a, B24b, B24c, B25Leftmost, B25Rightmost, B28};
         match self {
-            // Table 2 is of space, the selection of the plane.
             Self::Ray { algorithm, .. } => {
-                variant.belongs_to(*algorithm)
-                    && (!matches!(variant, B2 | B2Morton) || D == 3)
-                    && (variant != B3 || D == 2)
+                variant.belongs_to(*algorithm) && variant.is_of_dimension(D)
             }
             Self::Point { method: PointMethod::Codes, .. } => matches!(variant, B18 | B19 | B21),
             Self::Region { .. } => matches!(variant, B24a | B24b | B24c),

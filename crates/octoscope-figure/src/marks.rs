@@ -9,7 +9,7 @@ use crate::{Mark, Role, Shape, Show};
 use octoscope_core::event::{End, Event};
 use octoscope_core::geometry::{AXIS_NAMES, Aabb, Axes, Ray};
 use octoscope_core::query::Query;
-use octoscope_core::trace::Moment;
+use octoscope_core::trace::{LeafOnRay, Moment};
 use octoscope_core::traverse::Variant;
 use octoscope_core::tree::{Child, NodeId, Tree, branch};
 
@@ -57,13 +57,13 @@ impl<const D: usize> Scene<'_, D> {
     /// Visited leaves and touches.
     fn visited(&self, marks: &mut Vec<Mark<D>>) {
         let root = interval(self.ray, &self.tree.domain().root_box()).unwrap_or([0.0, 1.0]);
+        let misprinted = self.query.variants_at_work().iter().any(Variant::is_misprint);
         for (index, leaf) in self.moment.leaves.iter().enumerate() {
             let share =
                 ((leaf.enter - root[0].max(0.0)) / (root[1] - root[0].max(0.0))).clamp(0.0, 1.0);
             marks.push(node_mark(self.tree, leaf.node, Role::Visited { share }));
             if self.show.order_numbers {
-                let chord = [leaf.enter, leaf.exit].map(|t| self.ray.at(t));
-                let label = Mark::new(Shape::LabelAlong(chord), Role::OrderNumber);
+                let label = Mark::new(self.number_in(leaf, misprinted), Role::OrderNumber);
                 marks.push(label.of_node(leaf.node).with_text((index + 1).to_string()));
             }
             if self.show.codes {
@@ -71,12 +71,23 @@ impl<const D: usize> Scene<'_, D> {
             }
         }
         // Where a misprint comes to a leaf without a length, the ray need not be.
-        let misprinted = self.query.variants_at_work().iter().any(Variant::is_misprint);
         let touches = if misprinted { &[] } else { &self.moment.touches[..] };
         for &(node, at) in touches {
             let point = Mark::new(Shape::Point(self.ray.at(at)), Role::Touch);
             marks.push(point.of_node(node));
         }
+    }
+
+    /// Where the number of a visited leaf stands: along the ray. What a misprint reports
+    /// may be beside it, and has its number in the middle.
+    fn number_in(&self, leaf: &LeafOnRay, misprinted: bool) -> Shape<D> {
+        let chord = [leaf.enter, leaf.exit].map(|t| self.ray.at(t));
+        let bounds = self.tree.node_box(leaf.node);
+        let middle: [f64; D] = std::array::from_fn(|e| 0.5 * chord[0][e] + 0.5 * chord[1][e]);
+        if misprinted && !bounds.owns(middle) {
+            return Shape::LabelIn { at: bounds.centre(), bounds };
+        }
+        Shape::LabelAlong(chord)
     }
 
     fn code_label(&self, node: NodeId) -> Mark<D> {

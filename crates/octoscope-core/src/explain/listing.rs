@@ -4,7 +4,7 @@ use crate::event::{End, Event, Halves};
 use crate::locate::NeighbourMethod;
 use crate::query::{PointMethod, Query};
 use crate::text::Language;
-use crate::traverse::Algorithm;
+use crate::traverse::{Algorithm, Variant};
 use crate::tree::NodeId;
 
 /// Pseudocode of one algorithm.
@@ -42,7 +42,7 @@ impl Listing {
     }
 }
 
-/// Listing of what `query` runs.
+/// Listing of what `query` runs, with its rules as it follows them.
 pub fn listing<const D: usize>(query: &Query<D>, language: Language) -> Listing {
     let source = match query {
         Query::Ray { algorithm: Algorithm::Parametric, .. } => {
@@ -104,7 +104,35 @@ pub fn listing<const D: usize>(query: &Query<D>, language: Language) -> Listing 
             include_str!("../../../../assets/listings/neighbour-tables.txt")
         }
     };
-    Listing { lines: source.lines().map(|line| read(line, language)).collect() }
+    let mut lines: Vec<Line> = source.lines().map(|line| read(line, language)).collect();
+    for variant in query.variants_at_work().iter() {
+        for (right, other, comment) in other_lines(variant, language) {
+            if let Some(line) = lines.iter_mut().find(|line| line.code == right) {
+                line.code = other;
+                comment.clone_into(&mut line.comment);
+            }
+        }
+    }
+    Listing { lines }
+}
+
+/// Lines of all listings in which a rule is another one: the right code, the other, and
+/// what it means.
+fn other_lines(
+    variant: Variant,
+    language: Language,
+) -> impl Iterator<Item = (&'static str, &'static str, &'static str)> {
+    let source = include_str!("../../../../assets/listings/printed.txt");
+    source.lines().filter_map(move |line| {
+        let mut fields = line.split('|').map(str::trim);
+        let mut field = || fields.next().unwrap_or("");
+        let (id, right, other, english, german) = (field(), field(), field(), field(), field());
+        let comment = match language {
+            Language::English => english,
+            Language::German => german,
+        };
+        (id == variant.id()).then_some((right, other, comment))
+    })
 }
 
 /// Label of the lines of a listing that an event belongs to.

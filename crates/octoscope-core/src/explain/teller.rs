@@ -99,7 +99,7 @@ impl<const D: usize> Teller<'_, D> {
             Event::Halve { mid, .. } => {
                 let values = distinct(&mid);
                 let mids = words.list((0..D).map(|e| equation(&t(e, "m"), &values[e])));
-                let still = Axes::where_true(self.ray.direction().map(|d| d == 0.0));
+                let still = Axes::of(|e| self.ray.direction()[e] == 0.0 && mid[e].is_infinite());
                 let mut text = words.say("halve", &[("mid", mids)]);
                 let is_mean = self.trace.query.variants_at_work().has(Variant::Averaged);
                 if is_mean && !mid.iter().all(|t| t.is_infinite()) {

@@ -20,8 +20,9 @@ const MOST_DIGITS: i32 = 6;
 pub type Question<const D: usize> = (Ray<D>, Query<D>);
 
 /// Another ray, point, region or cell than that of `question` on which its query
-/// goes wrong in `tree`, with numbers as short as still show it; the same for the
-/// same `seed`. `None` if none is found, or if `progress` is cancelled.
+/// goes wrong in `tree`, or, if it never does, takes a longer way; with numbers as short
+/// as still show it; the same for the same `seed`. `None` if none is found, or if
+/// `progress` is cancelled.
 ///
 /// Tried are rays from about the root in random directions, some of them along
 /// axes, points and regions in and about the root, some of all these on grid points,
@@ -32,9 +33,10 @@ pub fn find_other<const D: usize>(
     seed: u64,
     progress: &Progress,
 ) -> Option<Question<D>> {
-    let goes_wrong = |(ray, query): &Question<D>| {
-        (*ray, *query) != question && !verdict(tree, ray, &record(tree, ray, query)).agrees()
-    };
+    let judged = |(ray, query): &Question<D>| verdict(tree, ray, &record(tree, ray, query));
+    let goes_wrong = |other: &Question<D>| *other != question && !judged(other).agrees();
+    let is_detour = |other: &Question<D>| *other != question && judged(other).is_detour();
+    let mut detour = None;
     let mut random = Random::new(seed);
     progress.start(N_TRIES);
     for _ in 0..N_TRIES {
@@ -43,8 +45,11 @@ pub fn find_other<const D: usize>(
         if goes_wrong(&other) {
             return Some(shortened(tree, other, goes_wrong));
         }
+        if detour.is_none() && is_detour(&other) {
+            detour = Some(other);
+        }
     }
-    None
+    detour.map(|other| shortened(tree, other, is_detour))
 }
 
 /// The same question about something else.

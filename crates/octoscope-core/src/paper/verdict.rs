@@ -16,16 +16,22 @@ pub struct Verdict {
     /// The leaves on the ray in order, or the nodes that the query should find.
     pub expected: Vec<NodeId>,
     /// Number of events up to and with the first one that is wrong, if the trace
-    /// does not agree: along a ray the first event that is another than the same
-    /// walk makes by the right rules, of other queries the step to a node off their path; else the
-    /// end before all are found.
+    /// does not agree: that is another than the same walk makes by the right rules.
     pub first_wrong_step: Option<usize>,
+    /// Number of events of the trace, and of the same walk by the right rules: a rule may
+    /// lead to the right result by a longer way.
+    pub n_steps: [usize; 2],
 }
 
 impl Verdict {
     /// Whether the trace has found just what it should have.
     pub fn agrees(&self) -> bool {
         self.first_wrong_step.is_none()
+    }
+
+    /// Whether the trace has come to it by more steps than the right rules take.
+    pub fn is_detour(&self) -> bool {
+        self.agrees() && self.n_steps[0] > self.n_steps[1]
     }
 }
 
@@ -37,8 +43,9 @@ pub fn verdict<const D: usize>(tree: &Tree<D>, ray: &Ray<D>, trace: &Trace<D>) -
         Query::Point { .. } | Query::Region { .. } | Query::Neighbour { .. } => {
             let right = record(tree, ray, &trace.query.corrected());
             let (expected, found) = (results(&right.events), results(&trace.events));
-            let first_wrong_step = (expected != found).then(|| step_off_path(trace, &right));
-            Verdict { expected, first_wrong_step }
+            let first_wrong_step = (expected != found).then(|| step_apart(trace, &right.events));
+            let n_steps = [trace.events.len(), right.events.len()];
+            Verdict { expected, first_wrong_step, n_steps }
         }
     }
 }
@@ -79,7 +86,8 @@ fn of_ray<const D: usize>(
     {
         expected.truncate(first + 1);
     }
-    Verdict { expected, first_wrong_step }
+    let n_steps = [trace.events.len(), corrected.len()];
+    Verdict { expected, first_wrong_step, n_steps }
 }
 
 /// Visited leaves, or the nodes that were found.
@@ -114,35 +122,21 @@ fn step_of<const D: usize>(trace: &Trace<D>, wrong: Option<NodeId>) -> usize {
     index.map_or(trace.events.len(), |index| index + 1)
 }
 
-/// Number of events up to and with the first one that is another than that of the
-/// run with `corrected` rules.
+/// Number of events up to and with the first one that comes to something else than that
+/// of the run with `corrected` rules.
 fn step_apart<const D: usize>(trace: &Trace<D>, corrected: &[Event<D>]) -> usize {
     let pairs = trace.events.iter().zip(corrected);
-    // Numbers that are none differ from themselves, but not as they are printed.
-    let same = |(a, b): &(&Event<D>, &Event<D>)| format!("{a:?}") == format!("{b:?}");
-    (pairs.take_while(same).count() + 1).min(trace.events.len())
-}
-
-/// Number of events up to and with the first one at another node than that of
-/// `right`, or of all.
-fn step_off_path<const D: usize>(trace: &Trace<D>, right: &Trace<D>) -> usize {
-    let mut path = right.events.iter().filter_map(stop);
-    let leaves_path = |event: &Event<D>| {
-        let node = stop(event);
-        node.is_some() && node != path.next()
+    // A wrong bit may select the right child.
+    let result = |event: &Event<D>| match *event {
+        Event::Follow { level, child, node, .. } => {
+            Event::Follow { level, code: [0; D], child, node }
+        }
+        event => event,
     };
-    let index = trace.events.iter().position(leaves_path);
-    index.map_or(trace.events.len(), |index| index + 1)
-}
-
-/// The node that a query without a ray comes to, and whether it is its result.
-fn stop<const D: usize>(event: &Event<D>) -> Option<(NodeId, bool)> {
-    let is_way = matches!(
-        event,
-        Event::Begin { .. } | Event::Follow { .. } | Event::Climb { .. } | Event::Facing { .. }
-    );
-    let on_the_way = event.node().filter(|_| is_way).map(|node| (node, false));
-    on_the_way.or_else(|| event.result_node().map(|node| (node, true)))
+    // Numbers that are none differ from themselves, but not as they are printed.
+    let same =
+        |(a, b): &(&Event<D>, &Event<D>)| format!("{:?}", result(a)) == format!("{:?}", result(b));
+    (pairs.take_while(same).count() + 1).min(trace.events.len())
 }
 
 #[cfg(test)]
@@ -176,12 +170,13 @@ mod tests {
         assert_eq!(wrong_way_down(Variant::B19), (4, 1));
         // From the root already, by the differences of the codes.
         assert_eq!(wrong_way_down(Variant::B24c), (4, 4));
-        // Past the level of the region.
-        assert_eq!(wrong_way_down(Variant::B24a), (6, 2));
-        // Down from the cell itself, without a climb.
-        assert_eq!(wrong_way_down(Variant::B25Leftmost), (5, 1));
-        assert_eq!(wrong_way_down(Variant::B25Rightmost), (5, 1));
-        assert_eq!(wrong_way_down(Variant::B28), (7, 1));
+        // Where the level is read, and not only where it is passed.
+        assert!(matches!(first_wrong(Variant::B24a), (2, Event::Difference { .. })));
+        // Where the ancestor is taken for that of the cell itself.
+        for variant in [Variant::B25Leftmost, Variant::B25Rightmost] {
+            assert!(matches!(first_wrong(variant), (4, Event::Difference { .. })));
+        }
+        assert!(matches!(first_wrong(Variant::B28), (2, Event::Target { .. })));
     }
 
     #[test]
@@ -247,7 +242,7 @@ mod tests {
     }
 
     #[test]
-    fn a_point_outside_goes_wrong_at_the_root() {
-        assert!(matches!(first_wrong(Variant::B21), (2, Event::Begin { .. })));
+    fn a_point_outside_goes_wrong_where_it_gets_codes() {
+        assert!(matches!(first_wrong(Variant::B21), (1, Event::Encode { .. })));
     }
 }

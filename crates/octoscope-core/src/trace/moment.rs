@@ -104,8 +104,9 @@ impl<const D: usize> Moment<D> {
         self.step += 1;
         self.counters.add(event);
         match *event {
-            Event::Clip { near, far, hit, mirror, .. } => {
-                self.clip = Some(RootClip { near, far, hit, mirror });
+            Event::Clip { near, far, enter, exit, hit, mirror } => {
+                let interval = [enter, exit];
+                self.clip = Some(RootClip { near, far, interval, hit, mirror });
             }
             Event::Test { node, interval, .. } => {
                 self.current = Some(node);

@@ -185,6 +185,8 @@ pub struct RootClip<const D: usize> {
     pub near: [f64; D],
     /// Parameters of the far planes.
     pub far: [f64; D],
+    /// When the root is entered and left.
+    pub interval: [f64; 2],
     /// Whether the ray meets the root at some t ≥ 0.
     pub hit: bool,
     /// Axes along which the direction is negative.

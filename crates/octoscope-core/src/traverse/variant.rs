@@ -7,6 +7,15 @@ use crate::geometry::Axes;
 use crate::tree::Child;
 
 impl Variant {
+    /// Whether the rule is one of quadtrees (2) or octrees (3): Table 2 is of space, the
+    /// selection of children of the plane.
+    pub fn is_of_dimension(self, dimension: usize) -> bool {
+        match (self, dimension) {
+            (Self::B2 | Self::B2Morton, 2) | (Self::B3, 3) => false,
+            (_, dimension) => matches!(dimension, 2 | 3),
+        }
+    }
+
     /// Whether a traversal has the rule.
     pub fn belongs_to(self, algorithm: Algorithm) -> bool {
         use Algorithm::{Bsp, Dda, DdaOctree, Glassner, Parametric, ParametricTable};

@@ -102,10 +102,10 @@ fn sum_rows<const D: usize>(target: &Target<D>, axis: usize) -> Vec<BitRow> {
     ]
 }
 
-/// What is added or subtracted: up by the size of the cell, down by the smallest.
+/// What is added or subtracted: up the size of the cell, down that of the smallest; by
+/// a printed rule something else.
 fn step_of<const D: usize>(target: &Target<D>, axis: usize) -> i64 {
-    let upwards = target.to[axis] > i64::from(target.from[axis]);
-    if upwards { 1i64 << target.level } else { 1 }
+    (target.to[axis] - i64::from(target.from[axis])).abs()
 }
 
 /// The columns into which a one is carried, or from which one is borrowed.

@@ -78,9 +78,7 @@ impl<const D: usize> Rail<D> {
             return Some(Self::of_node(node, interval));
         }
         let clip = moment.clip?;
-        let enter = clip.near.into_iter().fold(f64::NEG_INFINITY, f64::max);
-        let exit = clip.far.into_iter().fold(f64::INFINITY, f64::min);
-        let root = Self::of_node(NodeId::ROOT, [enter, exit]);
+        let root = Self::of_node(NodeId::ROOT, clip.interval);
         Some(Self { near: Some(clip.near), far: Some(clip.far), ..root })
     }
 

@@ -74,10 +74,11 @@ impl<const D: usize> Writer<'_, D> {
             Statement { symbols: row![left, sign, right, follows], numbers: Some(row![a, sign, b]) }
         };
         let t = |e: usize, plane: &str| self.t(e, plane);
+        // The last one asks for the far plane of y in either branch.
         vec![
             compared([mid[first], mid[other]], [t(first, "m"), t(other, "m")], 1),
             compared([near[other], mid[first]], [t(other, "0"), t(first, "m")], 0),
-            compared([mid[other], far[first]], [t(other, "m"), t(first, "1")], 3),
+            compared([mid[other], far[1]], [t(other, "m"), t(1, "1")], 3),
         ]
     }
 

@@ -29,7 +29,7 @@ impl<const D: usize> Writer<'_, D> {
     /// (x_m − p_x) / d_x with symbols and with numbers.
     pub(super) fn quotient(&self, axis: usize, index: &str, plane: f64) -> [Formula; 2] {
         let (origin, direction) = (self.origin(axis), self.direction(axis));
-        let (p, d) = (self.ray_symbol(axis, "p"), Formula::on(axis, "d", ""));
+        let (p, d) = (self.ray_symbol(axis, "p"), self.ray_symbol(axis, "d"));
         let coordinate = self.of_node(Formula::coordinate(axis, index));
         let symbols = row![coordinate, Sign::Minus, p].over(d);
         let numbers = row![number(plane), Sign::Minus, operand(origin)].over(number(direction));
@@ -240,6 +240,20 @@ impl<const D: usize> Writer<'_, D> {
         let [t_min, t_max] = ["min", "max"].map(|name| Formula::from("t").sub(name));
         let [enter, exit] = told_apart([enter, exit]);
         Statement { symbols: row![t_min, sign, t_max], numbers: Some(row![enter, sign, exit]) }
+    }
+
+    /// t_min < t_max of a leaf that is reported: exact comparisons know it also where both
+    /// are rounded to the same double.
+    pub(super) fn in_leaf(&self, [enter, exit]: [f64; 2]) -> Statement {
+        if enter < exit || !self.query.is_exact(self.tree.domain(), self.ray) {
+            return self.interval([enter, exit]);
+        }
+        let [t_min, t_max] = ["min", "max"].map(|name| Formula::from("t").sub(name));
+        let [enter, exit] = told_apart([enter, exit]);
+        Statement {
+            symbols: row![t_min, Sign::Less, t_max],
+            numbers: Some(row![enter, Sign::Less, exit]),
+        }
     }
 
     /// A node that is met in one point.

@@ -64,7 +64,7 @@ impl<const D: usize> Writer<'_, D> {
             }
             Event::Climb { level, .. } => self.climb(level),
             Event::Corners { min, max, from, to } => self.corners([min, max], [from, to]),
-            Event::Leaf { enter, exit, .. } => vec![self.interval([enter, exit])],
+            Event::Leaf { enter, exit, .. } => vec![self.in_leaf([enter, exit])],
             Event::Touch { node, at } => vec![self.touch(node, at)],
             Event::Sort { .. }
             | Event::Up { .. }

@@ -46,8 +46,10 @@ fn of_the_branches_of_a_step_only_the_one_taken_is_lit() {
     run::<3>(&mut lit_once);
     for (name, query) in queries::<2>() {
         for line in listing(&query, Language::English).lines {
+            // By a misprint, what a line is for may never come.
             let is_reached = line.label.is_empty() || lit_once[name].contains(line.code);
-            assert!(is_reached, "{name}: {}", line.code);
+            let is_right = listing(&query.corrected(), Language::English).lines.contains(&line);
+            assert!(is_reached || !is_right, "{name}: {}", line.code);
         }
     }
 }
@@ -169,4 +171,20 @@ fn what_is_reconstructed_is_listed_as_that() {
         let is_one = matches!(algorithm, Algorithm::SametCorner | Algorithm::SametNet);
         assert_eq!(says_so, is_one, "{algorithm:?}");
     }
+}
+
+#[test]
+fn every_other_form_of_a_rule_stands_in_its_listing() {
+    fn check<const D: usize>() {
+        for (name, query) in queries::<D>() {
+            let n_variants = query.variants_at_work().iter().count();
+            let [other, right] = [query, query.with_variants(Variants::NONE)]
+                .map(|query| listing(&query, Language::English).lines);
+            assert_eq!(other.len(), right.len(), "{name}");
+            let n_changed = other.iter().zip(&right).filter(|(a, b)| a.code != b.code).count();
+            assert_eq!(n_changed == 0, n_variants == 0, "{name}: {query:?}");
+        }
+    }
+    check::<2>();
+    check::<3>();
 }
