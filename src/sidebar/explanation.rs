@@ -127,7 +127,8 @@ fn body<const D: usize>(
     let event = past.last();
     match kind {
         PanelKind::Codes => {
-            let shown = ui.scope(|ui| codes::ui(ui, look, &tree, moment)).response;
+            let variants = trace.query.variants_at_work();
+            let shown = ui.scope(|ui| codes::ui(ui, look, &tree, moment, variants)).response;
             offer_if_pointed(ui, shown.rect, moment.current, view);
         }
         PanelKind::Region => region::ui(ui, look, &tree, moment),

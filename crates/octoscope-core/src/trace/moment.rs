@@ -197,6 +197,10 @@ impl<const D: usize> Moment<D> {
             Event::Begin { node } => {
                 self.current = Some(node);
                 self.start = Some(node);
+                // What is searched for now are the codes just beyond the last cell.
+                let beyond = self.target.and_then(|target| code_of(target.to));
+                let code = beyond.or(self.codes.map(|codes| codes.code));
+                self.codes = code.map(|code| Codes { code, bit: None });
             }
             Event::Encode { code, .. } => self.codes = Some(Codes { code, bit: None }),
             Event::Compare { node, .. } => self.current = Some(node),
@@ -268,4 +272,10 @@ impl<const D: usize> Moment<D> {
             change(frame);
         }
     }
+}
+
+/// Codes, unless they lie outside every domain.
+fn code_of<const D: usize>(to: [i64; D]) -> Option<Code<D>> {
+    let codes = to.map(|code| u32::try_from(code).ok());
+    codes.iter().all(Option::is_some).then(|| codes.map(Option::unwrap_or_default))
 }

@@ -8,6 +8,7 @@ use octoscope_core::explain::number;
 use octoscope_core::geometry::AXIS_NAMES;
 use octoscope_core::text::Texts;
 use octoscope_core::trace::Moment;
+use octoscope_core::traverse::{Variant, Variants};
 use octoscope_core::tree::{Tree, branch, morton};
 
 /// Codes of a place as a table, and what is read off them.
@@ -21,8 +22,14 @@ pub struct CodeTable {
     pub morton: String,
 }
 
-/// Codes of the place that is looked for, else of the current node.
-pub fn code_table<const D: usize>(texts: &Texts, tree: &Tree<D>, moment: &Moment<D>) -> CodeTable {
+/// Codes of the place that is looked for, as the rules of the query take them, else of
+/// the current node.
+pub fn code_table<const D: usize>(
+    texts: &Texts,
+    tree: &Tree<D>,
+    moment: &Moment<D>,
+    variants: Variants,
+) -> CodeTable {
     let domain = tree.domain();
     let root_level = domain.root_level();
     let node = moment.current;
@@ -41,7 +48,8 @@ pub fn code_table<const D: usize>(texts: &Texts, tree: &Tree<D>, moment: &Moment
         bits: i64::from(code[axis]),
         known_from,
         note: if is_known {
-            format!("{} = {}", code[axis], number(domain.plane(axis, code[axis])))
+            let coordinate = number(domain.plane(axis, code[axis]));
+            format!("{} · {} = {coordinate}", code[axis], AXIS_NAMES[axis])
         } else {
             String::new()
         },
@@ -60,7 +68,9 @@ pub fn code_table<const D: usize>(texts: &Texts, tree: &Tree<D>, moment: &Moment
             ("child", child.0.into()),
             ("morton", child.morton_index().into()),
         ];
-        texts.format("codes-child", &arguments)
+        // By these rules other bits are read, as if the codes were those that are shown.
+        let is_printed = variants.has(Variant::B18) || variants.has(Variant::B19);
+        texts.format(if is_printed { "codes-child-printed" } else { "codes-child" }, &arguments)
     });
     let morton = if is_known {
         texts.format("codes-morton", &[("code", morton(code).to_string().into())])
@@ -78,8 +88,9 @@ pub fn child_rule<const D: usize>(texts: &Texts) -> String {
 
 /// The codes with what is read off them, as a figure of this width.
 pub(super) fn view<const D: usize>(subject: &Subject<D>, width: f64) -> Figure {
+    let variants = subject.query().variants_at_work();
     let CodeTable { table, child, morton } =
-        code_table(subject.texts, subject.tree, subject.moment);
+        code_table(subject.texts, subject.tree, subject.moment, variants);
     let mut sheet = Sheet::default();
     let mut head = child_rule::<D>(subject.texts);
     if let Some(node) = subject.moment.current {
