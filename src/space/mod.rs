@@ -44,7 +44,7 @@ pub struct Space<'a, const D: usize> {
     pub layers: Option<&'a mut Layers>,
 }
 
-/// More points or leaves than this are not painted one by one.
+/// More leaves, or parts of the content, than this are not painted one by one.
 const MOST_PAINTED: usize = 20_000;
 
 /// Shows the space view in all the room there is.
@@ -96,7 +96,9 @@ pub fn ui<const D: usize>(ui: &mut Ui, look: &Look, space: Space<'_, D>) {
     let painter = ui.painter_at(rect);
     painter.rect_filled(rect, 0.0, look.palette.background);
     let mut painted = axes(document.tree.domain(), show);
-    if D == 2 && show.content && document.content.len() <= MOST_PAINTED {
+    let is_painted = document.content.len() <= MOST_PAINTED
+        && (layers.is_none() || !tree_layers::is_cloud(&document.content));
+    if D == 2 && show.content && is_painted {
         painted.extend(content(&document.content, None));
     }
     painted.extend(marks);

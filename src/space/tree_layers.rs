@@ -30,7 +30,7 @@ pub fn layers<const D: usize>(
     } else {
         space_layers(tree, (show, theme), speed, progress)?
     };
-    if D == 3
+    if (D == 3 || is_cloud(content))
         && show.content
         && let Some(layer) = content_layer(content, theme)
     {
@@ -175,10 +175,16 @@ fn space_layers<const D: usize>(
     Ok(both(cells, layer))
 }
 
+/// Whether points are too many to be painted one by one, in the plane.
+pub fn is_cloud<const D: usize>(content: &Content<D>) -> bool {
+    const MOST_ONE_BY_ONE: usize = 2000;
+    matches!(content, Content::Points(points) if points.len() > MOST_ONE_BY_ONE)
+}
+
 /// More points of a cloud than this are not drawn at once.
 const MOST_POINTS: usize = 200_000;
 
-/// The content of an octree.
+/// The content of an octree, or the points of a quadtree.
 fn content_layer<const D: usize>(content: &Content<D>, theme: Theme) -> Option<Layer> {
     let palette = Palette::of(theme);
     let (colour, surface) = (color32(palette.quiet_ink), color32(palette.grid));

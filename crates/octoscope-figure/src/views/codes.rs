@@ -49,7 +49,7 @@ pub fn code_table<const D: usize>(
         known_from,
         note: if is_known {
             let coordinate = number(domain.plane(axis, code[axis]));
-            format!("{} · {} = {coordinate}", code[axis], AXIS_NAMES[axis])
+            format!("{} ({} = {coordinate})", code[axis], AXIS_NAMES[axis])
         } else {
             String::new()
         },
