@@ -77,16 +77,24 @@ pub fn compare<const D: usize>(
     };
     let options = Options { variants: Variants::NONE, ..own };
     let wanted = Algorithm::ALL.into_iter().filter(|&algorithm| is_quick(algorithm, tree));
-    let run = |algorithm, options| {
-        run(tree, ray, &Query::Ray { algorithm, options, arithmetic }, algorithm, progress)
-    };
+    let run = |algorithm, options| run(tree, ray, algorithm, options, arithmetic, progress);
     let of = |algorithm| run(algorithm, if shown == Some(algorithm) { own } else { options });
     let mut runs = wanted.map(of).collect::<Result<Vec<Run>, Cancelled>>()?;
     let oracle = runs.iter().find(|run| run.algorithm == Algorithm::Exhaustive);
     let Some(reference) = oracle.or(runs.first()) else { return Ok(runs) };
-    let n_expected = run(reference.algorithm, options)?.leaves.len();
-    let whole = Options { stop_at: StopAt::End, ..options };
-    let expected = run(reference.algorithm, whole)?.leaves;
+    let is_right = shown != Some(reference.algorithm) || own == options;
+    let right = match is_right {
+        true => reference.leaves.clone(),
+        false => run(reference.algorithm, options)?.leaves,
+    };
+    let n_expected = right.len();
+    let expected = match options.stop_at {
+        StopAt::End => right,
+        StopAt::FirstFull => {
+            let whole = Options { stop_at: StopAt::End, ..options };
+            run(reference.algorithm, whole)?.leaves
+        }
+    };
     for run in &mut runs {
         let slivers = Slivers::Ignore;
         let difference =
@@ -100,12 +108,14 @@ pub fn compare<const D: usize>(
 fn run<const D: usize>(
     tree: &Tree<D>,
     ray: &Ray<D>,
-    query: &Query<D>,
     algorithm: Algorithm,
+    options: Options,
+    arithmetic: Arithmetic,
     progress: &Progress,
 ) -> Result<Run, Cancelled> {
+    let query = Query::Ray { algorithm, options, arithmetic };
     // A run that is cut has not found all that it should.
-    let Counted { n_steps, counters, leaves, .. } = counted(tree, ray, query, progress)?;
+    let Counted { n_steps, counters, leaves, .. } = counted(tree, ray, &query, progress)?;
     Ok(Run { algorithm, n_steps, counters, leaves, agrees: false, n_expected: 0 })
 }
 

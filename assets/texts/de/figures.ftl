@@ -2,7 +2,7 @@
 
 codes-child-rule = Kind = { $rule }
 codes-child = Bit { $bit } jedes Codes: { $bits }, also Kind { $child } ({ $morton } in Morton-Reihenfolge).
-codes-child-printed = Die gedruckte Regel nimmt die Codes für diese, und Bit { $bit } zählt: { $bits }, also Kind { $child } (in Morton-Ordnung { $morton }).
+codes-child-printed = Die gedruckte Regel nimmt die Codes für diese: { $bits }, also Kind { $child } (in Morton-Ordnung { $morton }).
 codes-none = Noch wird nichts gesucht oder besucht.
 codes-morton = Morton-Code { $code }
 region-none = Zeigt die Codes der Ecken, sobald ein Bereich gesucht wird.

@@ -2,7 +2,7 @@
 
 codes-child-rule = child = { $rule }
 codes-child = Bit { $bit } of every code: { $bits }, so child { $child } ({ $morton } in Morton order).
-codes-child-printed = The printed rule takes the codes for these, of which bit { $bit } counts: { $bits }, so child { $child } ({ $morton } in Morton order).
+codes-child-printed = The printed rule takes the codes for these: { $bits }, so child { $child } ({ $morton } in Morton order).
 codes-none = Nothing is looked for or visited yet.
 codes-morton = Morton code { $code }
 region-none = Shows the codes of a region’s corners once a region is located.

@@ -31,7 +31,7 @@ pub enum PixelsError {
 
 impl Pixels {
     /// Pixels of a figure. A page unit is as many as the scale says, in whatever
-    /// unit; text is set in the typefaces of [`fonts`].
+    /// unit; text is set in the typefaces of [`fonts`](crate::fonts).
     ///
     /// # Errors
     /// Refuses sizes without pixels or with far too many.

@@ -276,6 +276,9 @@ impl<const D: usize> Moment<D> {
 
 /// Codes, unless they lie outside every domain.
 fn code_of<const D: usize>(to: [i64; D]) -> Option<Code<D>> {
-    let codes = to.map(|code| u32::try_from(code).ok());
-    codes.iter().all(Option::is_some).then(|| codes.map(Option::unwrap_or_default))
+    let mut codes = [0; D];
+    for e in 0..D {
+        codes[e] = u32::try_from(to[e]).ok()?;
+    }
+    Some(codes)
 }

@@ -237,23 +237,16 @@ impl<const D: usize> Writer<'_, D> {
             Some(std::cmp::Ordering::Equal) => Sign::Equal,
             Some(std::cmp::Ordering::Greater) => Sign::Greater,
         };
-        let [t_min, t_max] = ["min", "max"].map(|name| Formula::from("t").sub(name));
-        let [enter, exit] = told_apart([enter, exit]);
-        Statement { symbols: row![t_min, sign, t_max], numbers: Some(row![enter, sign, exit]) }
+        limits(enter, sign, exit)
     }
 
     /// t_min < t_max of a leaf that is reported: exact comparisons know it also where both
     /// are rounded to the same double.
     pub(super) fn in_leaf(&self, [enter, exit]: [f64; 2]) -> Statement {
-        if enter < exit || !self.query.is_exact(self.tree.domain(), self.ray) {
-            return self.interval([enter, exit]);
+        if enter == exit && self.query.is_exact(self.tree.domain(), self.ray) {
+            return limits(enter, Sign::Less, exit);
         }
-        let [t_min, t_max] = ["min", "max"].map(|name| Formula::from("t").sub(name));
-        let [enter, exit] = told_apart([enter, exit]);
-        Statement {
-            symbols: row![t_min, Sign::Less, t_max],
-            numbers: Some(row![enter, Sign::Less, exit]),
-        }
+        self.interval([enter, exit])
     }
 
     /// A node that is met in one point.
@@ -281,4 +274,11 @@ impl<const D: usize> Writer<'_, D> {
         all.push(self.earliest(&[], exits, axes, "1"));
         all
     }
+}
+
+/// How t_min and t_max compare.
+fn limits(enter: f64, sign: Sign, exit: f64) -> Statement {
+    let [t_min, t_max] = ["min", "max"].map(|name| Formula::from("t").sub(name));
+    let [enter, exit] = told_apart([enter, exit]);
+    Statement { symbols: row![t_min, sign, t_max], numbers: Some(row![enter, sign, exit]) }
 }
