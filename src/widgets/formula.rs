@@ -45,12 +45,11 @@ pub fn printed_and_right(ui: &mut Ui, look: &Look, misprint: &Misprint) {
     } else {
         ui.horizontal_top(|ui| {
             ui.spacing_mut().item_spacing.x = GAP;
-            for n in 0..2 {
-                let left = ui.cursor().left();
-                one(ui, n);
-                let used = ui.cursor().left() - left - GAP;
-                ui.add_space((half - used).max(0.0));
-            }
+            let left = ui.cursor().left();
+            one(ui, 0);
+            let used = ui.cursor().left() - left - GAP;
+            ui.add_space((half - used).max(0.0));
+            one(ui, 1);
         });
     }
 }
