@@ -63,7 +63,7 @@ pub fn space<const D: usize>(
     if show.content && n_primitives_shown(document, show) <= MOST_PRIMITIVES {
         all.extend(content(&document.content, cut.as_ref()));
     }
-    all.extend(axes(document.tree.domain(), show));
+    all.extend(axes(document.tree.domain(), show, &camera));
     if page.width.min(page.height) >= NAMES_FROM {
         let beyond = NAME_DISTANCE * camera.height / page.height;
         all.extend(axis_names(document.tree.domain(), beyond));

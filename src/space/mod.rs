@@ -95,7 +95,7 @@ pub fn ui<const D: usize>(ui: &mut Ui, look: &Look, space: Space<'_, D>) {
     let marks = run_marks(document, moment, show);
     let painter = ui.painter_at(rect);
     painter.rect_filled(rect, 0.0, look.palette.background);
-    let mut painted = axes(document.tree.domain(), show);
+    let mut painted = axes(document.tree.domain(), show, &camera);
     let is_painted = document.content.len() <= MOST_PAINTED
         && (layers.is_none() || !tree_layers::is_cloud(&document.content));
     if D == 2 && show.content && is_painted {

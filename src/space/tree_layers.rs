@@ -194,7 +194,7 @@ fn content_layer<const D: usize>(content: &Content<D>, theme: Theme) -> Option<L
             // An even choice of a large cloud shows its shape as well.
             let every = points.len().div_ceil(MOST_POINTS).max(1);
             let shown: Vec<_> = points.iter().step_by(every).map(point).collect();
-            Some(Layer::points(&shown, colour, 1.8))
+            Some(Layer::points(&shown, colour, Style::POINT_IN_SPACE as f32))
         }
         Content::Triangles(triangles) => {
             let triangles: Vec<_> = triangles.iter().map(|t| t.map(in_space)).collect();

@@ -6,6 +6,7 @@
 //!
 //! The crate knows no window, file, clock or graphics card.
 
+mod axes;
 mod camera;
 mod cells;
 mod changes;
@@ -47,9 +48,10 @@ mod typeset;
 pub mod views;
 mod ways;
 
+pub use axes::{axes, axis_names};
 pub use camera::{Camera, Lens, Page, Projected};
 pub use cells::{cells, role as cell_role, section_role};
-pub use content::{axes, axis_names, content};
+pub use content::content;
 pub use diagram::{Diagram, DiagramLens, DiagramNode, DiagramOf, NodeKind, tree_diagram};
 pub use figure::{Anchor, Drawn, Extent, Figure, Form, Part};
 pub use formula::{FormulaType, SetFormula, ShownNumber};

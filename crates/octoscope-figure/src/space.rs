@@ -17,19 +17,20 @@ use octoscope_core::geometry::Aabb;
 /// the marks of the path, and what cannot be seen of them is left out.
 pub fn space_figure<const D: usize>(marks: &[Mark<D>], camera: &Camera<D>, page: Page) -> Figure {
     let chord = chord_length(marks, camera, page);
+    let root: Vec<_> = marks.iter().filter(|mark| mark.role == Role::Root).collect();
+    let root = bounds_of(&root).or_else(|| bounds_of(&marks.iter().collect::<Vec<_>>()));
+    let middle = root.and_then(|root| camera.project(page, root.centre()));
     let mut canvas = Canvas {
         camera,
         page,
         chord,
+        middle: middle.map_or([0.5 * page.width, 0.5 * page.height], |middle| middle.at),
         is_apart: marks.iter().any(|mark| is_apart(mark.role)),
-        shaft: marks.iter().find_map(|mark| match (mark.role, mark.shape) {
-            (Role::Ray, Shape::Arrow(ends)) => camera.visible_segment(page, ends),
-            _ => None,
-        }),
         drawn: vec![],
         in_space: vec![],
         arrows: vec![],
         taken: vec![],
+        spared: vec![],
     };
     let (ground_marks, others): (Vec<_>, Vec<_>) = marks.iter().partition(|mark| is_ground(mark));
     for mark in others {
@@ -42,8 +43,6 @@ pub fn space_figure<const D: usize>(marks: &[Mark<D>], camera: &Camera<D>, page:
     marks.iter().filter(|mark| !is_of_axis(mark)).for_each(|mark| canvas.write(mark));
     canvas.number(marks);
 
-    let root: Vec<_> = marks.iter().filter(|mark| mark.role == Role::Root).collect();
-    let root = bounds_of(&root).or_else(|| bounds_of(&marks.iter().collect::<Vec<_>>()));
     let Canvas { mut drawn, in_space, arrows, .. } = canvas;
     drawn.sort_by(|(a, _), (b, _)| a.total_cmp(b));
     let mut figure = Figure { page, drawn: Vec::new() };
@@ -130,10 +129,10 @@ struct Canvas<'a, const D: usize> {
     page: Page,
     /// Length on the page of the part of the ray in the current node.
     chord: f64,
+    /// Middle of the root on the page.
+    middle: [f64; 2],
     /// Whether children are moved apart: they would hide the ray.
     is_apart: bool,
-    /// The ray on the page.
-    shaft: Option<[[f64; 2]; 2]>,
     drawn: Vec<(f64, Drawn)>,
     /// What is drawn in the order of its depth.
     in_space: Vec<InSpace<D>>,
@@ -141,6 +140,8 @@ struct Canvas<'a, const D: usize> {
     arrows: Vec<Arrow<D>>,
     /// Middles and half extents of what labels may not cover.
     taken: Vec<[[f64; 2]; 2]>,
+    /// Lines and points that labels rather do not cover.
+    spared: Vec<[[f64; 2]; 2]>,
 }
 
 /// A mark in space.
@@ -182,6 +183,7 @@ impl<const D: usize> Canvas<'_, D> {
             Shape::Plane { axis, bounds } => self.draw_plane(mark, axis, &bounds),
             Shape::Segment(ends) => {
                 if let Some(line) = self.camera.project_segment(self.page, ends) {
+                    self.spared.push(line.map(|p| p.at));
                     let line = Form::Polyline(line.map(|p| p.at).to_vec());
                     self.push(mark, point_box(ends[0]), Part::Edge, line);
                 }
@@ -197,7 +199,9 @@ impl<const D: usize> Canvas<'_, D> {
                 let projected = self.camera.project(self.page, point);
                 if let Some(Projected { at, .. }) = projected.filter(|p| self.is_near(p.at, radius))
                 {
-                    if !matches!(mark.role, Role::Content) {
+                    if mark.role == Role::Content {
+                        self.spared.push([at; 2]);
+                    } else {
                         self.taken.push([at, [radius + 1.0; 2]]);
                     }
                     self.push(
@@ -250,8 +254,9 @@ impl<const D: usize> Canvas<'_, D> {
     /// Radius of a point. Those of a small node are small, so that they do not hide it.
     fn radius(&self, mark: &Mark<D>) -> f64 {
         const LEAST: f64 = 1.8;
-        let radius = Style::of(Theme::Light, mark.role).radius;
+        let Style { radius, width, .. } = Style::of(Theme::Light, mark.role);
         match mark.role {
+            Role::Content if D == 3 => Style::POINT_IN_SPACE - 0.5 * width,
             Role::EntryPoint | Role::ExitPoint => radius.min((0.25 * self.chord).max(LEAST)),
             _ => radius,
         }
@@ -289,10 +294,13 @@ impl<const D: usize> Canvas<'_, D> {
             for corner in (0..1 << D).filter(|corner| corner & bit(axis) == 0) {
                 let segment = [ends[corner], ends[corner | bit(axis)]];
                 if let Some(line) = self.camera.project_segment(self.page, segment) {
-                    let line = Form::Polyline(line.map(|p| p.at).to_vec());
-                    match in_sight(corner, axis) {
-                        true => front.push((Part::Edge, line)),
-                        false => behind.push((Part::HiddenEdge, line)),
+                    let line = line.map(|p| p.at);
+                    let form = Form::Polyline(line.to_vec());
+                    if in_sight(corner, axis) {
+                        self.spared.push(line);
+                        front.push((Part::Edge, form));
+                    } else {
+                        behind.push((Part::HiddenEdge, form));
                     }
                 }
             }
@@ -344,6 +352,7 @@ impl<const D: usize> Canvas<'_, D> {
         if length < 1e-9 {
             return;
         }
+        self.spared.push([from, to]);
         let along: [f64; 2] = std::array::from_fn(|e| (to[e] - from[e]) / length);
         let across = [-along[1], along[0]];
         let neck: [f64; 2] = std::array::from_fn(|e| to[e] - LENGTH.min(length) * along[e]);

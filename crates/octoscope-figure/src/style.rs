@@ -100,6 +100,9 @@ impl Lettering {
 }
 
 impl Style {
+    /// Radius of points in space, where many lie behind each other, with their line.
+    pub const POINT_IN_SPACE: f64 = 1.8;
+
     /// Look of `role` in `theme`.
     pub fn of(theme: Theme, role: Role) -> Self {
         let p = Palette::of(theme);

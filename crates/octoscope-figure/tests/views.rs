@@ -342,10 +342,11 @@ fn picture(scene: &Scene<2>, step: usize, side: f64) -> Figure {
     let show = Show::at_first::<2>();
     let Scenario { ray, query, .. } = &scene.scenario;
     let mut all: Vec<_> = cells(&scene.tree, &show, None).into_iter().collect();
-    all.extend(axes(scene.tree.domain(), &show));
-    all.extend(marks(&scene.tree, ray, query, &moment, event, &show));
     let page = Page { width: side, height: side };
-    space_figure(&all, &Camera::framing(&scene.tree.domain().root_box(), page), page)
+    let camera = Camera::framing(&scene.tree.domain().root_box(), page);
+    all.extend(axes(scene.tree.domain(), &show, &camera));
+    all.extend(marks(&scene.tree, ray, query, &moment, event, &show));
+    space_figure(&all, &camera, page)
 }
 
 #[test]

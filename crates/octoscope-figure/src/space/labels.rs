@@ -35,29 +35,7 @@ impl<const D: usize> Canvas<'_, D> {
                     self.text(mark, at, text);
                 }
             }
-            Shape::LabelIn { at, bounds } => {
-                let reach = text_reach(mark.role, text);
-                let [width, height] = self.extent(&bounds);
-                let fits = width > 2.0 * reach[0] + 4.0 && height > 2.0 * reach[1] + 2.0;
-                let [at, centre] = [at, bounds.centre()].map(place);
-                // Codes give way to the ray, up or down, if they can.
-                let shift = 0.5 * height - reach[1] - 2.0;
-                let beside = [-shift, shift].map(|by| centre.map(|[x, y]| [x, y + by]));
-                let is_code = mark.role == Role::CellCode;
-                let beside = beside.into_iter().flatten().filter(|_| is_code && D == 2);
-                let places: Vec<_> = at
-                    .into_iter()
-                    .chain(beside.filter(|at| !self.is_crossed(*at, reach)))
-                    .chain(centre)
-                    .filter(|_| fits)
-                    .collect();
-                let first = places.first().filter(|at| is_code && self.is_crossed(**at, reach));
-                let n_crossed = usize::from(first.is_some());
-                let places = places[n_crossed..].iter().chain(&places[..n_crossed]).copied();
-                if let Some(at) = self.room(places.collect::<Vec<_>>(), reach) {
-                    self.text(mark, at, text);
-                }
-            }
+            Shape::LabelIn { at, bounds } => self.write_in(mark, (at, &bounds), text),
             Shape::Plane { bounds, .. } => {
                 // A letter beside a small plane would hide what it names.
                 let [width, height] = self.extent(&bounds);
@@ -71,18 +49,19 @@ impl<const D: usize> Canvas<'_, D> {
                 };
                 let mut ends: Vec<_> = corners(&bounds).filter_map(place).collect();
                 ends.sort_by(|a, b| b[1].total_cmp(&a[1]).then(b[0].total_cmp(&a[0])));
+                ends.dedup();
                 let candidates = ends.into_iter().map(|end| {
                     let length = distance(end, middle).max(1e-9);
                     std::array::from_fn(|e| {
                         end[e] + (end[e] - middle[e]) / length * (reach[e] + 5.0)
                     })
                 });
-                if let Some(at) = self.room(candidates, reach) {
+                if let Some(at) = self.clearest(candidates, reach) {
                     self.text(mark, at, text);
                 }
             }
+            Shape::Segment(ends) => self.write_beside(mark, ends, text),
             Shape::Box(_)
-            | Shape::Segment(_)
             | Shape::Arrow(_)
             | Shape::Point(_)
             | Shape::Tip(_)
@@ -93,10 +72,78 @@ impl<const D: usize> Canvas<'_, D> {
         }
     }
 
-    /// Whether the ray crosses a label.
-    fn is_crossed(&self, at: [f64; 2], reach: [f64; 2]) -> bool {
-        let corner = |sign: f64| std::array::from_fn(|e| at[e] + sign * (reach[e] + 2.0));
-        self.shaft.is_some_and(|line| clipped(line, [corner(-1.0), corner(1.0)]).is_some())
+    /// Writes into a box that has room for it: at its place, else nearer to the
+    /// middle; where it covers the fewest lines.
+    fn write_in(&mut self, mark: &Mark<D>, (at, bounds): ([f64; D], &Aabb<D>), text: &str) {
+        let place = |world| self.camera.project(self.page, world).map(|p| p.at);
+        let reach = text_reach(mark.role, text);
+        let [width, height] = self.extent(bounds);
+        if width <= 2.0 * reach[0] + 4.0 || height <= 2.0 * reach[1] + 2.0 {
+            return;
+        }
+        let centre = bounds.centre();
+        let places: Vec<[f64; 2]> = if mark.role == Role::CellCode && D == 2 {
+            // Codes give way to the ray, up or down.
+            let shift = 0.5 * height - reach[1] - 2.0;
+            let beside = [-shift, shift].map(|by| place(centre).map(|[x, y]| [x, y + by]));
+            [place(at)].into_iter().chain(beside).chain([place(centre)]).flatten().collect()
+        } else {
+            let nearer = |share: f64| std::array::from_fn(|e| at[e] + share * (centre[e] - at[e]));
+            [0.0, 0.25, 0.5, 1.0].into_iter().filter_map(|share| place(nearer(share))).collect()
+        };
+        if let Some(at) = self.clearest(places, reach) {
+            self.text(mark, at, text);
+        }
+    }
+
+    /// The place with room where a label covers the fewest lines, the first of such.
+    fn clearest(
+        &mut self,
+        places: impl IntoIterator<Item = [f64; 2]>,
+        reach: [f64; 2],
+    ) -> Option<[f64; 2]> {
+        let mut places: Vec<_> = places.into_iter().collect();
+        places.sort_by_cached_key(|at| self.n_covered(*at, reach));
+        self.room(places, reach)
+    }
+
+    /// Writes beside a line on the rim of the scene, outside and near its end, or
+    /// as far before it as there is room.
+    fn write_beside(&mut self, mark: &Mark<D>, ends: [[f64; D]; 2], text: &str) {
+        const GAP: f64 = 5.0;
+        const LEAST: f64 = 16.0;
+        let Some([from, to]) = self.camera.visible_segment(self.page, ends) else { return };
+        let length = distance(from, to);
+        if length < LEAST {
+            return;
+        }
+        let along: [f64; 2] = std::array::from_fn(|e| (to[e] - from[e]) / length);
+        let across = [-along[1], along[0]];
+        let outwards: f64 = (0..2).map(|e| across[e] * (from[e] - self.middle[e])).sum();
+        let across = across.map(|x| x * outwards.signum());
+        let reach = text_reach(mark.role, text);
+        let away = GAP + (0..2).map(|e| across[e].abs() * reach[e]).sum::<f64>();
+        let places = [0.0, 0.12, 0.25, 0.4, 0.55].map(|before| {
+            let before = reach[0].max(before * length);
+            std::array::from_fn(|e| to[e] - before * along[e] + away * across[e])
+        });
+        let places: Vec<_> = places.into_iter().filter(|at| self.is_on_page(*at, reach)).collect();
+        if let Some(at) = self.clearest(places, reach) {
+            self.text(mark, at, text);
+        }
+    }
+
+    fn is_on_page(&self, at: [f64; 2], reach: [f64; 2]) -> bool {
+        let page = [self.page.width, self.page.height];
+        (0..2).all(|e| (reach[e]..=page[e] - reach[e]).contains(&at[e]))
+    }
+
+    /// Number of lines and points that a label would cover.
+    fn n_covered(&self, at: [f64; 2], reach: [f64; 2]) -> usize {
+        const ROOM: f64 = 1.5;
+        let corner = |sign: f64| std::array::from_fn(|e| at[e] + sign * (reach[e] + ROOM));
+        let area = [corner(-1.0), corner(1.0)];
+        self.spared.iter().filter(|line| clipped(**line, area).is_some()).count()
     }
 
     /// Width and height of a box on the page.
