@@ -39,6 +39,7 @@ use octoscope_core::progress::{Cancelled, Progress};
 use octoscope_core::scenario::{BUILT_IN, StepAt};
 use octoscope_core::text::Language;
 use octoscope_figure::{Show, Theme};
+use saving::Saving;
 use std::path::PathBuf;
 use std::time::Duration;
 
@@ -66,6 +67,7 @@ pub struct App {
     exporting: Exporting,
     measuring: Measuring,
     keeping: Keeping,
+    saving: Saving,
     chosen: files::Answers,
     notice: Notice,
     /// The last notice by its number, and the state that it was about.
@@ -145,6 +147,7 @@ impl App {
             exporting: Exporting::default(),
             measuring: Measuring::default(),
             keeping: Keeping::default(),
+            saving: Saving::default(),
             chosen: files::Answers::default(),
             notice: Notice::default(),
             noticed: None,
@@ -268,6 +271,7 @@ impl eframe::App for App {
         self.poll_job();
         self.poll_tracing();
         self.poll_judging();
+        self.poll_saving();
         self.take_answers(&context);
         self.open_dropped(&context);
         let mut commands = Vec::new();
@@ -301,13 +305,11 @@ impl eframe::App for App {
         }
         commands.extend(self.pressed(&context));
         self.show_hall(&context, &mut commands);
-        if let Some(typed) = refused_number(&context) {
-            self.notice.say(match typed.trim() {
-                "" => self.look.text("number-missing"),
-                typed => {
-                    self.look.texts.format("number-refused", &[("typed", typed.to_owned().into())])
-                }
-            });
+        if let Some(wrong) = refused_number(&context) {
+            match wrong.as_str() {
+                "" => self.notice.clear(),
+                wrong => self.notice.say(wrong),
+            }
         }
         for command in commands {
             self.obey(&context, command);
@@ -327,7 +329,8 @@ impl eframe::App for App {
             context.request_repaint();
         }
 
-        if self.job.is_some() || self.tracing.is_some() || self.judging.is_some() {
+        let is_working = self.job.is_some() || self.tracing.is_some() || self.judging.is_some();
+        if is_working || self.is_saving() {
             context.request_repaint_after(Duration::from_millis(30));
         }
         if let Some(secs) = self.view.playback.secs_to_next() {
@@ -345,6 +348,7 @@ impl eframe::App for App {
     }
 
     fn on_exit(&mut self) {
+        self.finish_saving();
         self.give_up_export();
     }
 }

@@ -146,10 +146,15 @@ impl<const D: usize> Document<D> {
         (self.scenario.ray, self.scenario.query) = (other.scenario.ray, other.scenario.query);
     }
 
+    /// Whether both are states of one opened scenario.
+    fn is_of_same_opened(&self, other: &Self) -> bool {
+        Arc::ptr_eq(&self.opened, &other.opened)
+    }
+
     /// Takes the file of `other` over, if both are states of one opened scenario:
     /// where it is saved to is undone by nothing.
     fn keep_file(&mut self, other: &Self) {
-        if Arc::ptr_eq(&self.opened, &other.opened) {
+        if self.is_of_same_opened(other) {
             self.path.clone_from(&other.path);
         }
     }
@@ -157,23 +162,19 @@ impl<const D: usize> Document<D> {
     /// The question that no longer counts as changed: that of `saved`, if it is of the
     /// same opened scenario, else the opened one.
     fn unchanged(&self, saved: &Self) -> Scenario<D> {
-        if Arc::ptr_eq(&self.opened, &saved.opened) {
-            saved.whole_scenario()
-        } else {
-            (*self.opened).clone()
-        }
+        if self.is_of_same_opened(saved) { saved.whole_scenario() } else { (*self.opened).clone() }
     }
 
     /// Whether both ask the same question of the same source.
     fn is_same_state(&self, other: &Self) -> bool {
         self.scenario == other.scenario
-            && (Arc::ptr_eq(&self.opened, &other.opened) || self.opened == other.opened)
+            && (self.is_of_same_opened(other) || self.opened == other.opened)
     }
 
     /// Whether the question is another one than in `saved`, if that is of the same
     /// opened scenario; else, than it was when it was opened.
     pub fn differs_from(&self, saved: &Self) -> bool {
-        if Arc::ptr_eq(&self.opened, &saved.opened) {
+        if self.is_of_same_opened(saved) {
             return self.scenario != saved.scenario;
         }
         self.differs_from_opened()

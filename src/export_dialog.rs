@@ -8,10 +8,10 @@ use crate::figures::Moments;
 use crate::files;
 use crate::look::Look;
 use crate::panels::show::{self, Of};
-use crate::widgets::segments;
+use crate::widgets::{MOST_SEED, ranged_field, segments};
 use eframe::egui::{
-    Align, CollapsingHeader, ComboBox, Context, DragValue, Frame, Grid, Id, Image, Label, Layout,
-    Modal, RichText, ScrollArea, Spinner, TextEdit, TextureHandle, Ui, accesskit::Role, vec2,
+    Align, CollapsingHeader, ComboBox, Context, Frame, Grid, Id, Image, Label, Layout, Modal,
+    RichText, ScrollArea, Spinner, TextEdit, TextureHandle, Ui, accesskit::Role, vec2,
 };
 use octoscope_core::explain::Notation;
 use octoscope_core::text::Language;
@@ -234,8 +234,9 @@ fn steps(ui: &mut Ui, look: &Look, choice: &mut Choice, last_step: usize) {
     if choice.steps == StepChoice::Range {
         ui.horizontal(|ui| {
             for (step, key) in choice.range.iter_mut().zip(["export-from", "export-to"]) {
-                let label = ui.label(look.text(key));
-                ui.add(DragValue::new(step).range(0..=last_step)).labelled_by(label.id);
+                let name = look.text(key);
+                ui.label(&name);
+                ranged_field(ui, look, &name, step, [0, last_step], 1.0);
             }
         });
     }
@@ -252,9 +253,10 @@ fn moments(ui: &mut Ui, look: &Look, choice: &mut Choice, last_step: usize) {
     match choice.moments {
         MomentChoice::Even | MomentChoice::Leaves => {
             ui.horizontal(|ui| {
-                let label = ui.label(look.text("export-at-most"));
-                let field = DragValue::new(&mut choice.n_moments).range(1..=Moments::MOST);
-                ui.add(field).labelled_by(label.id);
+                let name = look.text("export-at-most");
+                ui.label(&name);
+                let range = [1, Moments::MOST];
+                ranged_field(ui, look, &name, &mut choice.n_moments, range, 1.0);
             });
         }
         MomentChoice::Listed => {
@@ -280,8 +282,9 @@ fn exercise(ui: &mut Ui, look: &Look, choice: &mut Choice) {
     segments(ui, &mut choice.exercise, &rays.map(|(ray, key)| (ray, look.text(key))));
     if choice.exercise == ExerciseChoice::Numbered {
         ui.horizontal(|ui| {
-            let label = ui.label(look.text("export-seed"));
-            ui.add(DragValue::new(&mut choice.seed).speed(0.1)).labelled_by(label.id);
+            let name = look.text("export-seed");
+            ui.label(&name);
+            ranged_field(ui, look, &name, &mut choice.seed, [0, MOST_SEED], 0.1);
         });
     }
     ui.checkbox(&mut choice.solution, look.text("export-solution"));
@@ -325,13 +328,9 @@ fn tikz(ui: &mut Ui, look: &Look, choice: &mut Choice) {
 }
 
 fn number(ui: &mut Ui, look: &Look, key: &str, value: &mut f64, range: [f64; 2], speed: f64) {
-    let field = DragValue::new(value).range(range[0]..=range[1]).speed(speed).max_decimals(2);
-    let response = ui.add_sized([64.0, 24.0], field);
-    let (name, value) = (look.text(key), *value);
-    response.widget_info(|| {
-        let mut info = eframe::egui::WidgetInfo::labeled(Role::SpinButton, true, name.as_str());
-        info.value = Some(value);
-        info
+    let layout = Layout::centered_and_justified(eframe::egui::Direction::LeftToRight);
+    ui.allocate_ui_with_layout(vec2(64.0, 24.0), layout, |ui| {
+        ranged_field(ui, look, &look.text(key), value, range, speed);
     });
 }
 

@@ -166,9 +166,10 @@ impl App {
         self.judging = None;
     }
 
-    /// Waits until what is being opened, built, traced, found out or drawn is there;
-    /// without work, not at all.
+    /// Waits until what is being opened, built, traced, found out, saved or drawn is
+    /// there; without work, not at all.
     pub fn finish_work(&mut self) {
+        self.finish_saving();
         if let Some(job) = &self.judging {
             self.conclude_judging(job.wait());
         }

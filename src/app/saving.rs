@@ -2,13 +2,33 @@
 
 use super::App;
 use super::jobs::file_name;
+use crate::document::AnyDocument;
 use crate::files::{self, Chosen, Purpose};
+use crate::job::{Job, Poll};
 use crate::kept_show::keep_show;
 use crate::view::{Dialog, Typed};
 use crate::{complaint, save, with_document};
 use eframe::egui::Context;
+use octoscope_core::progress::Progress;
 use octoscope_core::scenario::AnyScenario;
 use std::path::{Path, PathBuf};
+
+/// What is being saved. A large scenario takes long to print: another thread does it.
+#[derive(Default)]
+pub(super) struct Saving {
+    now: Option<Begun>,
+    /// Where to save next: what is changed meanwhile is saved after it.
+    next: Option<PathBuf>,
+}
+
+struct Begun {
+    /// Comes to what was saved, with the playhead where it was.
+    job: Job<anyhow::Result<AnyScenario>>,
+    /// The document as it is being saved, with its file.
+    document: AnyDocument,
+    path: PathBuf,
+    context: Context,
+}
 
 /// Whether a file may be replaced.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -20,39 +40,90 @@ enum Replacing {
 }
 
 impl App {
-    /// The scenario with the playhead where it is.
-    pub(super) fn scenario_now(&self) -> AnyScenario {
-        self.document.scenario_at(self.view.playback.step)
-    }
-
-    /// The same with what the picture shows.
-    pub(super) fn scenario_to_keep(&self) -> AnyScenario {
-        let mut scenario = self.scenario_now();
-        keep_show(&mut scenario, self.show_of_document());
-        scenario
+    /// Whether something is being saved.
+    pub fn is_saving(&self) -> bool {
+        self.saving.now.is_some()
     }
 
     pub(super) fn save(&mut self, context: &Context, ask: bool) {
         let path = with_document!(&self.document, document => document.path.clone());
         match path {
-            Some(path) if !ask => self.save_to(&path),
+            Some(path) if !ask => self.save_to(context, path),
             Some(_) | None => self.chosen.ask_save(context),
         }
     }
 
-    fn save_to(&mut self, path: &Path) {
-        match save::scenario(&self.document, self.scenario_to_keep(), path) {
-            Ok(()) => {
-                with_document!(&mut self.document, d => d.path = Some(path.to_owned()));
-                self.saved = self.document.clone();
-                self.unrestored = None;
-                self.exporting.saved = Some((path.to_owned(), self.scenario_now()));
-                let name = file_name(path);
+    /// Begins to save, or, while something is being saved, does so after it.
+    fn save_to(&mut self, context: &Context, path: PathBuf) {
+        if self.is_saving() {
+            self.saving.next = Some(path);
+            return;
+        }
+        let mut document = self.document.clone();
+        with_document!(&mut document, d => d.path = Some(path.clone()));
+        let (step, show) = (self.view.playback.step, *self.show_of_document());
+        let (of_job, to) = (document.clone(), path.clone());
+        let work = move |_: &Progress| {
+            let now = of_job.scenario_at(step);
+            let mut kept = now.clone();
+            keep_show(&mut kept, &show);
+            save::scenario(&of_job, kept, &to).map(|()| now)
+        };
+        let name = file_name(&path);
+        let title = self.look.texts.format("status-saving", &[("name", name.into())]);
+        let job = Job::start(title, context, work);
+        let context = context.clone();
+        self.saving.now = Some(Begun { job, document, path, context });
+        self.poll_saving();
+    }
+
+    /// Takes what saving has come to, and begins what is to be saved after it.
+    pub(super) fn poll_saving(&mut self) {
+        let Some(begun) = self.saving.now.take() else { return };
+        match begun.job.poll() {
+            Poll::Running => {
+                if begun.job.is_shown() && self.notice.text() != begun.job.title {
+                    self.notice.say(begun.job.title.clone());
+                }
+                self.saving.now = Some(begun);
+            }
+            Poll::Done(result) => self.conclude_saving(Some(result), begun),
+            Poll::Broken => self.conclude_saving(None, begun),
+        }
+    }
+
+    /// Waits until all that is to be saved is in its file, or could not be saved.
+    pub(super) fn finish_saving(&mut self) {
+        while let Some(begun) = self.saving.now.take() {
+            match begun.job.wait() {
+                Poll::Done(result) => self.conclude_saving(Some(result), begun),
+                Poll::Running | Poll::Broken => self.conclude_saving(None, begun),
+            }
+        }
+    }
+
+    /// `result` is what was saved, or why it was not; `None` if nobody knows.
+    fn conclude_saving(&mut self, result: Option<anyhow::Result<AnyScenario>>, begun: Begun) {
+        let Begun { document, path, context, .. } = begun;
+        match result {
+            Some(Ok(scenario)) => {
+                let name = file_name(&path);
                 self.notice.say(self.look.texts.format("status-saved", &[("name", name.into())]));
+                self.exporting.saved = Some((path, scenario));
+                // Meanwhile another one may have been opened.
+                if self.document.is_of_same_opened(&document) {
+                    self.document.keep_file(&document);
+                    self.saved = document;
+                    self.unrestored = None;
+                }
             }
-            Err(error) => {
-                self.view.dialog = Some(Dialog::Error(complaint::told(&self.look.texts, &error)))
+            Some(Err(error)) => {
+                self.view.dialog = Some(Dialog::Error(complaint::told(&self.look.texts, &error)));
             }
+            None => self.view.dialog = Some(Dialog::Error(self.look.text("job-broken"))),
+        }
+        if let Some(next) = self.saving.next.take() {
+            self.save_to(&context, next);
         }
     }
 
@@ -120,7 +191,7 @@ impl App {
         }
         match purpose {
             Purpose::Open => self.open(context, path),
-            Purpose::Save => self.save_to(&path),
+            Purpose::Save => self.save_to(context, path),
             Purpose::Export(_) => self.export_to(context, &path),
             Purpose::Lab(_) => self.save_lab(context, &path),
         }

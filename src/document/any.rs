@@ -79,6 +79,15 @@ impl AnyDocument {
         }
     }
 
+    /// Whether both are states of one opened scenario.
+    pub fn is_of_same_opened(&self, other: &Self) -> bool {
+        match (self, other) {
+            (Self::Plane(a), Self::Plane(b)) => a.is_of_same_opened(b),
+            (Self::Space(a), Self::Space(b)) => a.is_of_same_opened(b),
+            (Self::Plane(_), Self::Space(_)) | (Self::Space(_), Self::Plane(_)) => false,
+        }
+    }
+
     /// The scenario without changes, where `saved` is what was saved last.
     pub fn unchanged(&self, saved: &Self) -> AnyScenario {
         match (self, saved) {

@@ -4,8 +4,9 @@ use super::Choice;
 use super::page::{Answer, Shown, State};
 use crate::bench::{MOST_DEPTH, MOST_RAYS, MOST_REPEATS};
 use crate::look::Look;
-use crate::widgets::tick;
-use eframe::egui::{Button, DragValue, Grid, Label, ProgressBar, RichText, ScrollArea, Ui};
+use crate::widgets::{MOST_SEED, ranged_field, tick};
+use eframe::egui::emath::Numeric;
+use eframe::egui::{Button, Grid, Label, ProgressBar, RichText, ScrollArea, Ui};
 use octoscope_core::explain::algorithm_name;
 use octoscope_core::measure::{SCENES, Way};
 use octoscope_core::traverse::Algorithm;
@@ -64,19 +65,19 @@ fn what(ui: &mut Ui, look: &Look, choice: &mut Choice) {
         ui.label(look.text("lab-depths"));
         ui.horizontal(|ui| {
             let [least, most] = &mut choice.depths;
-            number(ui, look, "lab-least-depth", least, [1, MOST_DEPTH]);
+            field(ui, look, "lab-least-depth", least, [1, MOST_DEPTH]);
             ui.label(look.text("lab-to"));
-            number(ui, look, "lab-most-depth", most, [1, MOST_DEPTH]);
+            field(ui, look, "lab-most-depth", most, [1, MOST_DEPTH]);
         });
         ui.end_row();
         ui.label(look.text("lab-rays"));
-        number(ui, look, "lab-rays", &mut choice.n_rays, [1, MOST_RAYS]);
+        field(ui, look, "lab-rays", &mut choice.n_rays, [1, MOST_RAYS]);
         ui.end_row();
         ui.label(look.text("lab-repeats"));
-        number(ui, look, "lab-repeats", &mut choice.n_repeats, [1, MOST_REPEATS]);
+        field(ui, look, "lab-repeats", &mut choice.n_repeats, [1, MOST_REPEATS]);
         ui.end_row();
         ui.label(look.text("lab-seed"));
-        number(ui, look, "lab-seed", &mut choice.seed, [0, u64::MAX]);
+        field(ui, look, "lab-seed", &mut choice.seed, [0, MOST_SEED]);
         ui.end_row();
     });
     heading(ui, "lab-algorithms");
@@ -102,19 +103,6 @@ fn what(ui: &mut Ui, look: &Look, choice: &mut Choice) {
     }
 }
 
-fn number<N: eframe::egui::emath::Numeric>(
-    ui: &mut Ui,
-    look: &Look,
-    key: &str,
-    value: &mut N,
-    [least, most]: [N; 2],
-) {
-    let field = ui.add(DragValue::new(value).range(least..=most));
-    let (name, value) = (look.text(key), value.to_f64());
-    field.widget_info(|| {
-        let role = eframe::egui::accesskit::Role::SpinButton;
-        let mut info = eframe::egui::WidgetInfo::labeled(role, true, name.as_str());
-        info.value = Some(value);
-        info
-    });
+fn field<N: Numeric>(ui: &mut Ui, look: &Look, key: &str, value: &mut N, range: [N; 2]) {
+    ranged_field(ui, look, &look.text(key), value, range, 1.0);
 }

@@ -187,7 +187,7 @@ fn segment_end(ui: &mut Ui, look: &Look, end: &mut Option<f64>) {
         ui.checkbox(&mut ends, &name);
         *end = ends.then_some(end.unwrap_or(1.0));
         if let Some(t) = end {
-            number_field(ui, &name, t, 0.01, look.palette.ink);
+            number_field(ui, look, &name, t, 0.01, look.palette.ink);
         }
     });
 }
@@ -230,7 +230,7 @@ fn fields<const D: usize>(
                 let name = format!("{} {}{}", look.text(key), AXIS_NAMES[axis], n);
                 ui.scope(|ui| {
                     ui.set_max_width(84.0);
-                    number_field(ui, &name, &mut point[axis], side / 256.0, color);
+                    number_field(ui, look, &name, &mut point[axis], side / 256.0, color);
                 });
             }
             ui.end_row();

@@ -24,7 +24,7 @@ pub fn ui<const D: usize>(ui: &mut Ui, look: &Look, ray: &mut Ray<D>, side: f64)
                 let name = format!("{} {}", look.text(key), AXIS_NAMES[axis]);
                 ui.scope(|ui| {
                     ui.set_max_width(84.0);
-                    number_field(ui, &name, value, side / 256.0, color);
+                    number_field(ui, look, &name, value, side / 256.0, color);
                 });
             }
             ui.end_row();

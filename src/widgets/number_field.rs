@@ -1,14 +1,15 @@
 //! A number that can be dragged and typed.
 
+use super::typed_field::{Typing, typed_field};
+use crate::look::Look;
 use eframe::egui::{
-    Color32, Context, DragValue, FontId, Id, Key, Layout, Response, Ui, WidgetInfo,
+    Color32, DragValue, FontId, Layout, Response, Ui, WidgetInfo,
     accesskit::Role,
     text::{CCursor, CCursorRange},
     text_edit::TextEditState,
     vec2,
 };
 use octoscope_core::explain::number;
-use std::cell::RefCell;
 
 /// Room between a number and the border of its field.
 const PADDING: f32 = 8.0;
@@ -18,6 +19,7 @@ const PADDING: f32 = 8.0;
 /// number too long for it is cut short, until it is edited.
 pub fn number_field(
     ui: &mut Ui,
+    look: &Look,
     name: &str,
     value: &mut f64,
     drag_speed: f64,
@@ -26,29 +28,24 @@ pub fn number_field(
     let mut edited = *value;
     let size = vec2(ui.available_width().min(110.0), 24.0);
     let layout = Layout::centered_and_justified(ui.layout().main_dir());
-    // What was typed last, if it is no number.
-    let refused = RefCell::new(None);
     let response = ui
         .allocate_ui_with_layout(size, layout, |ui| {
             ui.visuals_mut().override_text_color = Some(color);
             ui.spacing_mut().button_padding.x = PADDING / 2.0;
             let id = ui.next_auto_id();
             let is_edited = ui.memory(|memory| memory.has_focus(id));
-            let shown = if is_edited { number(*value) } else { fitting(ui, *value, size.x) };
-            let field = DragValue::new(&mut edited)
-                .speed(drag_speed)
-                .max_decimals(6)
-                .clip_text(true)
-                .custom_formatter(|x, _| if x == *value { shown.clone() } else { number(x) })
-                .custom_parser(|text| {
-                    let read = parse(text);
-                    *refused.borrow_mut() = Some(read.is_none().then(|| text.to_owned()));
-                    read
-                });
-            let response = ui.add(field);
+            let short = if is_edited { number(*value) } else { fitting(ui, *value, size.x) };
+            let typing = Typing {
+                value: *value,
+                shown: &|x| if x == *value { short.clone() } else { number(x) },
+                read: &parse,
+                wrong: &|typed| wrong(look, typed, *value),
+            };
+            let field = DragValue::new(&mut edited).speed(drag_speed).max_decimals(6);
+            let response = typed_field(ui, look, field.clip_text(true), &typing);
             if response.clicked() {
                 // The toolkit selects as much as it has shown, which may be less.
-                let all = CCursorRange::two(CCursor::new(0), CCursor::new(number(*value).len()));
+                let all = CCursorRange::two(CCursor::new(0), CCursor::new(usize::MAX));
                 let mut state = TextEditState::load(ui.ctx(), response.id).unwrap_or_default();
                 state.cursor.set_char_range(Some(all));
                 state.store(ui.ctx(), response.id);
@@ -56,7 +53,6 @@ pub fn number_field(
             response
         })
         .inner;
-    remember_refused(ui, &response, refused.into_inner());
     if response.changed() && edited.is_finite() {
         *value = edited;
     }
@@ -68,27 +64,12 @@ pub fn number_field(
     response.on_hover_text(format!("{name} = {}", number(*value)))
 }
 
-/// What was typed into a number field and left there without being a number.
-pub fn refused_number(context: &Context) -> Option<String> {
-    context.data_mut(|data| data.remove_temp(Id::unique(REFUSED)))
-}
-
-const REFUSED: &str = "refused number";
-
-/// Keeps what was typed, if it is no number, until the field is left.
-fn remember_refused(ui: &Ui, response: &Response, typed: Option<Option<String>>) {
-    let own = response.id.with(REFUSED);
-    ui.data_mut(|data| {
-        if let Some(typed) = typed {
-            data.insert_temp(own, typed);
-        }
-    });
-    if response.lost_focus() {
-        let left = ui.data_mut(|data| data.remove_temp::<Option<String>>(own)).flatten();
-        let is_given_up = ui.input(|input| input.key_pressed(Key::Escape));
-        if let Some(text) = left.filter(|_| !is_given_up) {
-            ui.data_mut(|data| data.insert_temp(Id::unique(REFUSED), text));
-        }
+/// What is wrong with a text that is no number; `value` holds in its place.
+fn wrong(look: &Look, typed: &str, value: f64) -> String {
+    let value = ("value", number(value).into());
+    match typed.trim() {
+        "" => look.texts.format("number-missing", &[value]),
+        typed => look.texts.format("number-refused", &[("typed", typed.to_owned().into()), value]),
     }
 }
 

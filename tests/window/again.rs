@@ -43,6 +43,7 @@ fn changes_and_the_file_that_lacks_them_are_known_after_a_start() {
 
     let before = fs::read(&path).unwrap();
     again.press_with(Modifiers::COMMAND, Key::S);
+    again.state_mut().finish_work();
     assert_ne!(fs::read(&path).unwrap(), before);
     assert!(!again.state().is_changed());
     assert!(!Desk::started(&again.left()).state().is_changed());

@@ -5,6 +5,7 @@ use crate::drawn::plane;
 use eframe::egui::{self, Key, Modifiers};
 use octoscope::files::{Chosen, Purpose};
 use octoscope::view::{Dialog, Typed};
+use octoscope_core::scenario::Source;
 use octoscope_core::scene::Content;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -110,6 +111,7 @@ fn undo_leaves_what_the_scenario_is_saved_to() {
     }
     assert_eq!(desk.plane().path.as_ref(), Some(&second));
     desk.press_with(Modifiers::COMMAND, Key::S);
+    desk.state_mut().finish_work();
     assert_eq!(fs::read(&first).unwrap(), saved[0]);
     assert_eq!(fs::read(&second).unwrap(), saved[0], "as the first was");
 }
@@ -164,6 +166,8 @@ pub fn type_path(desk: &mut Desk, purpose: Purpose, path: &str, end: &str) {
     desk.run();
     desk.event(egui::Event::Text(end.to_owned()));
     desk.press(Key::Enter);
+    desk.state_mut().finish_work();
+    desk.run();
 }
 
 #[test]
@@ -182,8 +186,61 @@ fn a_typed_path_is_saved_to_and_a_file_replaced_only_when_confirmed() {
     assert!(desk.says("Replace it?"));
     assert_eq!(fs::read(&path).unwrap(), before);
     desk.press(Key::Enter);
+    desk.state_mut().finish_work();
     assert_eq!(desk.state().view.dialog, None);
     assert_ne!(fs::read(&path).unwrap(), before);
+}
+
+/// The window on so many points that printing them takes many frames.
+fn with_many_points(folder: &Path) -> Desk {
+    let many = plane("quadtree-82", |scenario| {
+        let points = (0..60_000u32).map(|n| [f64::from(n % 250), f64::from(n / 250)]);
+        let points = points.map(|point| point.map(|x| (x + 0.25) / 256.0)).collect();
+        scenario.source = Source::Inline(Content::Points(points));
+        scenario.recipe.depth = 4;
+    });
+    let path = folder.join("many.octo");
+    fs::write(&path, many.print()).unwrap();
+    Desk::with_file(path)
+}
+
+#[test]
+fn what_is_changed_while_much_is_saved_is_saved_the_next_time() {
+    let folder = tempdir().unwrap();
+    let mut desk = with_many_points(folder.path());
+    desk.press(Key::R);
+    desk.key_press_modifiers(Modifiers::COMMAND, Key::S);
+    desk.step();
+    assert!(desk.state().is_saving(), "it takes longer than a frame");
+    desk.key_press(Key::R);
+    desk.step();
+    desk.state_mut().finish_work();
+    desk.step();
+    assert!(desk.says("Saved as many.octo"), "{:?}", desk.texts());
+    assert!(desk.state().is_changed());
+
+    // Twice at once: one after the other, and the last one stays.
+    for _ in 0..2 {
+        desk.key_press_modifiers(Modifiers::COMMAND, Key::S);
+        desk.step();
+    }
+    desk.state_mut().finish_work();
+    assert!(!desk.state().is_changed());
+    let saved = Desk::with_file(folder.path().join("many.octo"));
+    assert_eq!(saved.plane().scenario.ray, desk.plane().scenario.ray);
+}
+
+#[test]
+fn a_window_that_is_closed_has_saved_what_it_was_to_save() {
+    let folder = tempdir().unwrap();
+    let mut desk = with_many_points(folder.path());
+    desk.press(Key::R);
+    let ray = desk.plane().scenario.ray;
+    desk.key_press_modifiers(Modifiers::COMMAND, Key::S);
+    desk.step();
+    eframe::App::on_exit(desk.state_mut());
+    let saved = Desk::with_file(folder.path().join("many.octo"));
+    assert_eq!(saved.plane().scenario.ray, ray);
 }
 
 #[test]
@@ -193,6 +250,7 @@ fn a_chosen_name_gets_its_ending_and_replaces_nothing_unasked() {
     let mut desk = Desk::new();
     let context = desk.ctx.clone();
     desk.state_mut().take_chosen(&context, chosen(Purpose::Save, "version 1.2"));
+    desk.state_mut().finish_work();
     desk.run();
     let path = folder.path().join("version 1.2.octo");
     let saved = fs::read(&path).unwrap();
@@ -206,6 +264,7 @@ fn a_chosen_name_gets_its_ending_and_replaces_nothing_unasked() {
     desk.press(Key::Escape);
     // The system's dialog has asked about this name.
     desk.state_mut().take_chosen(&context, chosen(Purpose::Save, "version 1.2.octo"));
+    desk.state_mut().finish_work();
     assert_ne!(fs::read(&path).unwrap(), saved);
 
     let figure = folder.path().join("figure.svg");

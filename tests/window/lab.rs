@@ -31,6 +31,24 @@ fn told(desk: &Desk) -> String {
 }
 
 #[test]
+fn a_field_says_which_numbers_it_takes() {
+    let mut desk = Desk::new();
+    desk.state_mut().view.dialog = Some(Dialog::Lab);
+    desk.run();
+    let rays = desk.state().view.lab.n_rays;
+    for typed in ["many", "0", "12.5", "99999999999"] {
+        desk.type_into("Rays", typed);
+        let said = format!("“{typed}” is no whole number from 1 to");
+        assert!(desk.says(&said), "{typed}: {:?}", desk.texts());
+        assert_eq!(desk.state().view.lab.n_rays, rays, "{typed}");
+        desk.press(Key::Escape);
+        assert_eq!(desk.state().view.dialog, Some(Dialog::Lab), "the field is given up alone");
+    }
+    desk.type_into("Rays", "12");
+    assert_eq!(desk.state().view.lab.n_rays, 12);
+}
+
+#[test]
 fn algorithms_are_measured_and_shown_as_bars_lines_and_numbers() {
     let mut desk = lab();
     assert_eq!(told(&desk), "Nothing is measured yet.");
@@ -89,11 +107,8 @@ fn without_a_scene_or_an_algorithm_there_is_nothing_to_measure() {
     desk.run();
     assert_eq!(told(&desk), "Nothing is measured yet.");
     desk.click(Role::Button, "those of the paper");
-    desk.type_into("Rays", "0");
-    desk.type_into("Greatest depth", "99");
-    desk.type_into("Seed", "x");
-    let choice = &desk.state().view.lab;
-    assert_eq!((choice.n_rays, choice.depths, choice.seed), (1, [3, 12], 0x5EED));
+    measure(&mut desk);
+    assert_ne!(told(&desk), "Nothing is measured yet.");
 }
 
 #[test]

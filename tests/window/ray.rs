@@ -3,7 +3,7 @@
 use crate::desk::Desk;
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Key, Modifiers, Pos2, vec2};
-use egui_kittest::kittest::Queryable;
+use egui_kittest::kittest::{NodeT, Queryable};
 use octoscope::document::AnyDocument;
 use octoscope_core::gallery::{Degenerate, snap};
 use octoscope_core::geometry::Ray;
@@ -104,6 +104,42 @@ fn what_is_no_number_is_refused_with_what_would_be_one() {
         assert!(!desk.says(said), "{typed} is not the last word");
         desk.type_into("origin y", "0.25");
     }
+}
+
+#[test]
+fn what_is_no_number_stays_in_its_field_until_it_is_mended_or_given_up() {
+    let mut desk = Desk::new();
+    let before = desk.plane().scenario.ray.origin();
+    let shown = |desk: &Desk| {
+        let field = desk.get_by_role_and_label(Role::SpinButton, "origin y");
+        field.accesskit_node().value().unwrap_or_default()
+    };
+    let said = |desk: &Desk| {
+        let is_whole = |text: &&String| text.starts_with("“0.5x”") && text.ends_with("back.");
+        desk.texts().iter().filter(is_whole).count()
+    };
+    desk.type_into("origin y", "0.5x");
+    assert_eq!(desk.plane().scenario.ray.origin(), before);
+    assert_eq!(shown(&desk), "0.5x");
+    assert_eq!(said(&desk), 2, "below the field, and on the line of notices: {:?}", desk.texts());
+    // Confirmed by Enter it is edited on.
+    desk.press(Key::Backspace);
+    assert_eq!((desk.plane().scenario.ray.origin()[1], said(&desk)), (0.5, 0));
+
+    desk.type_into("origin y", "up");
+    desk.press(Key::Tab);
+    assert_eq!(shown(&desk), "up", "also where it is left");
+    desk.click(Role::SpinButton, "origin y");
+    desk.press(Key::Escape);
+    assert_eq!((shown(&desk).as_str(), desk.plane().scenario.ray.origin()[1]), ("0.5", 0.5));
+
+    desk.type_into("origin y", "up");
+    desk.press(Key::Tab);
+    // What has changed otherwise is shown.
+    let AnyDocument::Plane(document) = desk.state_mut().document_mut() else { panic!() };
+    document.scenario.ray = Ray::new(before, [1.0, 0.5]).unwrap();
+    desk.run();
+    assert_eq!(shown(&desk), octoscope_core::explain::number(before[1]));
 }
 
 #[test]

@@ -96,6 +96,7 @@ fn what_is_shown_is_saved_with_the_scenario() {
     desk.press(Key::U);
     let shown = plane(&desk);
     desk.press_with(Modifiers::COMMAND, Key::S);
+    desk.state_mut().finish_work();
     let text = std::fs::read_to_string(&path).unwrap();
     assert!(text.contains(&print_shown(&shown)), "{text}");
     let mut desk = Desk::with_file(&path);

@@ -183,8 +183,10 @@ scene-counts-triangles = { $items ->
 
 ray-origin = Startpunkt
 ray-direction = Richtung
-number-missing = Es fehlt eine Zahl, etwa −0.25, 3/4, 1e-3 oder 0x1.8p-1. Die alte bleibt.
-number-refused = „{ $typed }“ ist keine endliche Zahl. Richtig wäre etwa −0.25, 3/4, 1e-3 oder 0x1.8p-1. Die alte bleibt.
+number-missing = Hier fehlt eine Zahl. Richtig wäre etwa −0.25, 3/4, 1e-3 oder 0x1.8p-1. Bis dahin gilt { $value }; Esc bringt sie zurück.
+number-refused = „{ $typed }“ ist keine endliche Zahl. Richtig wäre etwa −0.25, 3/4, 1e-3 oder 0x1.8p-1. Bis dahin gilt { $value }; Esc bringt sie zurück.
+whole-refused = „{ $typed }“ ist keine ganze Zahl von { $least } bis { $most }: schreiben Sie eine. Bis dahin gilt { $value }; Esc bringt sie zurück.
+range-refused = „{ $typed }“ ist keine Zahl von { $least } bis { $most }: schreiben Sie eine. Bis dahin gilt { $value }; Esc bringt sie zurück.
 ray-refused = Ein Strahl braucht eine Richtung ungleich null; die letzte bleibt.
 
 query-ray = Strahl
@@ -413,6 +415,7 @@ status-copied-command = Der Befehl liegt in der Zwischenablage.
 about-text = Octoscope zeigt geordnete Durchläufe von Quadtrees und Octrees Schritt für Schritt. Gegenstand ist die Seminararbeit „Ray Tracing mit Octrees“ von M. Kirschmann, Ulm, mit den Verfahren, die sie nennt.
 about-licence = Version { $version }, unter der MIT- oder der Apache-Lizenz 2.0.
 drop-here = Datei loslassen, um sie zu öffnen
+status-saving = { $name } wird gespeichert …
 status-saved = Gespeichert als { $name }
 status-kept = „{ $title }“ hatte Änderungen, die in keiner Datei stehen: Strg+Z bringt es zurück.
 status-not-restored = Das zuletzt Geöffnete lässt sich jetzt nicht öffnen; der nächste Start versucht es wieder. { $why }

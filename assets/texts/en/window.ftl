@@ -183,8 +183,10 @@ scene-counts-triangles = { $items ->
 
 ray-origin = origin
 ray-direction = direction
-number-missing = A number is missing: write one such as −0.25, 3/4, 1e-3 or 0x1.8p-1. The old one stays.
-number-refused = “{ $typed }” is no finite number: write one such as −0.25, 3/4, 1e-3 or 0x1.8p-1. The old one stays.
+number-missing = A number is missing: write one such as −0.25, 3/4, 1e-3 or 0x1.8p-1. Until then { $value } holds; Esc brings it back.
+number-refused = “{ $typed }” is no finite number: write one such as −0.25, 3/4, 1e-3 or 0x1.8p-1. Until then { $value } holds; Esc brings it back.
+whole-refused = “{ $typed }” is no whole number from { $least } to { $most }: write one. Until then { $value } holds; Esc brings it back.
+range-refused = “{ $typed }” is no number from { $least } to { $most }: write one. Until then { $value } holds; Esc brings it back.
 ray-refused = A ray needs a direction other than zero; the last one stays.
 
 query-ray = Ray
@@ -413,6 +415,7 @@ status-copied-command = The command is on the clipboard.
 about-text = Octoscope shows ordered traversals of quadtrees and octrees step by step. Its subject is the seminar paper “Ray Tracing mit Octrees” by M. Kirschmann, Ulm, and the algorithms it names.
 about-licence = Version { $version }, under the MIT or the Apache licence 2.0.
 drop-here = Drop the file to open it
+status-saving = Saving { $name } …
 status-saved = Saved as { $name }
 status-kept = “{ $title }” had changes that no file has: Ctrl+Z brings it back.
 status-not-restored = What was open last cannot be opened now; the next start tries again. { $why }

@@ -3,8 +3,8 @@
 use super::{Of, SIZE, part_box};
 use crate::look::Look;
 use crate::show_change::{ShownPart, set_levels};
-use crate::widgets::explained_segments;
-use eframe::egui::{DragValue, Grid, Response, RichText, Slider, SliderClamping, Ui, WidgetInfo};
+use crate::widgets::{explained_segments, ranged_field};
+use eframe::egui::{Grid, Response, RichText, Slider, SliderClamping, Ui, WidgetInfo};
 use octoscope_core::geometry::AXIS_NAMES;
 use octoscope_figure::{Rest, Show, Slice};
 
@@ -57,14 +57,7 @@ fn levels(ui: &mut Ui, look: &Look, show: &mut Show, root_level: u8) {
     ui.spacing_mut().interact_size.x = 32.0;
     let field = |ui: &mut Ui, value: &mut u8, range: [u8; 2], key: &str| {
         let spoken = look.text(key);
-        let field = DragValue::new(value).range(range[0]..=range[1]).speed(0.05);
-        let response = ui.add(field);
-        let shown = f64::from(*value);
-        response.widget_info(|| {
-            let mut info = WidgetInfo::drag_value(true, shown);
-            info.label = Some(spoken.clone());
-            info
-        });
+        ranged_field(ui, look, &spoken, value, range, 0.05);
     };
     field(ui, &mut least, [0, most], "show-levels-least");
     ui.label(RichText::new("–").size(SIZE));
