@@ -5,12 +5,13 @@ mod labels;
 
 use crate::camera::corners;
 use crate::ground::{bounds_of, ground, is_ground};
+use crate::marks::interval;
 use crate::painter::{Half, Painted, at_share, back_to_front};
 use crate::parts::{Arrow, part_of_plane};
 use crate::sides::sides_to_eye;
 use crate::{Camera, Drawn, Figure, Form, Mark, Page, Part, Projected, Role, Shape, Style, Theme};
 use apart::is_apart;
-use octoscope_core::geometry::Aabb;
+use octoscope_core::geometry::{Aabb, Ray};
 
 /// Figure of `marks` as `camera` shows them on `page`. In space, boxes of one
 /// tree cover each other as they do for the eye; leaves and solids lie below
@@ -26,6 +27,10 @@ pub fn space_figure<const D: usize>(marks: &[Mark<D>], camera: &Camera<D>, page:
         chord,
         middle: middle.map_or([0.5 * page.width, 0.5 * page.height], |middle| middle.at),
         is_apart: marks.iter().any(|mark| is_apart(mark.role)),
+        last: marks.iter().find_map(|mark| match (mark.role, mark.shape) {
+            (Role::RayTip, Shape::Tip(ends)) => last_point(ends, root.as_ref()),
+            _ => None,
+        }),
         drawn: vec![],
         in_space: vec![],
         arrows: vec![],
@@ -68,6 +73,16 @@ fn chord_length<const D: usize>(marks: &[Mark<D>], camera: &Camera<D>, page: Pag
         [Some(enter), Some(exit)] => distance(enter, exit),
         [_, _] => f64::INFINITY,
     }
+}
+
+/// Where a ray has its tip or leaves the root, whichever is later.
+fn last_point<const D: usize>(
+    [from, tip]: [[f64; D]; 2],
+    root: Option<&Aabb<D>>,
+) -> Option<[f64; D]> {
+    let ray = Ray::new(from, std::array::from_fn(|e| tip[e] - from[e])).ok()?;
+    let exit = root.and_then(|root| interval(&ray, root)).map_or(1.0, |[_, exit]| exit);
+    Some(ray.at(exit.clamp(1.0, f64::MAX)))
 }
 
 /// What lies in space, the farthest first.
@@ -121,6 +136,8 @@ const HINT: f64 = -f64::MAX / 4.0;
 const FINE: f64 = 12.0;
 /// Planes of less than this length, in page units, bear no letter.
 const LEGIBLE: f64 = 36.0;
+/// Length of the head of an arrow, in page units.
+const HEAD: f64 = 14.0;
 /// Place of areas on which everything else lies.
 const GROUND: f64 = -f64::MAX / 2.0;
 
@@ -131,6 +148,8 @@ struct Canvas<'a, const D: usize> {
     chord: f64,
     /// Middle of the root on the page.
     middle: [f64; 2],
+    /// The last point on the ray.
+    last: Option<[f64; D]>,
     /// Whether children are moved apart: they would hide the ray.
     is_apart: bool,
     drawn: Vec<(f64, Drawn)>,
@@ -158,6 +177,7 @@ impl<const D: usize> Canvas<'_, D> {
             Shape::Box(bounds) if D == 2 => {
                 let points = self.outline(&bounds);
                 if has_ground(mark.role) {
+                    self.spare(&points);
                     let area = Form::Polygon(points.clone());
                     self.push_at(GROUND, mark, Part::Face(0), area);
                     let line = points.iter().chain(points.first()).copied().collect();
@@ -173,6 +193,9 @@ impl<const D: usize> Canvas<'_, D> {
                             | Role::Visited { .. }
                     );
                     let part = if is_leaf && side < FINE { Part::Fine } else { Part::Whole };
+                    if !is_leaf {
+                        self.spare(&points);
+                    }
                     self.push(mark, bounds, part, Form::Polygon(points));
                     if is_apart(mark.role) {
                         self.name_apart(mark, above_space(mark.role), &[]);
@@ -189,6 +212,7 @@ impl<const D: usize> Canvas<'_, D> {
                 }
             }
             Shape::Arrow(ends) => {
+                let ends = if mark.role == Role::Ray { self.past_last(ends) } else { ends };
                 // An arrow that leaves the page ends at its border, head and all.
                 if let Some(line) = self.camera.visible_segment(self.page, ends) {
                     self.draw_arrow(mark, ends, line);
@@ -216,12 +240,7 @@ impl<const D: usize> Canvas<'_, D> {
                 if let Some(at) = self.camera.tip_handle(self.page, ends) {
                     let radius = Style::of(Theme::Light, mark.role).radius;
                     self.taken.push([at, [radius + 1.0; 2]]);
-                    self.push(
-                        mark,
-                        point_box(ends[1]),
-                        Part::Whole,
-                        Form::Circle { centre: at, radius },
-                    );
+                    self.push(mark, point_box(ends[1]), Part::Whole, diamond(at, radius));
                 }
             }
             Shape::Sphere { centre, radius } => {
@@ -249,6 +268,12 @@ impl<const D: usize> Canvas<'_, D> {
             | Shape::LabelIn { .. }
             | Shape::LabelAlong(_) => {}
         }
+    }
+
+    /// Labels shall not cover this outline, if they can.
+    fn spare(&mut self, outline: &[[f64; 2]]) {
+        let next = outline.iter().cycle().skip(1);
+        self.spared.extend(outline.iter().zip(next).map(|(a, b)| [*a, *b]));
     }
 
     /// Radius of a point. Those of a small node are small, so that they do not hide it.
@@ -345,8 +370,24 @@ impl<const D: usize> Canvas<'_, D> {
         }
     }
 
+    /// The ray, so long that its head lies beyond the last point on it.
+    fn past_last(&self, [from, to]: [[f64; D]; 2]) -> [[f64; D]; 2] {
+        const ROOM: f64 = 8.0;
+        const MOST: f64 = 8.0;
+        let Some(last) = self.last else { return [from, to] };
+        let longer = |by: f64| std::array::from_fn(|e| last[e] + by * (to[e] - last[e]));
+        let reach = |end: [f64; D]| {
+            let [last, end] = [last, end].map(|place| self.camera.project(self.page, place));
+            Some(distance(last?.at, end?.at))
+        };
+        let mut by = 1.0;
+        while by < MOST && reach(longer(by)).is_some_and(|reach| reach < HEAD + ROOM) {
+            by *= 1.25;
+        }
+        [from, longer(by)]
+    }
+
     fn draw_arrow(&mut self, mark: &Mark<D>, ends: [[f64; D]; 2], [from, to]: [[f64; 2]; 2]) {
-        const LENGTH: f64 = 14.0;
         const HALF_WIDTH: f64 = 5.0;
         let length = distance(from, to);
         if length < 1e-9 {
@@ -355,7 +396,7 @@ impl<const D: usize> Canvas<'_, D> {
         self.spared.push([from, to]);
         let along: [f64; 2] = std::array::from_fn(|e| (to[e] - from[e]) / length);
         let across = [-along[1], along[0]];
-        let neck: [f64; 2] = std::array::from_fn(|e| to[e] - LENGTH.min(length) * along[e]);
+        let neck: [f64; 2] = std::array::from_fn(|e| to[e] - HEAD.min(length) * along[e]);
         let wing = |side: f64| std::array::from_fn(|e| neck[e] + side * HALF_WIDTH * across[e]);
         let drawn = |part, form| Drawn { form, role: mark.role, part, node: mark.node };
         let line = drawn(Part::Edge, Form::Polyline(vec![from, neck]));
@@ -408,6 +449,11 @@ fn has_ground(role: Role) -> bool {
 /// The point as a box without extent.
 fn point_box<const D: usize>(point: [f64; D]) -> Aabb<D> {
     Aabb { min: point, max: point }
+}
+
+/// A square that stands on its corner, so that it is told from the points of nodes.
+pub(crate) fn diamond([x, y]: [f64; 2], radius: f64) -> Form {
+    Form::Polygon(vec![[x + radius, y], [x, y + radius], [x - radius, y], [x, y - radius]])
 }
 
 pub(crate) fn distance(a: [f64; 2], b: [f64; 2]) -> f64 {

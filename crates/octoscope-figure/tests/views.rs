@@ -196,13 +196,20 @@ fn check_worksheets<const D: usize>(scenario: Scenario<D>) {
     for number in 0..20 {
         let ray = Exercise::ray_of(&scene.tree, number).unwrap();
         let exercise = Exercise::of(&scene.tree, &ray, Some(number)).unwrap();
-        for (language, fields) in
-            [(Language::English, Fields::Solved), (Language::German, Fields::Empty)]
-        {
+        for (language, fields, width) in [
+            (Language::English, Fields::Solved, 500.0),
+            (Language::German, Fields::Empty, 500.0),
+            (Language::English, Fields::Empty, 309.0),
+            (Language::German, Fields::Solved, 309.0),
+            (Language::German, Fields::Solved, 280.0),
+            (Language::English, Fields::Solved, 420.0),
+        ] {
             let picture = Figure { page: Page { width: 220.0, height: 220.0 }, drawn: Vec::new() };
-            let layout = (fields, 500.0);
+            let layout = (fields, width);
             let sheet = worksheet(&scene.tree, &exercise, picture, &texts(language), layout);
-            check_room(&sheet.cropped(6.0), &format!("worksheet {number}"));
+            let wide = sheet.extent().expect("something is drawn");
+            assert!(wide.min[0] > -1.0 && wide.max[0] < width + 1.0, "{number}: {wide:?}");
+            check_room(&sheet.cropped(6.0), &format!("worksheet {number}, {width} wide"));
         }
     }
 }

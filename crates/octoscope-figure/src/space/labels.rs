@@ -20,7 +20,10 @@ impl<const D: usize> Canvas<'_, D> {
                 if let Some(at) = place(at) {
                     let reach = text_reach(mark.role, text);
                     let at = self.outside(mark.role, at, reach);
-                    if let Some(at) = self.room([at], reach) {
+                    // Others tell as much as one that the ray crosses. Digits are low.
+                    let digits = [reach[0], 0.45 * reach[1]];
+                    let at = Some(at).filter(|at| self.n_covered(*at, digits) == 0);
+                    if let Some(at) = self.room(at, reach) {
                         self.text(mark, at, text);
                     }
                 }

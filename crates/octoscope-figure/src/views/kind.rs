@@ -172,9 +172,7 @@ impl FigureView {
         let (usual, least) = (self.width::<D>(), 280.0);
         let Some(column) = column else { return usual };
         match self {
-            Self::Codes | Self::Region | Self::Neighbour | Self::Automaton | Self::Worksheet => {
-                usual
-            }
+            Self::Codes | Self::Region | Self::Neighbour | Self::Automaton => usual,
             Self::Space
             | Self::Tree
             | Self::TRail
@@ -182,7 +180,8 @@ impl FigureView {
             | Self::Table
             | Self::Chart
             | Self::Formula
-            | Self::Storyboard => column.clamp(least, 1.5 * usual),
+            | Self::Storyboard
+            | Self::Worksheet => column.clamp(least, 1.5 * usual),
         }
     }
 

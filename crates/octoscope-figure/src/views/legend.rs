@@ -1,7 +1,8 @@
 //! What the roles in pictures mean.
 
 use super::sheet::Sheet;
-use crate::{Anchor, Figure, Form, Part, Role, metrics};
+use crate::space::diamond;
+use crate::{Anchor, Figure, Form, Part, Role, Style, Theme, metrics};
 use octoscope_core::text::Texts;
 
 /// How a role is shown in a legend.
@@ -11,12 +12,14 @@ enum Swatch {
     Ramp,
     Arrow,
     Disc,
+    Diamond,
     Planes,
 }
 
 /// Roles that are explained where they occur, by their class.
-const ENTRIES: [(&str, Role, Swatch); 17] = [
+const ENTRIES: [(&str, Role, Swatch); 18] = [
     ("ray", Role::Ray, Swatch::Arrow),
+    ("ray-tip", Role::RayTip, Swatch::Diamond),
     ("visited", Role::Visited { share: 0.5 }, Swatch::Ramp),
     ("current", Role::Current, Swatch::Field),
     ("ancestor", Role::Ancestor { above: 1 }, Swatch::Field),
@@ -85,6 +88,10 @@ fn draw(sheet: &mut Sheet, role: Role, swatch: Swatch, [x, y]: [f64; 2], width: 
         Swatch::Disc => {
             let form = Form::Circle { centre: [x + 0.5 * width, y], radius: 4.5 };
             sheet.push(role, Part::Whole, form);
+        }
+        Swatch::Diamond => {
+            let radius = Style::of(Theme::Light, role).radius;
+            sheet.push(role, Part::Whole, diamond([x + 0.5 * width, y], radius));
         }
         Swatch::Planes => {
             for axis in 0..2 {
