@@ -226,7 +226,7 @@ fn exercise<const D: usize>(document: &Document<D>, wanted: &Wanted<D>) -> anyho
     let exercise = Exercise::of(&document.tree, &document.scenario.ray, number)?;
     let draw = |page: Page| space(document, wanted.camera, page, &wanted.show, 0);
     let picture = filling(SIDE, wanted.camera.is_some(), draw, Figure::extent).cropped(0.0);
-    let width = FigureView::Worksheet.width::<D>();
+    let width = FigureView::Worksheet.width_in::<D>(wanted.column);
     let texts = texts(wanted.language);
     Ok(worksheet(&document.tree, &exercise, picture, &texts, (fields, width)))
 }

@@ -41,6 +41,7 @@ table-node = Knoten
 table-what = was geschieht
 chart-step = nach Schritt { $step } von { $of }
 legend-ray = Strahl
+legend-ray-tip = t = 1
 legend-visited = besuchte Blätter, der Reihe nach
 legend-current = aktueller Knoten
 legend-ancestor = seine Vorfahren

@@ -41,6 +41,7 @@ table-node = node
 table-what = what happens
 chart-step = after step { $step } of { $of }
 legend-ray = ray
+legend-ray-tip = t = 1
 legend-visited = visited leaves, in order
 legend-current = current node
 legend-ancestor = its ancestors
