@@ -259,7 +259,7 @@ fn aim<const D: usize>(document: &mut Document<D>, arguments: &Export) -> anyhow
         choice.aim(document)?;
     }
     if let Some(method) = arguments.algorithm {
-        document.scenario.query = document.scenario.query.along_the_ray_by(method);
+        document.scenario.query = document.scenario.query.along_the_ray_by(method.in_dimension(D)?);
     }
     document.refresh(0);
     Ok(())

@@ -12,7 +12,7 @@ use octoscope_core::explain::{trace_csv, trace_jsonl, trace_latex, trace_markdow
 use octoscope_core::progress::Progress;
 use octoscope_core::query::{Arithmetic, Query};
 use octoscope_core::text::Language;
-use octoscope_core::traverse::Method;
+use octoscope_core::traverse::{Method, MethodError};
 use std::io::Write;
 use std::path::PathBuf;
 
@@ -91,7 +91,7 @@ fn traced<const D: usize>(mut document: Document<D>, arguments: &Trace) -> anyho
     }
     let scenario = &mut document.scenario;
     if arguments.algorithm.is_some() || arguments.end.is_some() || arguments.exact {
-        scenario.query = along_ray(scenario.query, arguments);
+        scenario.query = along_ray(scenario.query, arguments)?;
     }
     document.trace_whole();
     let Document { tree, trace, scenario, .. } = &document;
@@ -106,13 +106,17 @@ fn traced<const D: usize>(mut document: Document<D>, arguments: &Trace) -> anyho
 
 /// `query`, if it is about the ray, else the default one that is; with what the
 /// command line says of it.
-fn along_ray<const D: usize>(query: Query<D>, arguments: &Trace) -> Query<D> {
+///
+/// # Errors
+/// Names a rule that trees of this dimension do not have.
+fn along_ray<const D: usize>(query: Query<D>, arguments: &Trace) -> Result<Query<D>, MethodError> {
     let mut query = match query {
         Query::Ray { .. } => query,
         Query::Point { .. } | Query::Region { .. } | Query::Neighbour { .. } => Query::default(),
     };
     if let Query::Ray { algorithm, options, arithmetic } = &mut query {
         if let Some(method) = arguments.algorithm {
+            let method = method.in_dimension(D)?;
             (*algorithm, options.variants) = (method.algorithm, method.variants);
         }
         if arguments.exact {
@@ -120,5 +124,5 @@ fn along_ray<const D: usize>(query: Query<D>, arguments: &Trace) -> Query<D> {
         }
         options.segment_end = arguments.end.or(options.segment_end);
     }
-    query
+    Ok(query)
 }

@@ -6,7 +6,9 @@ use crate::sidebar::Wish;
 use crate::widgets::printed_and_right;
 use eframe::egui::{CollapsingHeader, Label, RichText, Ui};
 use octoscope_core::explain::misprint_formula;
-use octoscope_core::paper::{ERRATA, Erratum, Severity, Verdict, erratum_of, paper_texts};
+use octoscope_core::paper::{
+    ERRATA, Erratum, Severity, Verdict, erratum_of, misprint_title, paper_texts,
+};
 use octoscope_core::query::Query;
 use octoscope_core::traverse::Variant;
 
@@ -29,7 +31,7 @@ pub fn ui<const D: usize>(
         for variant in own {
             let mut variants = query.variants();
             let mut on = variants.has(variant);
-            let title = erratum_of(variant).map(|erratum| told(look, erratum, "title"));
+            let title = misprint_title(variant, look.texts.language());
             let response = ui.toggle_value(&mut on, variant.id());
             if response.on_hover_text(title.unwrap_or_default()).changed() {
                 variants = if on { variants.with(variant) } else { variants.without(variant) };
@@ -42,6 +44,8 @@ pub fn ui<const D: usize>(
     for &variant in &printed {
         if let Some(erratum) = erratum_of(variant) {
             ui.add_space(4.0);
+            let title = misprint_title(variant, look.texts.language()).unwrap_or_default();
+            ui.label(RichText::new(format!("{} · {title}", variant.id())).strong());
             explained(ui, look, erratum, &[variant]);
             if ui.button(look.text("paper-counterexample")).clicked() {
                 wish = Some(Wish::Counterexample(variant));
@@ -110,7 +114,6 @@ fn judged<const D: usize>(
 
 /// What is printed, what is right, and why: as formulas where these tell it.
 fn explained(ui: &mut Ui, look: &Look, erratum: &Erratum, variants: &[Variant]) {
-    ui.label(RichText::new(format!("{} · {}", erratum.id, told(look, erratum, "title"))).strong());
     let misprints: Vec<_> = variants.iter().filter_map(|&v| misprint_formula(v)).collect();
     misprints.iter().for_each(|misprint| printed_and_right(ui, look, misprint));
     for (key, part) in [("paper-printed", "printed"), ("paper-right", "right")] {

@@ -8,7 +8,7 @@ use eframe::egui::{ComboBox, Grid, PopupCloseBehavior, RichText, Ui};
 use octoscope_core::explain::algorithm_name;
 use octoscope_core::geometry::AXIS_NAMES;
 use octoscope_core::locate::{Direction, NeighbourMethod, Reach};
-use octoscope_core::paper::{erratum_of, paper_texts};
+use octoscope_core::paper::{erratum_of, misprint_title, paper_texts};
 use octoscope_core::query::{Arithmetic, PointMethod, Query};
 use octoscope_core::traverse::{Algorithm, Options, StopAt, Variant, Variants};
 use octoscope_core::tree::Code;
@@ -154,12 +154,14 @@ fn ray_query<const D: usize>(
 
 /// Name of a variant and what it does.
 fn variant_texts(look: &Look, variant: Variant) -> (String, String) {
-    let Some(erratum) = erratum_of(variant) else {
+    let language = look.texts.language();
+    let misprint = erratum_of(variant).zip(misprint_title(variant, language));
+    let Some((erratum, title)) = misprint else {
         let key = format!("variant-{}", variant.id());
         return (look.text(&key), look.text(&format!("{key}-why")));
     };
-    let told = |part| paper_texts(look.texts.language()).get(&erratum.key(part));
-    (format!("{} · {}", variant.id(), told("title")), told("why"))
+    let why = paper_texts(language).get(&erratum.key("why"));
+    (format!("{} · {title}", variant.id()), why)
 }
 
 /// The algorithms by the way they go, each group with the key of its title.

@@ -199,7 +199,7 @@ fn page_of(rect: Rect) -> Page {
 pub fn interesting<const D: usize>(document: &Document<D>) -> Aabb<D> {
     let root = document.tree.domain().root_box();
     let side = document.tree.domain().side();
-    let near = |p: &[f64; D]| (0..D).all(|e| (p[e] - root.centre()[e]).abs() < 1.5 * side);
+    let near = |p: &[f64; D]| (0..D).all(|e| (p[e] - root.centre()[e]).abs() <= 2.5 * side);
     let ray = document.scenario.ray;
     let handles = [ray.origin(), ray.at(1.0)].into_iter().filter(near);
     let points = [root.min, root.max].into_iter().chain(handles);

@@ -14,14 +14,17 @@ pub fn run_marks<const D: usize>(
     let of = document.shown(moment);
     let mut shown = marks(of.tree, of.ray, of.query, moment, of.event, show);
     if document.needs_tracing() {
-        let is_held =
-            |mark: &Mark<D>| matches!(mark.role, Role::Ray | Role::RayOrigin | Role::RayTip);
+        let is_held = |mark: &Mark<D>| is_of_ray(mark.role);
         let (ray, query) = (&document.scenario.ray, &document.scenario.query);
         let untraced = marks(of.tree, ray, query, &document.moment(0), None, show);
         shown.retain(|mark| !is_held(mark));
         shown.extend(untraced.into_iter().filter(is_held));
     }
     shown
+}
+
+fn is_of_ray(role: Role) -> bool {
+    matches!(role, Role::Ray | Role::RayBeyond | Role::RayOrigin | Role::RayTip)
 }
 
 #[cfg(test)]

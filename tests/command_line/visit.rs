@@ -130,6 +130,10 @@ fn bad_input_is_refused_with_what_where_and_what_would_be_right() {
     assert!(message.contains("line 2, column 5"), "{message}");
     let message = desk.refuses(&VISIT.replace("a.rays", "no.rays"));
     assert!(message.contains("no such file") && message.contains("no.rays"), "{message}");
+    let message = desk.refuses(&format!("{VISIT} --algorithm parametric@B-2"));
+    assert!(message.contains("‘B-2’ is a rule for octrees alone"), "{message}");
+    let message = desk.refuses(&format!("{VISIT} --algorithm all@B-1"));
+    assert!(message.contains("‘all’ runs without variants"), "{message}");
 }
 
 #[test]

@@ -9,6 +9,8 @@ erratum-b-2-title = Tabelle 2: Bits des ersten Kindes
 erratum-b-2-printed = t_xm < t_z0 setzt Bit 0, t_zm setzt Bit 2
 erratum-b-2-right = x setzt Bit 2, y Bit 1, z Bit 0
 erratum-b-2-why = In Tabelle 3 und der Maske a = 4a_x + 2a_y + a_z ist x das höchste Bit. Mit vertauschten Bits beginnt der Weg im falschen Kind und verliert Blätter. Wer die Zustände als x + 2y + 4z liest (B-2-morton), beginnt im richtigen Kind, aber dann führen Tabelle 3 und die Maske in die Irre.
+reading-b-2 = wie gedruckt
+reading-b-2-morton = Zustände als x + 2y + 4z gelesen
 
 erratum-b-3-title = Auswahl der Kinder in der Ebene
 erratum-b-3-printed = q1 in beiden Zweigen; q3, wenn t_ym < t_y1; nichts für t_xm = t_ym
@@ -119,11 +121,16 @@ erratum-b-24-title = Suche eines Bereichs
 erratum-b-24-printed = Ebene = Nummer der ersten gemeinsamen Eins; Abstieg mit den XOR-Codes
 erratum-b-24-right = Ebene = Nummer der höchsten Eins in irgendeinem XOR-Code + 1; Abstieg mit den Codes eines Punktes des Bereichs
 erratum-b-24-why = Bit k trennt Zellen unterhalb von Ebene k + 1. Eine Achse genügt, um die Ecken zu trennen, und ein Unterschied sagt nichts über den Ort. Lauter Nullen bedeuten Ebene 0.
+reading-b-24a = die Ebene ist die Nummer des Bits selbst
+reading-b-24b = es zählt die erste Eins, die alle Differenzen gemeinsam haben
+reading-b-24c = Abstieg mit den Differenzen
 
 erratum-b-25-title = Gemeinsamer Vorfahr
 erratum-b-25-printed = Aufsteigen, bis die erste Binärstelle im Abstandscode null ist
 erratum-b-25-right = Aufsteigen, bis das Bit der jeweiligen Ebene null ist, ab der Ebene der Zelle
 erratum-b-25-why = Die verschiedenen Bits bilden eine Kette ab der Ebene der Zelle aufwärts. Die Stelle ganz links ist immer 0, man steigt also nie auf. Die ganz rechts ändert sich nie: Ist sie 1, steigt man bis zur Wurzel.
+reading-b-25-leftmost = es zählt die Stelle ganz links
+reading-b-25-rightmost = es zählt die Stelle ganz rechts
 
 erratum-b-26-title = Was HERO prüft
 erratum-b-26-printed = HERO prüft alle möglichen Kindknoten nacheinander

@@ -9,6 +9,8 @@ erratum-b-2-title = Table 2: bits of the first child
 erratum-b-2-printed = t_xm < t_z0 sets bit 0, and t_zm sets bit 2
 erratum-b-2-right = x sets bit 2, y bit 1, z bit 0
 erratum-b-2-why = Table 3 and the mask a = 4a_x + 2a_y + a_z have x as the highest bit. With the bits interchanged the walk begins in a wrong child and loses leaves. Whoever reads the states as x + 2y + 4z (B-2-morton) begins in the right child, but Table 3 and the mask then lead astray.
+reading-b-2 = as printed
+reading-b-2-morton = states read as x + 2y + 4z
 
 erratum-b-3-title = Selection of children in the plane
 erratum-b-3-printed = q1 in both branches; q3 if t_ym < t_y1; nothing for t_xm = t_ym
@@ -119,11 +121,16 @@ erratum-b-24-title = Region location
 erratum-b-24-printed = Level = number of the first common 1; descend by the XOR codes
 erratum-b-24-right = Level = number of the highest 1 in any XOR code + 1; descend by the codes of a point of the region
 erratum-b-24-why = Bit k separates cells below level k + 1. One axis is enough to part the corners, and a difference says nothing about the place. All zeros mean level 0.
+reading-b-24a = the level is the number of the bit itself
+reading-b-24b = the first 1 common to all differences counts
+reading-b-24c = descends by the differences
 
 erratum-b-25-title = Common ancestor
 erratum-b-25-printed = Climb until the first binary digit of the difference code is 0
 erratum-b-25-right = Climb until the bit at the current level is 0, from the level of the cell on
 erratum-b-25-why = The bits that differ form a run upwards from the cell's level. The leftmost digit is always 0, so that one never climbs. The rightmost one never changes: where it is 1 one climbs to the root.
+reading-b-25-leftmost = the leftmost digit counts
+reading-b-25-rightmost = the rightmost digit counts
 
 erratum-b-26-title = What HERO tests
 erratum-b-26-printed = HERO tests all possible children one after the other

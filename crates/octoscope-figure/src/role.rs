@@ -90,6 +90,8 @@ pub enum Role {
     RayOrigin,
     /// Handle on the ray's tip.
     RayTip,
+    /// What of the ray lies beyond the end that it is asked up to.
+    RayBeyond,
     /// The ray as the algorithm mirrors it.
     MirroredRay,
     /// What was there before a change, or what is being drawn.
@@ -227,7 +229,7 @@ impl Role {
 
     /// One role of every kind, in the order in which they cover each other,
     /// the lowest first.
-    pub const KINDS: [Self; 127] = [
+    pub const KINDS: [Self; 128] = [
         Self::Pixel([128; 3]),
         Self::FaintNode,
         Self::InnerNode,
@@ -270,6 +272,7 @@ impl Role {
         Self::Apart,
         Self::ApartTaken,
         Self::MirroredRay,
+        Self::RayBeyond,
         Self::Ray,
         Self::Direction,
         Self::WayUp,
@@ -402,6 +405,7 @@ impl Role {
             Self::Ray => "ray",
             Self::RayOrigin => "ray-origin",
             Self::RayTip => "ray-tip",
+            Self::RayBeyond => "ray-beyond",
             Self::MirroredRay => "mirrored-ray",
             Self::Ghost => "ghost",
             Self::Hover => "hover",

@@ -193,6 +193,7 @@ impl Style {
             Role::Ray => Self { fill: Some(p.ray), ..line(p.ray, 2.2) },
             Role::RayOrigin => Self { fill: Some(p.background), radius: 7.0, ..line(p.ray, 2.2) },
             Role::RayTip => Self { fill: Some(p.ray), radius: 5.5, ..line(p.background, 1.0) },
+            Role::RayBeyond => Self { dash: Dash::Dotted, ..line(p.ray.faded(0.85), 1.5) },
             Role::MirroredRay => Self {
                 fill: Some(p.ray.faded(0.75)),
                 dash: Dash::Dashed,

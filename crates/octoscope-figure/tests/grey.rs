@@ -60,6 +60,7 @@ fn lines_are_told_apart_in_grey() {
         (Role::Ray, Role::Root),
         (Role::Ray, Role::Ancestor { above: 1 }),
         (Role::Ray, Role::MirroredRay),
+        (Role::Ray, Role::RayBeyond),
         (Role::Ray, Role::EmptyLeaf),
         (Role::Current, Role::Ancestor { above: 1 }),
         (Role::Current, Role::Visited { share: 0.5 }),

@@ -133,13 +133,16 @@ enum Choice {
 }
 
 impl std::str::FromStr for Choice {
-    type Err = MethodError;
+    type Err = String;
 
-    fn from_str(id: &str) -> Result<Self, MethodError> {
-        match id {
-            "all" => Ok(Self::All),
-            batch::BATCH => Ok(Self::Batch),
-            _ => id.parse().map(Self::One),
+    fn from_str(id: &str) -> Result<Self, String> {
+        match id.split_once('@') {
+            None if id == "all" => Ok(Self::All),
+            None if id == batch::BATCH => Ok(Self::Batch),
+            Some((several @ ("all" | batch::BATCH), _)) => {
+                Err(format!("‘{several}’ runs without variants; name one algorithm for them"))
+            }
+            _ => id.parse().map(Self::One).map_err(|error: MethodError| error.to_string()),
         }
     }
 }
@@ -197,6 +200,9 @@ pub fn visit(arguments: &Visit) -> anyhow::Result<Answer> {
 fn visit_in<const D: usize>(arguments: &Visit) -> anyhow::Result<Answer> {
     let tree = read_tree::<D>(arguments)?;
     let rays = read_rays::<D>(&arguments.rays)?;
+    let methods: Result<Vec<Method>, _> =
+        arguments.algorithm.methods().into_iter().map(|method| method.in_dimension(D)).collect();
+    let methods = methods?;
     let asked = Asked {
         stop_at: if arguments.first { StopAt::FirstFull } else { StopAt::End },
         segment_end: arguments.end,
@@ -207,7 +213,6 @@ fn visit_in<const D: usize>(arguments: &Visit) -> anyhow::Result<Answer> {
         return visit_at_once(arguments, &tree, &rays, asked);
     }
     let mut output = Output::open(arguments.output.as_deref())?;
-    let methods = arguments.algorithm.methods();
     let threads = arguments.threads;
     let mut differences = check::Differences::default();
     if arguments.summary {

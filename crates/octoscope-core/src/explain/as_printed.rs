@@ -179,9 +179,11 @@ impl<const D: usize> Printed<'_, D> {
         self.instead("touch-printed", &arguments)
     }
 
-    /// Names of all misprints at work.
+    /// Names of all misprints at work that can make the result wrong. B-9 only makes
+    /// the way longer.
     fn misprint(&self) -> Option<String> {
-        let misprints = self.variants.iter().filter(|variant| variant.is_misprint());
+        let spoils = |&variant: &Variant| variant.is_misprint() && variant != B9;
+        let misprints = self.variants.iter().filter(spoils);
         self.at_work(&misprints.collect::<Vec<_>>())
     }
 

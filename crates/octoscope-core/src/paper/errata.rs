@@ -52,6 +52,22 @@ pub fn erratum_of(variant: Variant) -> Option<&'static Erratum> {
     ERRATA.iter().find(|erratum| erratum.variants.contains(&variant))
 }
 
+/// Title of the erratum whose printed rule a variant follows. Where what is printed can
+/// be read in several ways, each of which has a variant, it says in which.
+pub fn misprint_title(variant: Variant, language: Language) -> Option<String> {
+    let erratum = erratum_of(variant)?;
+    let texts = paper_texts(language);
+    let title = texts.get(&erratum.key("title"));
+    Some(match erratum.variants {
+        [_] => title,
+        _ => format!("{title}: {}", texts.get(&reading_key(variant))),
+    })
+}
+
+fn reading_key(variant: Variant) -> String {
+    format!("reading-{}", variant.id().to_ascii_lowercase())
+}
+
 /// Texts on the errata in `language`.
 pub fn paper_texts(language: Language) -> &'static Texts {
     static IN_ENGLISH: LazyLock<Texts> =
@@ -119,6 +135,20 @@ mod tests {
     use super::*;
     use std::collections::BTreeSet;
 
+    fn is_one_of_several(variant: Variant) -> bool {
+        erratum_of(variant).is_some_and(|erratum| erratum.variants.len() > 1)
+    }
+
+    #[test]
+    fn every_misprint_has_a_title_of_its_own() {
+        for language in Language::ALL {
+            let titles = Variant::ALL.map(|variant| misprint_title(variant, language));
+            let titles: Vec<String> = titles.into_iter().flatten().collect();
+            let different: BTreeSet<&String> = titles.iter().collect();
+            assert_eq!(different.len(), titles.len(), "{titles:?}");
+        }
+    }
+
     fn keys(source: &str) -> BTreeSet<&str> {
         source.lines().filter_map(|line| line.split_once(" = ")).map(|(key, _)| key).collect()
     }
@@ -128,6 +158,7 @@ mod tests {
         let expected: BTreeSet<String> = ERRATA
             .iter()
             .flat_map(|erratum| ["title", "printed", "right", "why"].map(|part| erratum.key(part)))
+            .chain(Variant::ALL.into_iter().filter(|&v| is_one_of_several(v)).map(reading_key))
             .collect();
         let expected: BTreeSet<&str> = expected.iter().map(String::as_str).collect();
         assert_eq!(keys(ENGLISH), expected);

@@ -7,6 +7,6 @@ mod find_other;
 mod verdict;
 
 pub use counterexample::counterexample;
-pub use errata::{ERRATA, Erratum, Severity, erratum_of, paper_texts};
+pub use errata::{ERRATA, Erratum, Severity, erratum_of, misprint_title, paper_texts};
 pub use find_other::find_other;
 pub use verdict::{Verdict, verdict};

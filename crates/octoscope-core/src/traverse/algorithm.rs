@@ -199,6 +199,18 @@ pub enum MethodError {
         /// The algorithm that lacks it.
         algorithm: Method,
     },
+    /// The variant is one of a rule for trees of the other dimension.
+    #[error("‘{variant}’ is a rule for {} alone and changes nothing here; leave it out", trees(*.dimension))]
+    OtherDimension {
+        /// The variant.
+        variant: &'static str,
+        /// The dimension whose trees have the rule, 2 or 3.
+        dimension: usize,
+    },
+}
+
+fn trees(dimension: usize) -> &'static str {
+    if dimension == 2 { "quadtrees" } else { "octrees" }
 }
 
 /// What variants there are instead.
@@ -209,6 +221,21 @@ fn variants_of(method: Method) -> String {
         return "it has none".to_owned();
     }
     format!("it has {}", ids.join(", "))
+}
+
+impl Method {
+    /// The same, if all its rules are ones of trees of `dimension`, 2 or 3.
+    ///
+    /// # Errors
+    /// Names the first variant of a rule that such trees do not have.
+    pub fn in_dimension(self, dimension: usize) -> Result<Self, MethodError> {
+        match self.variants.iter().find(|variant| !variant.is_of_dimension(dimension)) {
+            None => Ok(self),
+            Some(variant) => {
+                Err(MethodError::OtherDimension { variant: variant.id(), dimension: 5 - dimension })
+            }
+        }
+    }
 }
 
 impl From<Algorithm> for Method {
@@ -264,5 +291,15 @@ mod tests {
         assert!(message("bsp@fast").starts_with("there is no variant ‘fast’"));
         assert_eq!(message("bsp@push"), "‘push’ is no variant of bsp; it has gem");
         assert_eq!(message("hero@gem"), "‘gem’ is no variant of hero; it has none");
+    }
+
+    #[test]
+    fn rules_of_the_other_dimension_are_refused() {
+        let method: Method = "parametric@B-1,B-2".parse().unwrap();
+        assert_eq!(method.in_dimension(3), Ok(method));
+        assert_eq!(
+            method.in_dimension(2).unwrap_err().to_string(),
+            "‘B-2’ is a rule for octrees alone and changes nothing here; leave it out"
+        );
     }
 }
