@@ -9,7 +9,7 @@ use octoscope_core::traverse::{Algorithm, Options};
 use octoscope_core::tree::{Cell, Domain, Split, Tree, grow};
 use octoscope_figure::{
     Background, Camera, Drawn, Figure, FileOptions, Form, Mark, Page, Part, Role, Scale, Shape,
-    Show, Theme, Unit, axes, cells, content, marks, pdf, png, space_figure, svg,
+    Show, Theme, Unit, axes, cells, content, far_end, marks, pdf, png, space_figure, svg,
 };
 
 /// Tree that is divided towards the origin.
@@ -177,6 +177,35 @@ fn marks_of_the_slowest_ray_have_places() {
         let Shape::Arrow(ends) = shaft.shape else { panic!("the ray is an arrow") };
         assert!(ends.iter().flatten().all(|x| x.is_finite()), "{speed}: {ends:?}");
     }
+}
+
+#[test]
+fn the_ray_is_an_arrow_up_to_where_it_is_asked_about() {
+    let tree = corner_tree::<2>();
+    let ray = Ray::new([-0.25, 0.25], [1.0, 0.0]).unwrap();
+    let check = |segment_end, expected: [Option<[f64; 2]>; 2]| {
+        let options = Options { segment_end, ..Options::default() };
+        let query = Query::Ray {
+            algorithm: Algorithm::Parametric,
+            options,
+            arithmetic: Arithmetic::Doubles,
+        };
+        let moment = Moment::after(&tree, &record(&tree, &ray, &query), 0);
+        let marks = marks(&tree, &ray, &query, &moment, None, &Show::default());
+        let ends = [Role::Ray, Role::RayBeyond].map(|role| {
+            marks.iter().find(|mark| mark.role == role).map(|mark| match mark.shape {
+                Shape::Arrow([_, to]) | Shape::Segment([_, to]) => to,
+                _ => panic!("{role:?} is a line"),
+            })
+        });
+        assert_eq!(ends, expected, "{segment_end:?}");
+    };
+    let far = Some(far_end(&tree, &ray));
+    check(None, [far, None]);
+    check(Some(f64::INFINITY), [far, None]);
+    check(Some(9.0), [far, None]);
+    check(Some(0.5), [Some([0.25, 0.25]), far]);
+    check(Some(-1.0), [Some(ray.origin()), far]);
 }
 
 #[test]

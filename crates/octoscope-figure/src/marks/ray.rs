@@ -1,0 +1,60 @@
+//! The ray itself.
+
+use super::Scene;
+use crate::{Mark, Role, Shape};
+use octoscope_core::geometry::{Aabb, Ray};
+use octoscope_core::query::Query;
+use octoscope_core::tree::Tree;
+
+impl<const D: usize> Scene<'_, D> {
+    /// Its arrow as far as it is asked about, what lies beyond, and its handles.
+    pub(super) fn ray(&self, marks: &mut Vec<Mark<D>>) {
+        let Query::Ray { options, .. } = self.query else {
+            return;
+        };
+        let (from, to) = (self.ray.origin(), self.ray.at(1.0));
+        let far = far_parameter(self.tree, self.ray);
+        let end = options.end().unwrap_or(far).clamp(0.0, far);
+        let [end, far] = [end, far].map(|t| self.ray.at(t));
+        marks.push(Mark::new(Shape::Arrow([from, end]), Role::Ray));
+        if end != far {
+            marks.push(Mark::new(Shape::Segment([end, far]), Role::RayBeyond));
+        }
+        marks.push(Mark::new(Shape::Point(from), Role::RayOrigin));
+        marks.push(Mark::new(Shape::Tip([from, to]), Role::RayTip));
+    }
+}
+
+/// Where the arrow of a ray without an end of its own ends: a little beyond the root and
+/// its handle.
+pub fn far_end<const D: usize>(tree: &Tree<D>, ray: &Ray<D>) -> [f64; D] {
+    ray.at(far_parameter(tree, ray))
+}
+
+fn far_parameter<const D: usize>(tree: &Tree<D>, ray: &Ray<D>) -> f64 {
+    const BEYOND: f64 = 0.06;
+    // Squares of small components would vanish; an infinite t times 0 is no place.
+    let length = ray.direction().into_iter().fold(0.0, f64::hypot);
+    let beyond = BEYOND * tree.domain().side() / length;
+    let exit = interval(ray, &tree.domain().root_box()).map_or(1.0, |[_, exit]| exit + beyond);
+    exit.max(1.0 + beyond).min(f64::MAX)
+}
+
+/// Parameters at which the ray's line enters and leaves a box, for showing;
+/// `None` if it misses the box.
+pub(crate) fn interval<const D: usize>(ray: &Ray<D>, bounds: &Aabb<D>) -> Option<[f64; 2]> {
+    let (origin, direction) = (ray.origin(), ray.direction());
+    let (mut enter, mut exit) = (f64::NEG_INFINITY, f64::INFINITY);
+    for e in 0..D {
+        if direction[e] == 0.0 {
+            if origin[e] < bounds.min[e] || origin[e] > bounds.max[e] {
+                return None;
+            }
+        } else {
+            let [a, b] = [bounds.min[e], bounds.max[e]].map(|x| (x - origin[e]) / direction[e]);
+            enter = enter.max(a.min(b));
+            exit = exit.min(a.max(b));
+        }
+    }
+    (enter <= exit).then_some([enter, exit])
+}
