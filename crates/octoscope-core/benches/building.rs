@@ -1,18 +1,19 @@
-//! Speed of building trees, in one run: million points or cells a second on one
-//! thread, best and median of several rounds.
+//! Speed of building trees, in one run: million points, cells or spheres a second on
+//! one thread and on several, best and median of several rounds. Rounds go through all
+//! numbers of threads in turn, and time is that which has passed: a busy machine makes
+//! several threads look worse than they are.
 //!
-//!     cargo bench -p octoscope-core --bench building
+//!     cargo bench -p octoscope-core --bench building [-- THREADS]
 
-mod clock;
-
-use clock::Clock;
 use octoscope_core::progress::Progress;
 use octoscope_core::random::Random;
 use octoscope_core::scene::{Content, made};
-use octoscope_core::tree::{Domain, Merge, Recipe, Tree, build};
+use octoscope_core::tree::{Domain, Merge, Recipe, Tree, build_on};
+use std::num::NonZeroUsize;
+use std::time::Instant;
 
 const N: u32 = 1_000_000;
-const N_ROUNDS: usize = 5;
+const N_ROUNDS: usize = 11;
 
 fn main() {
     let mut random = Random::new(1);
@@ -24,7 +25,10 @@ fn main() {
     let buckets = Recipe { depth: 8, capacity: 8, ..Recipe::default() };
     let whole = |depth| Recipe { depth, ..Recipe::default() };
     let kept = |depth| Recipe { depth, merge: Merge::Kept, ..Recipe::default() };
-    println!("{:<34} {:>9} {:>9} {:>9}", "", "M items/s", "best", "ms");
+    println!(
+        "{:<30} {:>7} {:>9} {:>9} {:>9} {:>7} {:>7}",
+        "", "threads", "M items/s", "best", "ms", "ratio", "best"
+    );
     report("points, buckets of 8, depth 8", &Content::Points(points.clone()), buckets);
     report("cells, merged, depth 8", &cells(8), whole(8));
     report("cells, kept, depth 8", &cells(8), kept(8));
@@ -34,18 +38,38 @@ fn main() {
 }
 
 fn report(name: &str, content: &Content<3>, recipe: Recipe) {
-    let mut times: Vec<f64> = (0..N_ROUNDS).map(|_| time(content, &recipe)).collect();
-    times.sort_by(f64::total_cmp);
-    let (best, median) = (times[0], times[times.len() / 2]);
-    let rate = |seconds: f64| content.len() as f64 / seconds / 1e6;
-    println!("{name:<34} {:>9.2} {:>9.2} {:>9.1}", rate(median), rate(best), median * 1e3);
+    let all = std::env::args().skip(1).find_map(|word| word.parse().ok());
+    let all = all.or(std::thread::available_parallelism().ok()).unwrap_or(NonZeroUsize::MIN);
+    let threads = [NonZeroUsize::MIN, all];
+    let mut times = threads.map(|_| Vec::new());
+    for _ in 0..N_ROUNDS {
+        for (threads, times) in threads.into_iter().zip(&mut times) {
+            times.push(time(threads, content, &recipe));
+        }
+    }
+    let mut first = None;
+    for (threads, mut times) in threads.into_iter().zip(times) {
+        times.sort_by(f64::total_cmp);
+        let (best, median) = (times[0], times[times.len() / 2]);
+        let rate = |seconds: f64| content.len() as f64 / seconds / 1e6;
+        let [median_of_one, best_of_one] = *first.get_or_insert([median, best]);
+        println!(
+            "{name:<30} {threads:>7} {:>9.3} {:>9.3} {:>9.1} {:>7.2} {:>7.2}",
+            rate(median),
+            rate(best),
+            median * 1e3,
+            median_of_one / median,
+            best_of_one / best
+        );
+    }
 }
 
-fn time(content: &Content<3>, recipe: &Recipe) -> f64 {
-    let start = Clock::start();
-    let tree: Tree<3> = build(content, Domain::unit(recipe.depth), recipe, &Progress::default())
+fn time(threads: NonZeroUsize, content: &Content<3>, recipe: &Recipe) -> f64 {
+    let (domain, progress) = (Domain::unit(recipe.depth), Progress::default());
+    let start = Instant::now();
+    let tree: Tree<3> = build_on(threads, content, domain, recipe, &progress)
         .expect("the content lies in the unit cube");
-    let seconds = start.seconds();
+    let seconds = start.elapsed().as_secs_f64();
     assert!(tree.n_leaves() > 1);
     seconds
 }

@@ -6,8 +6,11 @@ use octoscope_core::progress::Progress;
 use octoscope_core::random::Random;
 use octoscope_core::scenario::{AnyScenario, BUILT_IN, Scenario, built_in};
 use octoscope_core::scene::{Content, Image, Sphere, leaf_colours, made, pixels_of};
-use octoscope_core::tree::{Child, Code, Domain, Fill, Merge, NodeId, Recipe, Tree, build};
+use octoscope_core::tree::{
+    BuildError, Child, Code, Domain, Fill, Merge, NodeId, Recipe, Tree, build, build_on,
+};
 use std::collections::BTreeSet;
+use std::num::NonZeroUsize;
 
 fn tree<const D: usize>(content: &Content<D>, recipe: Recipe) -> Tree<D> {
     build(content, Domain::unit(recipe.depth), &recipe, &Progress::default())
@@ -160,6 +163,78 @@ fn leaves_of_a_picture_are_even_and_have_its_colours() {
                 assert!((low..=high).contains(&mean));
             }
         }
+    }
+}
+
+/// The tree of one thread is that of any other number, with all its contents.
+fn threads_make_no_difference<const D: usize>(content: &Content<D>, recipe: Recipe) {
+    let on = |threads: usize| {
+        let (threads, domain) = (NonZeroUsize::new(threads).unwrap(), Domain::unit(recipe.depth));
+        build_on(threads, content, domain, &recipe, &Progress::default())
+    };
+    let one = on(1);
+    for threads in [2, 3, 7, 64] {
+        // Not printed: it is large.
+        assert!(on(threads) == one, "{threads} threads, {recipe:?}");
+    }
+    let many = one.as_ref().map_or(0, Tree::n_nodes);
+    assert!(one == build(content, Domain::unit(recipe.depth), &recipe, &Progress::default()));
+    assert!(many > 1000, "{many} nodes");
+}
+
+#[test]
+fn any_number_of_threads_builds_the_same_tree() {
+    let mut random = Random::new(5);
+    let merges = [Merge::Whole, Merge::Kept];
+    let recipe = |depth| Recipe { depth, capacity: 1, ..Recipe::default() };
+    // Many points, some of them equal, and most in one corner.
+    let Content::Points(mut points) = made::clustered_points::<3>(3, 70_000) else { panic!() };
+    points.extend_from_within(..9_000);
+    points.extend((0..90_000).map(|n| [f64::from(n) * 1e-9; 3]));
+    threads_make_no_difference(&Content::Points(points.clone()), recipe(9));
+    threads_make_no_difference(&Content::Points(points.clone()), recipe(20));
+    let flat = points.iter().map(|&[x, y, _]| [x, y]).collect();
+    threads_make_no_difference::<2>(&Content::Points(flat), recipe(12));
+    let cells = (0..120_000).map(|_| [(); 3].map(|()| random.below(128) as u32));
+    let cells = Content::Cells(cells.collect());
+    for merge in merges {
+        threads_make_no_difference(&cells, Recipe { merge, ..recipe(7) });
+        for fill in [Fill::Surface, Fill::Solid] {
+            let recipe = Recipe { merge, fill, ..recipe(6) };
+            threads_make_no_difference(&made::cloud::<3>(1, 300), recipe);
+            threads_make_no_difference(&made::sphere_grid::<3>(2), recipe);
+        }
+    }
+    let mut corner = || [(); 3].map(|()| random.between(-0.1, 1.1));
+    let triangles: Vec<_> = (0..60).map(|_| [(); 3].map(|()| corner())).collect();
+    let boxes = triangles.iter().map(|[a, b, _]| Aabb::<3> {
+        min: std::array::from_fn(|e| a[e].min(b[e])),
+        max: std::array::from_fn(|e| a[e].max(b[e])),
+    });
+    threads_make_no_difference(&Content::Boxes(boxes.take(5).collect()), recipe(6));
+    let flat = triangles.iter().map(|corners| corners.map(|[x, y, _]| [x, y])).take(3);
+    threads_make_no_difference::<2>(&Content::Triangles(flat.collect()), recipe(9));
+    threads_make_no_difference(&Content::Triangles(triangles), recipe(6));
+    let pixels = (0..300 * 200).map(|_| [random.below(3) as u8 * 20; 3]).collect();
+    let image = Image { width: 300, height: 200, pixels };
+    threads_make_no_difference::<2>(&Content::Image(image), recipe(9));
+}
+
+#[test]
+fn any_number_of_threads_says_what_is_wrong_and_can_be_stopped() {
+    let mut points = vec![[0.25, 0.5]; 100_000];
+    (points[40_123], points[80_000]) = ([1.0, 0.5], [0.5, -1.0]);
+    let full = Content::Boxes(vec![Aabb { min: [0.0; 3], max: [1.0; 3] }]);
+    let kept = Recipe { depth: 10, merge: Merge::Kept, ..Recipe::default() };
+    for threads in [1, 2, 5] {
+        let threads = NonZeroUsize::new(threads).unwrap();
+        let (recipe, progress) = (Recipe::default(), Progress::default());
+        let content = Content::Points(points.clone());
+        let outside = build_on(threads, &content, Domain::unit(6), &recipe, &progress);
+        assert_eq!(outside, Err(BuildError::Outside { count: 2, first: 40_123 }));
+        progress.cancel();
+        let cancelled = build_on(threads, &full, Domain::unit(10), &kept, &progress);
+        assert!(cancelled == Err(BuildError::Cancelled));
     }
 }
 

@@ -1,10 +1,13 @@
-//! Growing a tree from the root down.
+//! Growing a tree from the root down, level by level, each of them in blocks.
 
 use super::layout::{Place, Row};
 use super::net::Net;
+use super::threads::in_order;
 use super::{Child, Code, Domain, NodeId, Tree};
 use crate::geometry::Aabb;
 use crate::progress::{Cancelled, Progress};
+use std::collections::VecDeque;
+use std::num::NonZeroUsize;
 
 /// A cell while its tree grows.
 #[derive(Clone, Copy, Debug)]
@@ -55,88 +58,215 @@ pub fn grow<const D: usize, C>(
     progress: &Progress,
     mut split: impl FnMut(Cell<D>, C) -> Split<C>,
 ) -> Result<Tree<D>, Cancelled> {
-    progress.advance(1)?;
-    let mut tree = Tree {
-        domain,
-        root_full: false,
-        rows: Vec::new(),
-        places: Vec::new(),
-        first_item: vec![0],
-        items: Vec::new(),
-        net: Net::default(),
-    };
-    // The inner nodes of one level in the order of their numbers, with the contents of
-    // their children. Leaves are done with where they are met: there are far more.
-    let mut inner = Vec::new();
-    tree.settle(NodeId::ROOT, domain.root_level(), [0; D], contents, &mut split, &mut inner);
-    let mut level = domain.root_level();
-    while !inner.is_empty() {
-        let mut below = Vec::new();
-        let first_row = tree.rows.len() - inner.len();
-        level -= 1;
-        for (row, (code, contents)) in (first_row as u32..).zip(inner) {
-            progress.advance(Child::<D>::COUNT as u64)?;
-            for (child, contents) in Child::<D>::all().zip(contents) {
-                let id = NodeId(1 + (row << D | u32::from(child.0)));
-                let code = child.code_in(code, 1 << level);
-                tree.settle(id, level, code, contents, &mut split, &mut below);
+    let mut judge = |cell: Cell<D>, contents, items: &mut Vec<u32>| {
+        if progress.check().is_err() {
+            return Fate::Empty;
+        }
+        match split(cell, contents) {
+            Split::Empty => Fate::Empty,
+            Split::Full(full) => {
+                items.extend(full);
+                Fate::Full
+            }
+            Split::Inner(contents) => {
+                assert_eq!(contents.len(), Child::<D>::COUNT, "one part for each child");
+                Fate::Inner(contents)
             }
         }
-        inner = below;
+    };
+    let (mut tree, root) = Tree::of_root(domain, contents, &mut judge);
+    let mut blocks = VecDeque::from([root]);
+    while let Some(kept) = blocks.pop_front() {
+        progress.advance((kept.len() * Child::<D>::COUNT) as u64)?;
+        let part = tree.divide(tree.rows.len(), kept, |_, contents| contents, &mut judge);
+        let below = tree.append(part);
+        if !below.is_empty() {
+            blocks.push_back(below);
+        }
+    }
+    progress.check()?;
+    Ok(tree)
+}
+
+/// What becomes of a cell, apart from its items; of an inner node something is kept of
+/// which the contents of its children are made.
+pub(super) enum Fate<K> {
+    /// It is an empty leaf.
+    Empty,
+    /// It is a full leaf.
+    Full,
+    /// It is an inner node.
+    Inner(K),
+}
+
+/// Like [`grow`], by so many threads; the tree is the same for any number. `judge`
+/// appends the items of a full leaf to the list that it is handed, and `divide` makes
+/// the contents of the children, by index, of what is kept of an inner node and its
+/// level. `account` hears of every block how many inner nodes were found below it, and
+/// may stop the work.
+///
+/// # Errors
+/// That of `account`.
+///
+/// # Panics
+/// Panics if `judge` divides a cell of level 0.
+pub(super) fn grow_on<const D: usize, C, K: Clone + Send + Sync, I, E: Send>(
+    threads: NonZeroUsize,
+    domain: Domain<D>,
+    contents: C,
+    divide: impl Fn(u8, K) -> I + Sync,
+    judge: impl Fn(Cell<D>, C, &mut Vec<u32>) -> Fate<K> + Sync,
+    account: impl Fn(usize) -> Result<(), E> + Sync,
+) -> Result<Tree<D>, E>
+where
+    I: IntoIterator<Item = C>,
+{
+    let (mut tree, root) = Tree::of_root(domain, contents, &mut &judge);
+    account(root.len())?;
+    let mut of_level = vec![root];
+    while !of_level.is_empty() {
+        // Each block with its first row.
+        let (mut row, mut blocks) = (tree.rows.len(), Vec::new());
+        for kept in of_level.iter().flat_map(|kept| kept.chunks(BLOCK)) {
+            blocks.push((row, kept));
+            row += kept.len();
+        }
+        let mut below = Vec::new();
+        for blocks in blocks.chunks(BLOCKS_A_THREAD * threads.get()) {
+            let parts = in_order(threads, blocks.iter(), |&(row, kept)| {
+                let part = tree.divide(row, kept.iter().cloned(), &divide, &mut &judge);
+                account(part.kept.len()).map(|()| part)
+            });
+            for part in parts {
+                below.push(tree.append(part?));
+            }
+        }
+        of_level = below;
     }
     Ok(tree)
 }
 
+/// Inner nodes that are divided together.
+const BLOCK: usize = 4096;
+
+/// Blocks that are divided before what was found below them is put together: so few
+/// that it is still at hand.
+const BLOCKS_A_THREAD: usize = 16;
+
+/// What was found below the inner nodes of a block.
+struct Part<const D: usize, K> {
+    /// Of the nodes; their bases are counted from the first inner child of the block.
+    rows: Vec<Row>,
+    /// Of the inner children, with what is kept of them.
+    places: Vec<Place<D>>,
+    kept: Vec<K>,
+    /// Of the nodes how many full leaves of the block come before their children.
+    first_full: Vec<u32>,
+    /// Of the full leaves, and how many there are up to and with each of these.
+    items: Vec<u32>,
+    n_items: Vec<u32>,
+}
+
 impl<const D: usize> Tree<D> {
-    /// Adds the node with the next number, as `split` decides; what is an inner node
-    /// goes to `inner` as well.
-    #[inline]
-    fn settle<C>(
-        &mut self,
-        id: NodeId,
-        level: u8,
-        code: Code<D>,
+    /// A tree of which the root alone is known, and what is kept of it if it is an
+    /// inner node.
+    fn of_root<C, K>(
+        domain: Domain<D>,
         contents: C,
-        split: &mut impl FnMut(Cell<D>, C) -> Split<C>,
-        inner: &mut Vec<(Code<D>, Vec<C>)>,
-    ) {
-        match split(Cell { domain: &self.domain, level, code }, contents) {
-            Split::Empty => {}
-            Split::Full(items) => {
-                self.mark(id, |row, bit| row.full |= bit);
-                self.root_full = id == NodeId::ROOT;
-                self.items.extend(items);
+        judge: &mut impl FnMut(Cell<D>, C, &mut Vec<u32>) -> Fate<K>,
+    ) -> (Self, Vec<K>) {
+        let (level, code) = (domain.root_level(), [0; D]);
+        let mut tree = Self {
+            domain,
+            root_full: false,
+            rows: Vec::new(),
+            places: Vec::new(),
+            first_full: Vec::new(),
+            first_item: vec![0],
+            items: Vec::new(),
+            net: Net::default(),
+        };
+        let cell = Cell { domain: &domain, level, code };
+        let kept = match judge(cell, contents, &mut tree.items) {
+            Fate::Empty => None,
+            Fate::Full => {
+                tree.root_full = true;
+                tree.first_item.push(tree.items.len() as u32);
+                None
             }
-            Split::Inner(contents) => {
-                assert!(level > 0, "a cell of level 0 cannot be split");
-                assert_eq!(contents.len(), Child::<D>::COUNT, "one part for each child");
-                let row = self.rows.len() as u32;
-                self.mark(id, |parent, bit| {
-                    if parent.inner == 0 {
-                        parent.base = row;
-                    }
-                    parent.inner |= bit;
-                });
-                self.rows.push(Row::default());
-                self.places.push(Place { id, level, code });
-                inner.push((code, contents));
+            Fate::Inner(kept) => {
+                tree.places.push(Place { id: NodeId::ROOT, level, code });
+                Some(kept)
             }
-        }
-        self.first_item.push(self.items.len() as u32);
+        };
+        (tree, kept.into_iter().collect())
     }
 
-    /// Changes the parent's row of a node, given the node's bit in its masks.
-    fn mark(&mut self, id: NodeId, change: impl FnOnce(&mut Row, u8)) {
-        if let Some(place) = id.0.checked_sub(1) {
-            let bit = 1 << (place & ((1 << D) - 1));
-            change(&mut self.rows[(place >> D) as usize], bit);
+    /// Lets `judge` decide over all children of the inner nodes from a row on of which
+    /// something was kept.
+    fn divide<C, K, I: IntoIterator<Item = C>>(
+        &self,
+        first_row: usize,
+        kept: impl IntoIterator<Item = K>,
+        divide: impl Fn(u8, K) -> I,
+        judge: &mut impl FnMut(Cell<D>, C, &mut Vec<u32>) -> Fate<K>,
+    ) -> Part<D, K> {
+        let mut part = Part {
+            rows: Vec::new(),
+            places: Vec::new(),
+            kept: Vec::new(),
+            first_full: Vec::new(),
+            items: Vec::new(),
+            n_items: Vec::new(),
+        };
+        for (number, kept) in (first_row..).zip(kept) {
+            let place = self.places[number];
+            let level = place.level.checked_sub(1).expect("a cell of level 0 cannot be split");
+            let mut row = Row::default();
+            part.first_full.push(part.n_items.len() as u32);
+            for (child, contents) in Child::<D>::all().zip(divide(place.level, kept)) {
+                let code = child.code_in(place.code, 1 << level);
+                let cell = Cell { domain: &self.domain, level, code };
+                match judge(cell, contents, &mut part.items) {
+                    Fate::Empty => {}
+                    Fate::Full => {
+                        row.full |= 1 << child.0;
+                        part.n_items.push(part.items.len() as u32);
+                    }
+                    Fate::Inner(kept) => {
+                        if row.inner == 0 {
+                            row.base = part.places.len() as u32;
+                        }
+                        row.inner |= 1 << child.0;
+                        let id = NodeId(1 + ((number as u32) << D | u32::from(child.0)));
+                        part.places.push(Place { id, level, code });
+                        part.kept.push(kept);
+                    }
+                }
+            }
+            part.rows.push(row);
         }
+        part
+    }
+
+    /// Adds what was found below the next rows; returns what was kept of inner nodes.
+    fn append<K>(&mut self, part: Part<D, K>) -> Vec<K> {
+        let [first_row, first_full, first_item] =
+            [self.places.len(), self.first_item.len() - 1, self.items.len()].map(|n| n as u32);
+        let moved = |row: Row| if row.inner == 0 { row.base } else { first_row + row.base };
+        self.rows.extend(part.rows.into_iter().map(|row| Row { base: moved(row), ..row }));
+        self.places.extend(part.places);
+        self.first_full.extend(part.first_full.into_iter().map(|n| first_full + n));
+        self.first_item.extend(part.n_items.into_iter().map(|n| first_item + n));
+        self.items.extend(part.items);
+        part.kept
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use std::sync::Mutex;
 
     /// Divides every cell that holds the origin, down to level 0.
     fn corner_tree() -> Tree<2> {
@@ -188,5 +318,25 @@ mod tests {
         progress.cancel();
         let tree = grow(Domain::<2>::unit(1), (), &progress, |_, ()| Split::Empty);
         assert_eq!(tree, Err(Cancelled));
+    }
+
+    #[test]
+    fn whoever_accounts_for_inner_nodes_can_stop_the_growth() {
+        for (threads, most) in [(1, 100), (3, 100), (3, 1_000_000)] {
+            let threads = NonZeroUsize::new(threads).unwrap();
+            let n_inner = Mutex::new(0);
+            let divide = |_, ()| [(); 8];
+            let judge = |cell: Cell<3>, (), _: &mut _| {
+                if cell.level > 0 { Fate::Inner(()) } else { Fate::Full }
+            };
+            let grown = grow_on(threads, Domain::unit(5), (), divide, judge, |n| {
+                let mut n_inner = n_inner.lock().unwrap();
+                *n_inner += n;
+                if *n_inner > most { Err("too many") } else { Ok(()) }
+            });
+            // 1 + 8 + 64 + 512 + 4096.
+            let expected = if most > 4681 { Ok(8 * 4681 + 1) } else { Err("too many") };
+            assert_eq!(grown.map(|tree| tree.n_nodes()), expected);
+        }
     }
 }

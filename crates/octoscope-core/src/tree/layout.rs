@@ -101,7 +101,9 @@ pub struct Tree<const D: usize> {
     pub(super) root_full: bool,
     pub(super) rows: Vec<Row>,
     pub(super) places: Vec<Place<D>>,
-    /// The contents of node n are `items[first_item[n] .. first_item[n + 1]]`.
+    /// Of every row how many full leaves come before its children.
+    pub(super) first_full: Vec<u32>,
+    /// The contents of full leaf n are `items[first_item[n] .. first_item[n + 1]]`.
     pub(super) first_item: Vec<u32>,
     pub(super) items: Vec<u32>,
     pub(super) net: Net<D>,
@@ -218,7 +220,14 @@ impl<const D: usize> Tree<D> {
     /// Numbers of the points, primitives or pixels in a node; only leaves have
     /// any.
     pub fn items(&self, id: NodeId) -> &[u32] {
-        let [from, to] = [id.index(), id.index() + 1].map(|n| self.first_item[n] as usize);
+        if !self.node(id).is_full() {
+            return &[];
+        }
+        let leaf = self.place_in_parent(id).map_or(0, |(row, child)| {
+            let before = self.rows[row].full & ((1 << child.0) - 1);
+            self.first_full[row] + before.count_ones()
+        });
+        let [from, to] = [leaf, leaf + 1].map(|n| self.first_item[n as usize] as usize);
         &self.items[from..to]
     }
 

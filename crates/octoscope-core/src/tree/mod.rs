@@ -12,6 +12,7 @@ mod overlap;
 mod part;
 mod recipe;
 mod sort;
+mod threads;
 
 pub use child::Child;
 pub use code::{Code, branch, common_level, morton};
@@ -21,7 +22,7 @@ pub(crate) use layout::Row;
 pub use layout::{Node, NodeId, Siblings, Tree};
 pub use memory::Array;
 pub use part::Part;
-pub use recipe::{BuildError, Fill, MAX_NODES, Merge, Recipe, build};
+pub use recipe::{BuildError, Fill, MAX_NODES, Merge, Recipe, build, build_on};
 
 /// Highest root level: codes of 20 bits are exact in `f32` as well.
 pub const MAX_ROOT_LEVEL: u8 = 20;

@@ -5,11 +5,14 @@ use super::overlap::{
     meets_triangle,
 };
 use super::recipe::path_key;
-use super::{BuildError, Cell, Child, Code, Domain, Fill, MAX_NODES, Merge, Recipe};
+use super::threads::in_order;
+use super::{BuildError, Child, Code, Domain, Fill, MAX_NODES, Merge, Recipe};
 use crate::geometry::Aabb;
 use crate::progress::Progress;
 use crate::scene::Content;
+use std::num::NonZeroUsize;
 use std::ops::Range;
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// Disjoint occupied blocks in the order of the children, with their items.
 #[derive(Debug, Default)]
@@ -37,7 +40,8 @@ impl Occupied {
     /// Cells of level 0 by their sorted keys, with item numbers; the same key
     /// may come more than once.
     pub fn cells(keys: &[(u64, u32)]) -> Self {
-        let mut occupied = Self::default();
+        let (blocks, items) = (Vec::with_capacity(keys.len()), Vec::with_capacity(keys.len()));
+        let mut occupied = Self { blocks, items, n_cells: 0 };
         for &(key, item) in keys {
             if occupied.blocks.last().is_none_or(|last| last.key != key) {
                 occupied.push(key, 1, &[]);
@@ -61,34 +65,81 @@ impl Occupied {
         before(range.end) - before(range.start)
     }
 
-    /// Items of a range of blocks, ascending, each once.
-    pub fn items(&self, range: &Range<usize>) -> Vec<u32> {
+    /// Appends the items of a range of blocks to `items`: ascending, each once.
+    pub fn append_items(&self, range: &Range<usize>, items: &mut Vec<u32>) {
         let before = |i: usize| self.blocks.get(i).map_or(self.items.len(), |b| b.first_item);
-        let mut items = self.items[before(range.start)..before(range.end)].to_vec();
-        items.sort_unstable();
-        items.dedup();
-        items
+        match &self.items[before(range.start)..before(range.end)] {
+            [item] => items.push(*item),
+            several => {
+                let mut several = several.to_vec();
+                several.sort_unstable();
+                several.dedup();
+                items.extend(several);
+            }
+        }
+    }
+
+    /// Appends blocks that come after all these.
+    fn append(&mut self, other: Self) {
+        let (n_cells, n_items) = (self.n_cells, self.items.len());
+        self.blocks.extend(other.blocks.into_iter().map(|block| Block {
+            cells_before: n_cells + block.cells_before,
+            first_item: n_items + block.first_item,
+            ..block
+        }));
+        self.items.extend(other.items);
+        self.n_cells += other.n_cells;
     }
 }
+
+/// Levels from the root down to the cells that are the units of the work.
+const UNITS_BELOW: u8 = 3;
 
 /// Blocks that the primitives of `content` occupy. Parts outside the domain
 /// occupy nothing.
 pub(super) fn occupied_cells<const D: usize>(
+    threads: NonZeroUsize,
     content: &Content<D>,
     domain: &Domain<D>,
     recipe: &Recipe,
     progress: &Progress,
 ) -> Result<Occupied, BuildError> {
-    let unit_level = domain.root_level().saturating_sub(3);
-    progress.start(cells_below::<D>(domain.root_level() - unit_level));
-    let occupied = Occupied::default();
-    let mut walk = Walk { content, domain, recipe, progress, unit_level, occupied };
-    let mut candidates: Vec<u32> = (0..content.len() as u32).collect();
-    walk.visit(domain.root_level(), [0; D], &mut candidates, 0)?;
-    progress.start(0);
-    Ok(walk.occupied)
-}
+    let root_level = domain.root_level();
+    let unit_level = root_level.saturating_sub(UNITS_BELOW);
+    progress.start(cells_below::<D>(root_level - unit_level));
+    let walk = Walk { content, domain, recipe, progress, n_found: Default::default() };
 
+    // The units, in their order, with the primitives that may meet them.
+    let mut units: Vec<(Code<D>, Vec<u32>)> = vec![([0; D], (0..content.len() as u32).collect())];
+    for level in (unit_level..root_level).rev() {
+        let children = units.iter().flat_map(|(code, candidates)| {
+            Child::<D>::all().map(move |child| (child.code_in(*code, 1 << level), candidates))
+        });
+        let children: Vec<_> = children.collect();
+        let narrowed = in_order(threads, children.into_iter(), |(code, candidates)| {
+            let inside = walk.narrowed(level, code, candidates);
+            let units_left_out =
+                if inside.is_empty() { cells_below::<D>(level - unit_level) } else { 0 };
+            progress.advance(units_left_out).map(|()| (code, inside))
+        });
+        units = narrowed.into_iter().collect::<Result<_, _>>()?;
+        units.retain(|(_, candidates)| !candidates.is_empty());
+    }
+
+    let parts = in_order(threads, units.into_iter(), |(code, mut candidates)| {
+        let mut unit = Unit::default();
+        walk.visit(unit_level, code, &mut candidates, 0, &mut unit)?;
+        walk.tell(&mut unit, [0, 0])?;
+        progress.advance(1)?;
+        Ok::<_, BuildError>(unit.occupied)
+    });
+    let mut occupied = Occupied::default();
+    for part in parts {
+        occupied.append(part?);
+    }
+    progress.start(0);
+    Ok(occupied)
+}
 /// Number of cells `levels` below one cell.
 fn cells_below<const D: usize>(levels: u8) -> u64 {
     1 << (u32::from(levels) * D as u32)
@@ -103,21 +154,36 @@ struct Walk<'a, const D: usize> {
     domain: &'a Domain<D>,
     recipe: &'a Recipe,
     progress: &'a Progress,
-    /// Level whose cells are the units of the progress.
-    unit_level: u8,
+    /// Number of blocks and of items that were found so far, by all threads.
+    n_found: [AtomicUsize; 2],
+}
+
+/// What was found in a unit so far.
+#[derive(Default)]
+struct Unit {
     occupied: Occupied,
+    /// Number of blocks and of items that are counted in those of all threads.
+    n_told: [usize; 2],
 }
 
 impl<const D: usize> Walk<'_, D> {
+    /// Those of `candidates` that meet a cell.
+    fn narrowed(&self, level: u8, code: Code<D>, candidates: &[u32]) -> Vec<u32> {
+        let cell = self.domain.cell_box(level, code);
+        candidates.iter().copied().filter(|&item| self.meets(&cell, item as usize)).collect()
+    }
+
     /// Adds the occupied blocks of one cell. The primitives that may meet it
     /// are `candidates[from..]`; the list is left as it was.
     fn visit(
-        &mut self,
+        &self,
         level: u8,
         code: Code<D>,
         candidates: &mut Vec<u32>,
         from: usize,
+        unit: &mut Unit,
     ) -> Result<(), BuildError> {
+        self.progress.check()?;
         let cell = self.domain.cell_box(level, code);
         let to = candidates.len();
         for i in from..to {
@@ -128,29 +194,33 @@ impl<const D: usize> Walk<'_, D> {
         let inside = &candidates[to..];
         let whole = || inside.iter().any(|&item| self.covers(item as usize, &cell));
         if inside.is_empty() {
-            self.done(level)?;
-        } else if level == 0 || self.recipe.merge == Merge::Whole && whole() {
-            self.occupied.push(path_key(code), cells_below::<D>(level), inside);
-            if self.occupied.blocks.len() > MAX_NODES || self.occupied.items.len() > MAX_ITEMS {
-                return Err(BuildError::TooManyNodes);
-            }
-            self.done(level)?;
+            return Ok(());
+        }
+        if level == 0 || self.recipe.merge == Merge::Whole && whole() {
+            unit.occupied.push(path_key(code), cells_below::<D>(level), inside);
+            self.tell(unit, [1024, 1 << 16])?;
         } else {
-            let cell = Cell { domain: self.domain, level, code };
-            for child in Child::all() {
-                self.visit(level - 1, cell.child_code(child), candidates, to)?;
-            }
-            if level == self.unit_level {
-                self.done(level)?;
+            for child in Child::<D>::all() {
+                let code = child.code_in(code, 1 << (level - 1));
+                self.visit(level - 1, code, candidates, to, unit)?;
             }
         }
         candidates.truncate(to);
         Ok(())
     }
 
-    fn done(&self, level: u8) -> Result<(), BuildError> {
-        let units = level.checked_sub(self.unit_level).map_or(0, cells_below::<D>);
-        Ok(self.progress.advance(units)?)
+    /// Counts what was found in a unit, once it is so much, and refuses too much.
+    fn tell(&self, unit: &mut Unit, so_much: [usize; 2]) -> Result<(), BuildError> {
+        let n = [unit.occupied.blocks.len(), unit.occupied.items.len()];
+        let new = [n[0] - unit.n_told[0], n[1] - unit.n_told[1]];
+        if new[0] < so_much[0] && new[1] < so_much[1] {
+            return Ok(());
+        }
+        unit.n_told = n;
+        let [n_blocks, n_items] =
+            [0, 1].map(|k| self.n_found[k].fetch_add(new[k], Ordering::Relaxed) + new[k]);
+        let is_too_much = n_blocks > MAX_NODES || n_items > MAX_ITEMS;
+        if is_too_much { Err(BuildError::TooManyNodes) } else { Ok(()) }
     }
 
     fn meets(&self, cell: &Aabb<D>, item: usize) -> bool {

@@ -3,15 +3,20 @@
 //! Everything but a picture is first turned into a list of cells, sorted along
 //! the order of the children from the root to the leaves, by digits of their Morton
 //! codes. Then every node owns a range of the list and finds those of its children by
-//! bisection. O(n · depth) for n points or cells; no copy of the content is made.
+//! bisection. O(n · depth) for n points or cells; no copy of the content is made. All
+//! processors share the work, and the tree is the same for any number of them.
 
+use super::grow::{Fate, grow_on};
 use super::occupied::{Occupied, occupied_cells};
 use super::sort::sort_by_key;
-use super::{Cell, Child, Code, Domain, DomainError, Split, Tree, grow, morton};
+use super::threads::{all_threads, in_order};
+use super::{Cell, Child, Code, Domain, DomainError, Tree, morton};
 use crate::progress::{Cancelled, Progress};
 use crate::scene::{Content, Image, pixels_of};
 use serde::{Deserialize, Serialize};
+use std::num::NonZeroUsize;
 use std::ops::Range;
+use std::sync::atomic::{AtomicUsize, Ordering};
 use thiserror::Error;
 
 /// Most nodes that a tree may have.
@@ -139,6 +144,20 @@ pub fn build<const D: usize>(
     recipe: &Recipe,
     progress: &Progress,
 ) -> Result<Tree<D>, BuildError> {
+    build_on(all_threads(), content, domain, recipe, progress)
+}
+
+/// The same as [`build`], by so many threads; the tree is the same for any number.
+///
+/// # Errors
+/// See [`BuildError`].
+pub fn build_on<const D: usize>(
+    threads: NonZeroUsize,
+    content: &Content<D>,
+    domain: Domain<D>,
+    recipe: &Recipe,
+    progress: &Progress,
+) -> Result<Tree<D>, BuildError> {
     if domain.root_level() != recipe.depth {
         let (domain, recipe) = (domain.root_level(), recipe.depth);
         return Err(BuildError::DepthsDiffer { domain, recipe });
@@ -150,21 +169,21 @@ pub fn build<const D: usize>(
         return Err(BuildError::Unusable(item));
     }
     progress.start(0);
+    let growth = Growth { threads, domain, recipe, progress };
     match content {
         Content::Points(points) => {
-            let codes = points.iter().map(|&point| domain.encode_point(point));
-            bucket_tree(&sorted_keys(codes)?, domain, recipe, progress)
+            let keys = sorted_keys(threads, points, |&point| domain.encode_point(point))?;
+            bucket_tree(&keys, &growth)
         }
         Content::Cells(cells) => {
-            let size = domain.grid_size();
-            let codes = cells.iter().map(|c| c.iter().all(|&x| x < size).then_some(*c));
-            let occupied = Occupied::cells(&sorted_keys(codes)?);
-            region_tree(&occupied, domain, recipe.merge, progress)
+            let is_inside = |cell: &Code<D>| cell.iter().all(|&c| c < domain.grid_size());
+            let keys = sorted_keys(threads, cells, |cell| is_inside(cell).then_some(*cell))?;
+            region_tree(&Occupied::cells(&keys), &growth)
         }
-        Content::Image(image) => image_tree(image, domain, recipe.threshold, progress),
+        Content::Image(image) => image_tree(image, &growth),
         Content::Spheres(_) | Content::Boxes(_) | Content::Triangles(_) => {
-            let occupied = occupied_cells(content, &domain, recipe, progress)?;
-            region_tree(&occupied, domain, recipe.merge, progress)
+            let occupied = occupied_cells(threads, content, &domain, recipe, progress)?;
+            region_tree(&occupied, &growth)
         }
     }
 }
@@ -177,45 +196,57 @@ pub(super) fn path_key<const D: usize>(mut code: Code<D>) -> u64 {
 }
 
 /// Keys with item numbers, ascending.
-fn sorted_keys<const D: usize>(
-    codes: impl Iterator<Item = Option<Code<D>>>,
+fn sorted_keys<const D: usize, T: Sync>(
+    threads: NonZeroUsize,
+    items: &[T],
+    code: impl Fn(&T) -> Option<Code<D>> + Sync,
 ) -> Result<Vec<(u64, u32)>, BuildError> {
-    let (mut keys, mut count, mut first) = (Vec::new(), 0, 0);
-    for (item, code) in codes.enumerate() {
-        match code {
-            Some(code) => keys.push((path_key(code), item as u32)),
-            None => {
-                first = if count == 0 { item } else { first };
-                count += 1;
+    /// Items whose keys a thread finds at once.
+    const BLOCK: usize = 1 << 14;
+    let mut keys = vec![(0, 0); items.len()];
+    let blocks = items.chunks(BLOCK).zip(keys.chunks_mut(BLOCK)).enumerate();
+    let outside = in_order(threads, blocks, |(block, (items, keys))| {
+        let mut outside = Vec::new();
+        for (number, (item, key)) in (block * BLOCK..).zip(items.iter().zip(keys)) {
+            match code(item) {
+                Some(code) => *key = (path_key(code), number as u32),
+                None => outside.push(number),
             }
         }
+        outside
+    });
+    let outside = outside.concat();
+    if let Some(&first) = outside.first() {
+        return Err(BuildError::Outside { count: outside.len(), first });
     }
-    if count > 0 {
-        return Err(BuildError::Outside { count, first });
-    }
-    sort_by_key(&mut keys);
+    sort_by_key(threads, &mut keys);
     Ok(keys)
 }
 
-/// Grows a tree and refuses one with too many nodes.
-fn grow_within<const D: usize, C>(
+/// Where and how a tree grows.
+struct Growth<'a, const D: usize> {
+    threads: NonZeroUsize,
     domain: Domain<D>,
-    contents: C,
-    progress: &Progress,
-    mut split: impl FnMut(Cell<D>, C) -> Split<C>,
-) -> Result<Tree<D>, BuildError> {
-    let mut n_nodes = 1;
-    let tree = grow(domain, contents, progress, |cell, contents| {
-        if n_nodes > MAX_NODES {
-            return Split::Empty;
-        }
-        let split = split(cell, contents);
-        if matches!(split, Split::Inner(_)) {
-            n_nodes += Child::<D>::COUNT;
-        }
-        split
-    })?;
-    if n_nodes > MAX_NODES { Err(BuildError::TooManyNodes) } else { Ok(tree) }
+    recipe: &'a Recipe,
+    progress: &'a Progress,
+}
+
+impl<const D: usize> Growth<'_, D> {
+    /// Grows a tree by [`grow_on`] and refuses one with too many nodes.
+    fn tree<C, K: Clone + Send + Sync, I: IntoIterator<Item = C>>(
+        &self,
+        contents: C,
+        divide: impl Fn(u8, K) -> I + Sync,
+        judge: impl Fn(Cell<D>, C, &mut Vec<u32>) -> Fate<K> + Sync,
+    ) -> Result<Tree<D>, BuildError> {
+        let n_inner = AtomicUsize::new(0);
+        grow_on(self.threads, self.domain, contents, divide, judge, |n_found| {
+            self.progress.advance(n_found as u64)?;
+            let n_inner = n_inner.fetch_add(n_found, Ordering::Relaxed) + n_found;
+            let n_nodes = 1 + n_inner * Child::<D>::COUNT;
+            if n_nodes > MAX_NODES { Err(BuildError::TooManyNodes) } else { Ok(()) }
+        })
+    }
 }
 
 /// Ranges of the children of a cell of `level` within its own `range` of
@@ -224,17 +255,14 @@ fn child_ranges<const D: usize>(
     level: u8,
     range: Range<usize>,
     key: impl Fn(usize) -> u64,
-) -> Vec<Range<usize>> {
+) -> impl Iterator<Item = Range<usize>> {
     let shift = u32::from(level - 1) * D as u32;
-    let child_of = |item| key(item) >> shift & ((1 << D) - 1);
+    let child_of = move |item| key(item) >> shift & ((1 << D) - 1);
     let mut from = range.start;
-    let mut ranges = Vec::with_capacity(Child::<D>::COUNT);
-    for child in Child::<D>::all() {
+    Child::<D>::all().map(move |child| {
         let to = partition_point(from..range.end, |item| child_of(item) <= u64::from(child.0));
-        ranges.push(from..to);
-        from = to;
-    }
-    ranges
+        std::mem::replace(&mut from, to)..to
+    })
 }
 
 /// First of `range` for which `before` is false; it is true up to there.
@@ -254,20 +282,20 @@ fn partition_point(range: Range<usize>, before: impl Fn(usize) -> bool) -> usize
 /// PR tree of points given by their sorted keys [Samet 1990, §2.6].
 fn bucket_tree<const D: usize>(
     keys: &[(u64, u32)],
-    domain: Domain<D>,
-    recipe: &Recipe,
-    progress: &Progress,
+    growth: &Growth<D>,
 ) -> Result<Tree<D>, BuildError> {
-    let capacity = recipe.capacity as usize;
-    grow_within(domain, 0..keys.len(), progress, |cell, range: Range<usize>| {
+    let capacity = growth.recipe.capacity as usize;
+    let divide = |level, range| child_ranges::<D>(level, range, |i| keys[i].0);
+    growth.tree(0..keys.len(), divide, |cell, range: Range<usize>, items| {
         if range.is_empty() {
-            Split::Empty
+            Fate::Empty
         } else if range.len() <= capacity || cell.level == 0 {
-            let mut items: Vec<u32> = keys[range].iter().map(|&(_, item)| item).collect();
-            items.sort_unstable();
-            Split::Full(items)
+            let n_before = items.len();
+            items.extend(keys[range].iter().map(|&(_, item)| item));
+            items[n_before..].sort_unstable();
+            Fate::Full
         } else {
-            Split::Inner(child_ranges::<D>(cell.level, range, |i| keys[i].0))
+            Fate::Inner(range)
         }
     })
 }
@@ -275,34 +303,29 @@ fn bucket_tree<const D: usize>(
 /// Region tree of occupied cells.
 fn region_tree<const D: usize>(
     occupied: &Occupied,
-    domain: Domain<D>,
-    merge: Merge,
-    progress: &Progress,
+    growth: &Growth<D>,
 ) -> Result<Tree<D>, BuildError> {
     let blocks = &occupied.blocks;
-    grow_within(domain, 0..blocks.len(), progress, |cell, range: Range<usize>| {
+    let divide = |level, range| child_ranges::<D>(level, range, |i| blocks[i].key);
+    growth.tree(0..blocks.len(), divide, |cell, range: Range<usize>, items| {
         let whole = 1 << (u32::from(cell.level) * D as u32);
-        let leaf = match merge {
+        let is_leaf = || match growth.recipe.merge {
             Merge::Whole => occupied.n_cells(&range) == whole,
             Merge::Kept => cell.level == 0,
         };
         if range.is_empty() {
-            Split::Empty
-        } else if leaf {
-            Split::Full(occupied.items(&range))
+            Fate::Empty
+        } else if is_leaf() {
+            occupied.append_items(&range, items);
+            Fate::Full
         } else {
-            Split::Inner(child_ranges::<D>(cell.level, range, |i| blocks[i].key))
+            Fate::Inner(range)
         }
     })
 }
 
 /// Region quadtree of a picture.
-fn image_tree<const D: usize>(
-    image: &Image,
-    domain: Domain<D>,
-    threshold: u8,
-    progress: &Progress,
-) -> Result<Tree<D>, BuildError> {
+fn image_tree<const D: usize>(image: &Image, growth: &Growth<D>) -> Result<Tree<D>, BuildError> {
     if D != 2 {
         return Err(BuildError::ImageInSpace);
     }
@@ -310,20 +333,21 @@ fn image_tree<const D: usize>(
     if expected != image.pixels.len() as u64 {
         return Err(BuildError::PixelCount { expected, found: image.pixels.len() });
     }
-    let root_level = domain.root_level();
+    let (root_level, threshold) = (growth.domain.root_level(), growth.recipe.threshold);
     // Side of the root in pixels, or of a pixel in cells.
     let pixels_a_side = 1u64 << image.grid_level();
-    grow_within(domain, (), progress, |cell, ()| {
+    let divide = |_, ()| std::iter::repeat_n((), Child::<D>::COUNT);
+    growth.tree((), divide, |cell, (), _| {
         let code = [cell.code[0], cell.code[1]];
         let [columns, rows] = pixels_of(image, root_level, cell.level, code);
         let side = (pixels_a_side << cell.level >> root_level).max(1);
         let inside = columns.len() as u64 == side && rows.len() as u64 == side;
         if columns.is_empty() || rows.is_empty() {
-            Split::Empty
+            Fate::Empty
         } else if cell.level == 0 || inside && is_even(image, columns, rows, threshold) {
-            Split::Full(Vec::new())
+            Fate::Full
         } else {
-            Split::Inner(vec![(); Child::<D>::COUNT])
+            Fate::Inner(())
         }
     })
 }

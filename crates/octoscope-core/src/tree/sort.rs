@@ -1,37 +1,117 @@
 //! Sorting by keys.
 
-/// Bits that a pass sorts by.
+use super::threads::in_order;
+use std::num::NonZeroUsize;
+use std::ops::Range;
+
+/// Most bits that a pass sorts by.
 const DIGIT: u32 = 11;
 
-/// Sorts items by their keys; items with equal keys stay in their order. One pass for
-/// every 11 bits that are not the same in all keys, from the lowest: O(n).
-pub fn sort_by_key(items: &mut Vec<(u64, u32)>) {
-    let differing = items.iter().fold(0, |bits, item| bits | item.0 ^ items[0].0);
-    let mut sorted = Vec::new();
-    for shift in (0..u64::BITS).step_by(DIGIT as usize) {
-        let digit = |key: u64| (key >> shift) as usize & ((1 << DIGIT) - 1);
-        if digit(differing) == 0 {
-            continue;
-        }
+/// Items that are sorted together: so few that they and their copies stay at hand.
+const BLOCK: usize = 1 << 15;
 
-        // Where the items of each digit begin: after all those of smaller ones.
-        let mut place = [0u32; 1 << DIGIT];
-        for &(key, _) in items.iter() {
-            place[digit(key)] += 1;
-        }
-        let mut before = 0;
-        for place in &mut place {
-            (before, *place) = (before + *place, before);
-        }
+/// A key and the number of its item.
+type Item = (u64, u32);
 
-        sorted.resize(items.len(), (0, 0));
-        for &item in items.iter() {
-            let place = &mut place[digit(item.0)];
-            sorted[*place as usize] = item;
-            *place += 1;
-        }
-        std::mem::swap(items, &mut sorted);
+/// Sorts items by their keys; items with equal keys stay in their order.
+///
+/// Blocks are sorted by the highest bits alone, then what they have of the same values
+/// is brought together and sorted by the rest: O(n), by so many threads.
+pub fn sort_by_key(threads: NonZeroUsize, items: &mut [Item]) {
+    if items.len() <= BLOCK {
+        return sort_block(items);
     }
+    let highest = digits(differing_bits(items)).last().unwrap_or(Digit { shift: 0, bits: 1 });
+    let blocks = in_order(threads, items.chunks(BLOCK), |block| {
+        let mut sorted = vec![(0, 0); block.len()];
+        let starts = sort_by_digit(block, &mut sorted, highest);
+        (sorted, starts)
+    });
+    let n_of = |value: usize| -> usize {
+        blocks.iter().map(|(_, starts)| (starts[value + 1] - starts[value]) as usize).sum()
+    };
+
+    let mut room = items;
+    let mut parts = Vec::new();
+    let (mut first, mut n) = (0, 0);
+    for value in 0..1 << highest.bits {
+        n += n_of(value);
+        if n >= BLOCK || value + 1 == 1 << highest.bits {
+            let (part, rest) = std::mem::take(&mut room).split_at_mut(n);
+            parts.push((first..value + 1, part));
+            (room, first, n) = (rest, value + 1, 0);
+        }
+    }
+    in_order(threads, parts.into_iter(), |(values, part): (Range<usize>, &mut [Item])| {
+        let mut n = 0;
+        for (block, starts) in &blocks {
+            let some = &block[starts[values.start] as usize..starts[values.end] as usize];
+            part[n..n + some.len()].copy_from_slice(some);
+            n += some.len();
+        }
+        sort_block(part);
+    });
+}
+
+/// Some bits of a key.
+#[derive(Clone, Copy)]
+struct Digit {
+    shift: u32,
+    bits: u32,
+}
+
+impl Digit {
+    fn of(self, key: u64) -> usize {
+        (key >> self.shift) as usize & ((1 << self.bits) - 1)
+    }
+}
+
+/// Bits that are not the same in all keys.
+fn differing_bits(items: &[Item]) -> u64 {
+    items.iter().fold(0, |bits, item| bits | item.0 ^ items[0].0)
+}
+
+/// Digits of about equal length that hold all these bits, from the lowest.
+fn digits(bits: u64) -> impl Iterator<Item = Digit> {
+    let (first, end) = (bits.trailing_zeros(), u64::BITS - bits.leading_zeros());
+    let n_bits = end.saturating_sub(first);
+    let n_digits = n_bits.div_ceil(DIGIT);
+    let bits = n_bits.div_ceil(n_digits.max(1));
+    (0..n_digits).map(move |digit| Digit { shift: first + digit * bits, bits })
+}
+
+/// Sorts by all bits that differ.
+fn sort_block(items: &mut [Item]) {
+    let mut copy = vec![(0, 0); items.len()];
+    let digits: Vec<Digit> = digits(differing_bits(items)).collect();
+    for (pass, &digit) in digits.iter().enumerate() {
+        if pass % 2 == 0 {
+            sort_by_digit(items, &mut copy, digit);
+        } else {
+            sort_by_digit(&copy, items, digit);
+        }
+    }
+    if digits.len() % 2 == 1 {
+        items.copy_from_slice(&copy);
+    }
+}
+
+/// Sorts by one digit into `sorted`; the place where the items of each value begin.
+fn sort_by_digit(items: &[Item], sorted: &mut [Item], digit: Digit) -> Vec<u32> {
+    let mut starts = vec![0; (1 << digit.bits) + 1];
+    for &(key, _) in items {
+        starts[digit.of(key) + 1] += 1;
+    }
+    for value in 0..1 << digit.bits {
+        starts[value + 1] += starts[value];
+    }
+    let mut places = starts.clone();
+    for &item in items {
+        let place = &mut places[digit.of(item.0)];
+        sorted[*place as usize] = item;
+        *place += 1;
+    }
+    starts
 }
 
 #[cfg(test)]
@@ -42,13 +122,27 @@ mod tests {
     #[test]
     fn keys_ascend_and_equal_ones_stay_in_order() {
         let mut random = Random::new(1);
-        for (n, bits) in [(0, 1), (1, 64), (2, 64), (1000, 3), (5000, 24), (5000, 60), (900, 64)] {
-            let item = |number| (random.bits() >> (64 - bits), number);
-            let mut items: Vec<(u64, u32)> = (0..n).map(item).collect();
+        for (n, bits) in [
+            (0, 1),
+            (1, 64),
+            (2, 64),
+            (1000, 3),
+            (5000, 24),
+            (5000, 60),
+            (900, 64),
+            (100_000, 7),
+            (200_000, 24),
+            (70_000, 64),
+        ] {
+            let item = |number| (random.bits().checked_shr(64 - bits).unwrap_or(0), number);
+            let items: Vec<(u64, u32)> = (0..n).map(item).collect();
             let mut expected = items.clone();
             expected.sort();
-            sort_by_key(&mut items);
-            assert_eq!(items, expected);
+            for threads in [1, 2, 5] {
+                let mut items = items.clone();
+                sort_by_key(NonZeroUsize::new(threads).unwrap(), &mut items);
+                assert_eq!(items, expected);
+            }
         }
     }
 }
