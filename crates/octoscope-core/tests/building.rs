@@ -169,7 +169,8 @@ fn leaves_of_a_picture_are_even_and_have_its_colours() {
 /// The tree of one thread is that of any other number, with all its contents.
 fn threads_make_no_difference<const D: usize>(content: &Content<D>, recipe: Recipe) {
     let on = |threads: usize| {
-        let (threads, domain) = (NonZeroUsize::new(threads).unwrap(), Domain::unit(recipe.depth));
+        let (threads, domain) =
+            (NonZeroUsize::new(threads).expect("not 0"), Domain::unit(recipe.depth));
         build_on(threads, content, domain, &recipe, &Progress::default())
     };
     let one = on(1);
@@ -227,7 +228,7 @@ fn any_number_of_threads_says_what_is_wrong_and_can_be_stopped() {
     let full = Content::Boxes(vec![Aabb { min: [0.0; 3], max: [1.0; 3] }]);
     let kept = Recipe { depth: 10, merge: Merge::Kept, ..Recipe::default() };
     for threads in [1, 2, 5] {
-        let threads = NonZeroUsize::new(threads).unwrap();
+        let threads = NonZeroUsize::new(threads).expect("not 0");
         let (recipe, progress) = (Recipe::default(), Progress::default());
         let content = Content::Points(points.clone());
         let outside = build_on(threads, &content, Domain::unit(6), &recipe, &progress);
