@@ -59,8 +59,8 @@ pub struct Export {
     /// tells.
     #[arg(long, value_name = "FORMAT", value_parser = format)]
     format: Option<Format>,
-    /// Writes to this file, which appears whole or not at all; without it, to
-    /// standard output.
+    /// Writes to this file, which appears whole or not at all; without it, or to
+    /// ‘-’, to standard output.
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<PathBuf>,
     /// Number of steps that have happened, first (before all) or last, a range

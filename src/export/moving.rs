@@ -1,6 +1,7 @@
 //! Frames of what moves, drawn on several threads.
 
 use super::Series;
+use super::made::Made;
 use super::write::Frames;
 use octoscope_core::progress::Progress;
 use octoscope_figure::{FileOptions, Pixels, Rasteriser};
@@ -18,7 +19,7 @@ const IN_A_ROW: usize = 16;
 /// Says what cannot be drawn, or what `then` says; tells if it was cancelled.
 pub(super) fn each_frame(
     series: &Series,
-    frames: &Frames,
+    (made, frames): (&Made, &Frames),
     options: &FileOptions,
     progress: &Progress,
     mut then: impl FnMut(Pixels) -> anyhow::Result<()>,
@@ -26,14 +27,13 @@ pub(super) fn each_frame(
     let steps: Vec<usize> = series.steps.clone().collect();
     let n_rows = steps.len().div_ceil(IN_A_ROW);
     let n_threads = thread::available_parallelism().map_or(1, NonZero::get).min(n_rows);
-    let figure = series.figure;
     thread::scope(|scope| {
         // A thread whose frames nobody waits for any more ends.
         let drawn: Vec<_> = (0..n_threads)
             .map(|thread| {
                 let (sender, receiver) = sync_channel(IN_A_ROW);
                 let rows = steps.chunks(IN_A_ROW).skip(thread).step_by(n_threads);
-                scope.spawn(move || draw(rows.flatten(), figure, frames, options, &sender));
+                scope.spawn(move || draw(rows.flatten(), (made, frames), options, &sender));
                 receiver
             })
             .collect();
@@ -49,15 +49,14 @@ pub(super) fn each_frame(
 
 fn draw<'a>(
     steps: impl Iterator<Item = &'a usize>,
-    figure: super::write::FigureOf,
-    frames: &Frames,
+    (made, frames): (&Made, &Frames),
     options: &FileOptions,
     sender: &SyncSender<anyhow::Result<Pixels>>,
 ) {
     let mut rasteriser = Rasteriser::new(options);
     for &step in steps {
         let pixels = frames
-            .figure(figure, step)
+            .figure(made, step)
             .and_then(|figure| rasteriser.pixels(&figure).map_err(anyhow::Error::from));
         let is_last = pixels.is_err();
         if sender.send(pixels).is_err() || is_last {

@@ -1,5 +1,6 @@
 //! Figures of steps → files.
 
+use super::made::Made;
 use super::moving::each_frame;
 use super::{Format, Order};
 use crate::files::{Output, is_standard};
@@ -35,9 +36,9 @@ impl Series<'_> {
         step: usize,
         progress: &Progress,
     ) -> anyhow::Result<(Figure, Scale)> {
-        let one = Series { steps: step..=step, ..*series };
-        let frames = Frames::of(order, &one, progress)?;
-        Ok((frames.figure(one.figure, step)?, frames.scale(order)))
+        let made = Made::new(series.figure, order.page());
+        let frames = Frames::of(order, step..=step, &made, progress)?;
+        Ok((frames.figure(&made, step)?, frames.scale(order)))
     }
 }
 
@@ -56,11 +57,12 @@ pub fn write(
     let (first, last) = (*series.steps.start(), *series.steps.end());
     let n_steps = (last - first + 1) as u64;
     progress.start(n_steps);
-    let frames = Frames::of(order, series, progress)?;
+    let made = Made::new(series.figure, order.page());
+    let frames = Frames::of(order, series.steps.clone(), &made, progress)?;
     progress.start(n_steps);
     if first == last || order.format.holds_steps() {
         let mut output = Output::open(path)?;
-        output.put(&bytes(order, series, &frames, progress)?)?;
+        output.put(&bytes(order, series, (&made, &frames), progress)?)?;
         return output.finish();
     }
     let Some(path) = path.filter(|path| !is_standard(path)) else {
@@ -69,7 +71,7 @@ pub fn write(
     for step in first..=last {
         let one = Series { steps: step..=step, ..*series };
         let mut output = Output::open(Some(&numbered(path, step, last)))?;
-        output.put(&bytes(order, &one, &frames, progress)?)?;
+        output.put(&bytes(order, &one, (&made, &frames), progress)?)?;
         output.finish()?;
     }
     Ok(())
@@ -102,23 +104,28 @@ impl Frames {
     /// The page around all figures, or the one of the size that is asked for, which may
     /// be a width. A figure that has a page of its own, whatever it is offered, is shown
     /// whole, as large as there is room.
-    pub(super) fn of(order: &Order, series: &Series, progress: &Progress) -> anyhow::Result<Self> {
-        let page = order.page();
+    pub(super) fn of(
+        order: &Order,
+        steps: RangeInclusive<usize>,
+        made: &Made,
+        progress: &Progress,
+    ) -> anyhow::Result<Self> {
+        let page = made.page();
         let whole = Self { page, kept: None, zoom: 1.0 };
-        let first = (series.figure)(page, *series.steps.start())?;
-        let has_own_page = first.page != page;
+        let has_own_page = made.look(*steps.start(), |first| first.page != page)?;
         let height = order.size.map(|size| size.height);
         if matches!(height, Some(Some(_))) && !has_own_page {
             return Ok(whole);
         }
         let mut kept: Option<Extent> = None;
-        for step in series.steps.clone() {
-            let figure = (series.figure)(page, step)?;
-            let max = [figure.page.width, figure.page.height];
-            let found = match has_own_page {
-                true => Some(Extent { min: [0.0; 2], max }),
-                false => figure.extent().map(|extent| extent.widened(Order::MARGIN)),
-            };
+        for step in steps {
+            let found = made.look(step, |figure| {
+                let max = [figure.page.width, figure.page.height];
+                match has_own_page {
+                    true => Some(Extent { min: [0.0; 2], max }),
+                    false => figure.extent().map(|extent| extent.widened(Order::MARGIN)),
+                }
+            })?;
             kept = match (kept, found) {
                 (Some(a), Some(b)) => Some(a.and(b)),
                 (a, b) => a.or(b),
@@ -160,12 +167,15 @@ impl Frames {
     }
 
     /// The figure of a step, on the page of all.
-    pub(super) fn figure(&self, figure: FigureOf, step: usize) -> anyhow::Result<Figure> {
-        let figure = figure(self.page, step)?;
-        Ok(match self.kept {
+    pub(super) fn figure(&self, made: &Made, step: usize) -> anyhow::Result<Figure> {
+        made.take(step).map(|figure| self.shown(figure))
+    }
+
+    fn shown(&self, figure: Figure) -> Figure {
+        match self.kept {
             Some(kept) => figure.on(kept),
             None => figure,
-        })
+        }
     }
 
     /// Length of the units of that page.
@@ -179,7 +189,7 @@ impl Frames {
 fn bytes(
     order: &Order,
     series: &Series,
-    frames: &Frames,
+    (made, frames): (&Made, &Frames),
     progress: &Progress,
 ) -> anyhow::Result<Vec<u8>> {
     let first = *series.steps.start();
@@ -194,7 +204,7 @@ fn bytes(
     };
     let mut figures = series.steps.clone().map(|step| -> anyhow::Result<Figure> {
         progress.advance(1)?;
-        frames.figure(series.figure, step)
+        frames.figure(made, step)
     });
     match order.format {
         Format::Svg => match figures.next() {
@@ -221,20 +231,29 @@ fn bytes(
         }
         Format::Gif => {
             let (mut file, pause) = (Vec::new(), order.pause_secs);
-            let mut gif = Gif::begin(&mut file, &samples(series, frames, &options)?, pause)?;
-            each_frame(series, frames, &options, progress, |pixels| Ok(gif.frame(pixels)?))?;
+            let mut gif =
+                Gif::begin(&mut file, &samples(series, (made, frames), &options)?, pause)?;
+            each_frame(
+                series,
+                (made, frames),
+                &options,
+                progress,
+                |pixels| Ok(gif.frame(pixels)?),
+            )?;
             gif.finish()?;
             Ok(file)
         }
         Format::Apng => {
             let (mut file, pause) = (Vec::new(), order.pause_secs);
             let n_frames = u32::try_from(series.steps.clone().count())?;
-            let alone = frames.figure(series.figure, first)?;
+            let alone = frames.figure(made, first)?;
             let alone = Pixels::of(&alone, &options)?;
             progress.advance(1)?;
             let mut apng = Apng::begin(&mut file, alone, n_frames, pause, &options)?;
             let others = Series { steps: first + 1..=*series.steps.end(), ..*series };
-            each_frame(&others, frames, &options, progress, |pixels| Ok(apng.frame(pixels)?))?;
+            each_frame(&others, (made, frames), &options, progress, |pixels| {
+                Ok(apng.frame(pixels)?)
+            })?;
             apng.finish()?;
             Ok(file)
         }
@@ -245,15 +264,20 @@ fn bytes(
 }
 
 /// Some frames, from the first to the last, in which all colours are seen.
-fn samples(series: &Series, frames: &Frames, options: &FileOptions) -> anyhow::Result<Vec<Pixels>> {
+fn samples(
+    series: &Series,
+    (made, frames): (&Made, &Frames),
+    options: &FileOptions,
+) -> anyhow::Result<Vec<Pixels>> {
     const MOST: usize = 6;
     let (first, last) = (*series.steps.start(), *series.steps.end());
     let mut steps: Vec<usize> =
         (0..MOST).map(|i| first + (last - first) * i / (MOST - 1)).collect();
     steps.dedup();
-    let pixels = steps
-        .into_iter()
-        .map(|step| Ok(Pixels::of(&frames.figure(series.figure, step)?, options)?));
+    let pixels = steps.into_iter().map(|step| {
+        let figure = made.look(step, |figure| frames.shown(figure.clone()))?;
+        Ok(Pixels::of(&figure, options)?)
+    });
     pixels.collect()
 }
 
@@ -262,6 +286,7 @@ mod tests {
     use super::*;
     use octoscope_core::progress::Cancelled;
     use octoscope_figure::{Drawn, Form, Part, Role};
+    use std::sync::atomic::{AtomicUsize, Ordering};
 
     /// Figures with a page of their own, higher from step to step.
     fn own_page(_: Page, step: usize) -> anyhow::Result<Figure> {
@@ -290,9 +315,10 @@ mod tests {
             caption: &|_| RichText::default(),
             scenario: &|_| String::new(),
         };
-        let frames = Frames::of(&order, &series, &Progress::default()).unwrap();
+        let made = Made::new(series.figure, order.page());
+        let frames = Frames::of(&order, 0..=1, &made, &Progress::default()).unwrap();
         for step in 0..=1 {
-            let page = frames.figure(series.figure, step).unwrap().page;
+            let page = frames.figure(&made, step).unwrap().page;
             let factor = frames.scale(&order).factor;
             let found = [page.width * factor, page.height * factor];
             for e in 0..2 {
@@ -344,6 +370,33 @@ mod tests {
         for format in [Format::Gif, Format::Apng, Format::Pdf, Format::Tikz] {
             check_cancelled(format);
         }
+    }
+
+    #[test]
+    fn every_figure_is_made_once() {
+        let folder = tempfile::tempdir().unwrap();
+        let n_steps = 40;
+        let mut n_made = Vec::new();
+        for format in [Format::Gif, Format::Apng, Format::Pdf, Format::Tikz, Format::Svg] {
+            for size in [None, Some("60px".parse().unwrap()), Some("60x40".parse().unwrap())] {
+                let count = AtomicUsize::new(0);
+                let figure = |page: Page, step: usize| {
+                    count.fetch_add(1, Ordering::Relaxed);
+                    on_page(page, step)
+                };
+                let series = Series {
+                    steps: 0..=n_steps - 1,
+                    figure: &figure,
+                    caption: &|_| RichText::default(),
+                    scenario: &|_| String::new(),
+                };
+                let order = Order { format, size, ..Order::default() };
+                let path = folder.path().join("a.out");
+                write(&order, &series, Some(&path), &Progress::default()).unwrap();
+                n_made.push(count.into_inner());
+            }
+        }
+        assert_eq!(n_made, [n_steps; 15]);
     }
 
     #[test]

@@ -176,9 +176,11 @@ impl<'a> Rasteriser<'a> {
         let part = Figure { page, drawn: shapes };
         let options = FileOptions { scale: Scale::default(), ..self.options };
         let tree = usvg::Tree::from_str(&svg(&part, &options), &setting)?;
+        // The page as it is written, in few digits: an SVG shows the same pixels.
+        let size = tree.size();
         let transform = tiny_skia::Transform::from_scale(
-            (f64::from(pixmap.width()) / page.width) as f32,
-            (f64::from(pixmap.height()) / page.height) as f32,
+            pixmap.width() as f32 / size.width(),
+            pixmap.height() as f32 / size.height(),
         );
         resvg::render(&tree, transform, &mut pixmap.as_mut());
         Ok(())
