@@ -5,6 +5,7 @@
 //! one of the kind `Cpu` paints with the same processor, and much of its time is for
 //! panels and letters.
 
+use eframe::egui::{Event, pos2};
 use egui_kittest::Harness;
 use octoscope::app::App;
 use octoscope::document::AnyDocument;
@@ -12,7 +13,7 @@ use octoscope::open::open_scenario;
 use octoscope::render;
 use octoscope_core::progress::Progress;
 use octoscope_core::scenario::AnyScenario;
-use octoscope_figure::Camera;
+use octoscope_figure::{Camera, Slice};
 use std::cell::RefCell;
 use std::path::Path;
 use std::rc::Rc;
@@ -21,19 +22,20 @@ use std::time::Instant;
 const N_FRAMES: u32 = 30;
 const SIZE: [f32; 2] = [1280.0, 800.0];
 
-/// What happens to the window before the frame of this number.
+/// What happens to the window before the frame of this number. But for nothing, the
+/// pointer moves as well, as it does while something is dragged.
 type Change = fn(&mut App, u32);
 
 /// What happens between two frames.
-const CHANGES: [(&str, Change); 4] =
-    [("nothing", |_, _| ()), ("step", step), ("turn", turn), ("drag", drag)];
+const CHANGES: [(&str, Change); 5] =
+    [("nothing", |_, _| ()), ("step", step), ("turn", turn), ("drag", drag), ("slice", slice)];
 
 fn main() {
     println!(
         "{:<22} {:>9} {:<8} {:>10} {:>14} {:>10} {:>9}",
         "scene, 1280 × 800", "leaves", "change", "own ms", "bytes sent", "frame ms", "a second"
     );
-    for (name, json) in SCENES {
+    for (name, json) in SCENES.into_iter() {
         measure(name, json);
     }
 }
@@ -90,7 +92,11 @@ fn measure(name: &str, json: &str) {
     harness.render().expect("the frame is drawn");
     let info = adapter.adapter.get_info();
     println!("{name:<22} {n_leaves:>9} {:<8} {own:>10.2} {:>14}", "first", sent());
+    let is_plane = matches!(harness.state().document(), AnyDocument::Plane(_));
     for (change, make) in CHANGES {
+        if is_plane && change == "slice" {
+            continue;
+        }
         let (mut owns, mut frames) = (Vec::new(), Vec::new());
         // The first frames after another change still settle.
         for n in 0..3 {
@@ -101,6 +107,9 @@ fn measure(name: &str, json: &str) {
         let before = sent();
         for n in 0..N_FRAMES {
             make(harness.state_mut(), n + 3);
+            if change != "nothing" {
+                harness.event(Event::PointerMoved(pos2(2.0 + n as f32 % 2.0, 400.0)));
+            }
             let start = Instant::now();
             harness.step();
             owns.push(millis(start));
@@ -154,6 +163,12 @@ fn drag(app: &mut App, frame: u32) {
         AnyDocument::Plane(document) => moved(&mut document.scenario.ray, frame),
         AnyDocument::Space(document) => moved(&mut document.scenario.ray, frame),
     }
+}
+
+/// The slice of an octree a little further.
+fn slice(app: &mut App, frame: u32) {
+    let at = 0.3 + 0.4 * f64::from(frame) / f64::from(N_FRAMES);
+    app.view.space_show.slice = Some(Slice { axis: 1, at });
 }
 
 fn millis(start: Instant) -> f64 {

@@ -141,7 +141,11 @@ fn visuals(theme: Theme) -> Visuals {
     visuals.window_stroke = Stroke::new(1.0, p.hairline);
     visuals.extreme_bg_color = p.field;
     visuals.text_edit_bg_color = Some(p.field);
-    visuals.faint_bg_color = p.hairline.gamma_multiply(0.45);
+    visuals.faint_bg_color = match theme {
+        Theme::Light | Theme::Dark => p.hairline.gamma_multiply(0.45),
+        // Their lines are too dark for stripes.
+        Theme::Print | Theme::Projector => p.ink.gamma_multiply(0.07),
+    };
     visuals.hyperlink_color = p.accent;
     visuals.selection.bg_fill = p.accent;
     visuals.selection.stroke = Stroke::new(1.0, p.on_accent);

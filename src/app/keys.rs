@@ -56,6 +56,19 @@ impl App {
         })
     }
 
+    /// Why a command whose key was pressed cannot be obeyed now, where that does not show.
+    pub(super) fn why_disabled(&self, command: Command) -> Option<String> {
+        let needs_ray =
+            matches!(command, Command::ReverseRay | Command::SnapRay | Command::NextDegenerate);
+        let needs_space = matches!(command, Command::Stand(_) | Command::NextLens);
+        let why = match (needs_ray, needs_space) {
+            (true, _) => "status-no-ray",
+            (_, true) => "status-only-in-space",
+            (false, false) => return None,
+        };
+        Some(self.look.text(why))
+    }
+
     pub(super) fn is_enabled(&self, command: Command) -> bool {
         let (step, length) = (self.view.playback.step, self.document.n_events());
         match command {

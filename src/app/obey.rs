@@ -22,6 +22,9 @@ impl App {
     /// Does what is asked for, if it can be done now.
     pub(super) fn obey(&mut self, context: &Context, command: Command) {
         if !self.is_enabled(command) {
+            if let Some(why) = self.why_disabled(command) {
+                self.notice.say(why);
+            }
             return;
         }
         let length = self.document.n_events();

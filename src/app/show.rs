@@ -3,8 +3,9 @@
 use super::App;
 use crate::command::Command;
 use crate::panels::menu::Entry;
-use crate::panels::{dialogs, menu, sentence, timeline};
+use crate::panels::{dialogs, menu, notice_line, sentence, timeline};
 use crate::sidebar::{self, Wish};
+use crate::view::View;
 use crate::with_document;
 use eframe::egui::{Frame, Margin, Panel, Ui, vec2};
 use octoscope_core::explain::sentence as sentence_of;
@@ -106,6 +107,7 @@ impl App {
             Some(dialogs::Answer::Path(typed)) => self.take_path(&context, typed),
             Some(dialogs::Answer::Take(target)) => self.take(&context, target),
         }
-        dialogs::status(&context, &self.look, &mut self.notice, self.view.space);
+        let View { space, ray, .. } = self.view;
+        notice_line::ui(&context, &self.look, &mut self.notice, space, ray);
     }
 }

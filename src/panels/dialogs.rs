@@ -6,17 +6,15 @@ use crate::command::{COMMANDS, Command, Menu};
 use crate::files::Purpose;
 use crate::finder::Target;
 use crate::look::Look;
-use crate::notice::Notice;
 use crate::shortcut;
 use crate::view::{Dialog, Typed};
 use eframe::egui::{
-    Align2, Area, Button, Context, Frame, Grid, Id, Key, Label, Modal, Order, ProgressBar, Rect,
+    Align2, Area, Button, Context, Frame, Grid, Id, Key, Label, Modal, Order, ProgressBar,
     RichText, ScrollArea, Spinner, TextEdit, Ui,
     text::{CCursor, CCursorRange},
     text_edit::TextEditState,
     vec2,
 };
-use std::time::Duration;
 
 /// What the user asks for in a dialog.
 #[derive(Clone, Debug, PartialEq)]
@@ -136,41 +134,6 @@ pub fn progress(context: &Context, look: &Look, title: &str, fraction: Option<f6
         })
     });
     shown.inner.inner
-}
-
-/// One line at the lower edge of the space view, which lies in `space`, that says
-/// what has happened; a click takes it away, and so does time.
-pub fn status(context: &Context, look: &Look, notice: &mut Notice, space: Option<Rect>) {
-    if notice.is_empty() {
-        return;
-    }
-    let (strength, secs) = notice.strength(context.input(|input| input.time));
-    context.request_repaint_after(Duration::from_secs_f64(secs));
-    if notice.is_empty() {
-        return;
-    }
-    let space = space.unwrap_or_else(|| context.content_rect());
-    // Above dialogs, which it may be about, and what is written into the corner of the view.
-    let area = Area::new(Id::unique("status")).order(Order::Tooltip);
-    let area = area.pivot(Align2::CENTER_BOTTOM).fixed_pos(space.center_bottom() - vec2(0.0, 44.0));
-    let clicked = area.show(context, |ui| {
-        ui.multiply_opacity(strength);
-        let frame = Frame::popup(ui.style()).inner_margin(10.0).fill(look.palette.field);
-        frame.show(ui, |ui| {
-            ui.horizontal(|ui| {
-                let close = look.text("dialog-close");
-                ui.scope(|ui| {
-                    ui.set_max_width((space.width() - 140.0).clamp(160.0, 420.0));
-                    ui.add(Label::new(notice.text()).wrap());
-                });
-                ui.button(close).clicked()
-            })
-        })
-    });
-    let moved_on = context.input(|input| input.key_pressed(Key::Escape));
-    if clicked.inner.inner.inner || moved_on {
-        notice.clear();
-    }
 }
 
 /// `wanted`, or what the window has room for beside the dialog's title and button.

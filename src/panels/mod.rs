@@ -16,6 +16,7 @@ pub mod map;
 pub mod menu;
 pub mod neighbour;
 pub mod notes;
+pub mod notice_line;
 pub mod paper;
 pub mod query;
 pub mod ray;

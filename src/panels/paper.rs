@@ -129,14 +129,15 @@ fn explained(ui: &mut Ui, look: &Look, erratum: &Erratum, variants: &[Variant]) 
 /// All errata; a click unfolds one.
 fn list(ui: &mut Ui, look: &Look) -> Option<Wish> {
     let mut wish = None;
+    let meaning = |severity: Severity| look.text(&format!("paper-severity-{}", severity.id()));
+    let signs = [Severity::Wrong, Severity::Misleading, Severity::Cosmetic];
+    let legend = signs.map(|severity| format!("{} {}", sign(severity), meaning(severity)));
+    ui.add(Label::new(quiet(look, legend.join("\n"))).wrap());
     for erratum in &ERRATA {
-        let sign = match erratum.severity {
-            Severity::Wrong => "!!",
-            Severity::Misleading => "!",
-            Severity::Cosmetic => "·",
-        };
+        let sign = sign(erratum.severity);
         let title = format!("{} {sign} {}", erratum.id, told(look, erratum, "title"));
-        CollapsingHeader::new(RichText::new(title).size(13.0)).id_salt(erratum.id).show(ui, |ui| {
+        let header = CollapsingHeader::new(RichText::new(title).size(13.0)).id_salt(erratum.id);
+        let shown = header.show(ui, |ui| {
             explained(ui, look, erratum, erratum.variants);
             for &variant in erratum.variants {
                 let text = look.texts.format("paper-try", &[("variant", variant.id().into())]);
@@ -145,8 +146,18 @@ fn list(ui: &mut Ui, look: &Look) -> Option<Wish> {
                 }
             }
         });
+        shown.header_response.on_hover_text(meaning(erratum.severity));
     }
     wish
+}
+
+/// How bad an erratum is, at a glance.
+fn sign(severity: Severity) -> &'static str {
+    match severity {
+        Severity::Wrong => "!!",
+        Severity::Misleading => "!",
+        Severity::Cosmetic => "·",
+    }
 }
 
 fn told(look: &Look, erratum: &Erratum, part: &str) -> String {

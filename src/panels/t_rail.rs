@@ -9,6 +9,7 @@ use octoscope_core::event::Event;
 use octoscope_core::explain::{Span, approx, number};
 use octoscope_core::trace::{Moment, Trace};
 use octoscope_core::tree::{NodeId, Tree};
+use octoscope_figure::DiagramOf;
 use octoscope_figure::views::{RailFigure, place_note, rail_of, t_rail};
 
 /// One bar per axis from t0 to t1 with tm, in rows of height `row`; dragging goes to the leaf at that t.
@@ -17,14 +18,15 @@ pub fn ui<const D: usize>(
     ui: &mut Ui,
     look: &Look,
     trace: &Trace<D>,
-    moment: &Moment<D>,
+    of: &DiagramOf<'_, D>,
     row: f32,
 ) -> Pointed {
+    let moment = of.moment;
     let title = look.text("panel-t-rail");
     let width = ui.available_width();
     let size = [f64::from(width), f64::from(row)];
     let least = f64::from(look.least_type);
-    let Some(rail) = t_rail(&look.texts, moment, size, least) else {
+    let Some(rail) = t_rail(&look.texts, (of.tree, of.ray), moment, size, least) else {
         let size = vec2(width, row * D as f32 + 34.0);
         let (rect, response) = ui.allocate_exact_size(size, Sense::click_and_drag());
         let misses = moment.current.is_some_and(|leaf| moment.missed.last() == Some(&leaf));

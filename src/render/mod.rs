@@ -31,5 +31,5 @@ pub use image::{Gpu, ImageError, render_to_image};
 pub use instance::{Cell, Grid};
 pub use layer::{BoxStyle, Layer};
 pub use mark::{BoxMark, Line};
-pub use paint::{Picture, Speed, install, paint, paint_in_steps, stats};
+pub use paint::{Pace, Picture, Speed, install, paint, paint_in_steps, stats};
 pub use renderer::Stats;

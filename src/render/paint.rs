@@ -24,15 +24,34 @@ pub struct Picture {
 /// What can be drawn in a small part of a second.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Speed {
-    /// Vertices that a frame may cost.
+    /// Vertices that a frame may cost while the view moves.
     pub vertices: u32,
 }
 
 impl Speed {
-    /// Of a driver that lets the processor draw.
-    const SOFTWARE: Self = Self { vertices: 250_000 };
+    /// Of a driver that lets the processor draw: a tenth of a second is for the panels
+    /// as well.
+    const SOFTWARE: Self = Self { vertices: 150_000 };
     /// Of a small GPU.
     const GPU: Self = Self { vertices: 6_000_000 };
+
+    /// Vertices that a picture which is drawn bit by bit costs in a frame.
+    fn of_a_step(self, pace: Pace) -> u64 {
+        let vertices = u64::from(self.vertices);
+        match pace {
+            Pace::Rest => 2 * vertices,
+            Pace::Busy => vertices / 2,
+        }
+    }
+}
+
+/// Whether anybody waits for the next frame.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Pace {
+    /// Nothing happens in the window.
+    Rest,
+    /// Something is moved or pointed at, or played.
+    Busy,
 }
 
 /// Makes the window's renderer ready; without it, [`paint`] shows nothing.
@@ -60,11 +79,17 @@ pub fn paint(ui: &Ui, rect: Rect, id: Id, picture: &Picture) {
 
 /// The same for a picture that may take long: while it changes from frame to frame,
 /// only a coarse one is shown, of the same view with other layers. Once it rests, it is
-/// drawn bit by bit and shown when it is finished.
-pub fn paint_in_steps(ui: &Ui, rect: Rect, id: Id, [coarse, whole]: [&Picture; 2], speed: Speed) {
+/// drawn bit by bit and shown when it is finished: larger bits while nobody waits.
+pub fn paint_in_steps(
+    ui: &Ui,
+    rect: Rect,
+    id: Id,
+    [coarse, whole]: [&Picture; 2],
+    (speed, pace): (Speed, Pace),
+) {
     let (rect, frame) = framed(ui, rect, whole);
     if let (Some(frame), (_, Some(coarse))) = (frame, framed(ui, rect, coarse)) {
-        let steps = Steps { coarse, speed, context: ui.ctx().clone() };
+        let steps = Steps { coarse, speed, pace, context: ui.ctx().clone() };
         add(ui, rect, Callback { id, frame, steps: Some(steps) });
     }
 }
@@ -99,6 +124,7 @@ struct Callback {
 struct Steps {
     coarse: Frame,
     speed: Speed,
+    pace: Pace,
     context: Context,
 }
 
@@ -114,9 +140,9 @@ impl CallbackTrait for Callback {
         let Some(renderer) = resources.get_mut::<Renderer>() else { return Vec::new() };
         match &self.steps {
             None => renderer.prepare(device, encoder, self.id, &self.frame),
-            Some(Steps { coarse, speed, context }) => {
+            Some(Steps { coarse, speed, pace, context }) => {
                 let both = [coarse, &self.frame];
-                let most = u64::from(speed.vertices);
+                let most = [u64::from(speed.vertices), speed.of_a_step(*pace)];
                 if !renderer.prepare_in_steps(device, encoder, self.id, both, most) {
                     context.request_repaint();
                 }

@@ -104,15 +104,15 @@ impl Renderer {
 
     /// Draws the picture `id` unless it is there already. If `whole` takes more than
     /// `most_vertices`, `coarse` is drawn as long as it changes from call to call; once
-    /// it does not, `whole` is drawn, so many vertices in each call, and shown when it
-    /// is finished. Returns whether it is.
+    /// it does not, `whole` is drawn, `of_a_step` vertices in each call, and shown when
+    /// it is finished. Returns whether it is.
     pub fn prepare_in_steps(
         &mut self,
         device: &wgpu::Device,
         encoder: &mut wgpu::CommandEncoder,
         id: Id,
         [coarse, whole]: [&Frame; 2],
-        most_vertices: u64,
+        [most_vertices, of_a_step]: [u64; 2],
     ) -> bool {
         let of_whole = id.with("whole");
         let is_little =
@@ -122,7 +122,7 @@ impl Renderer {
             self.targets.remove(&id);
             self.advance(device, encoder, of_whole, whole, u64::MAX)
         } else if rests || self.is_there(of_whole, whole) {
-            self.advance(device, encoder, of_whole, whole, most_vertices)
+            self.advance(device, encoder, of_whole, whole, of_a_step)
         } else {
             false
         };

@@ -136,7 +136,7 @@ fn body<const D: usize>(
         PanelKind::Rail => {
             // A lecture has no other panel.
             let row = if view.preset == Preset::Lecture { 76.0 } else { 40.0 };
-            let pointed = t_rail::ui(ui, look, &trace, moment, row);
+            let pointed = t_rail::ui(ui, look, &trace, &document.shown(moment), row);
             if let Some(step) = pointed.step {
                 view.playback.playing = false;
                 view.playback.go_to(step, trace.events.len());

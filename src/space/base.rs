@@ -4,7 +4,7 @@
 use super::leaves::{Leaves, TreeKey};
 use super::section;
 use crate::document::Document;
-use crate::render::{self, BoxMark, Layer, Line, Picture, Plane, Speed};
+use crate::render::{self, BoxMark, Layer, Line, Pace, Picture, Plane, Speed};
 use crate::theme::color32;
 use eframe::egui::{Color32, Id, Rect, Ui};
 use glam::Mat4;
@@ -14,8 +14,18 @@ use octoscope_figure::{Camera, Cut, Dash, Mark, Palette, Role, Shape, Show, Styl
 pub struct Layers {
     speed: Speed,
     leaves: Leaves,
-    section: Option<(TreeKey, Cut, Vec<Layer>)>,
+    section: Option<Section>,
     marks: Option<(Vec<BoxMark>, Layer)>,
+}
+
+/// Where a slice meets a tree.
+struct Section {
+    key: TreeKey,
+    cut: Cut,
+    /// So much that it can be drawn while it moves.
+    coarse: Vec<Layer>,
+    /// Everything, once the slice rests; at first `None`, if that is more.
+    whole: Option<Vec<Layer>>,
 }
 
 impl Layers {
@@ -32,7 +42,7 @@ impl Layers {
         camera: &Camera<D>,
         document: &Document<D>,
         (show, theme): (&Show, Theme),
-        marks: &[Mark<D>],
+        (marks, pace): (&[Mark<D>], Pace),
     ) {
         let tree = self.leaves.of(ui.ctx(), document, show, theme, self.speed).cloned();
         let cut = show.slice.and_then(|slice| slice.cut(document.tree.domain(), camera));
@@ -47,18 +57,20 @@ impl Layers {
         };
         let section = cut.map(|cut| {
             let key = TreeKey::of(document, show, theme);
-            self.section(&key, &cut, document, show)
+            self.section(ui, &key, &cut, document, show)
         });
         let slice = cut.map_or([0.0; 4], |cut| section::plane(document.tree.domain(), &cut));
         let background = color32(Palette::of(theme).background);
         let [coarse, whole] = [true, false].map(|is_coarse| {
             let tree =
                 tree.iter().flat_map(|tree| if is_coarse { &tree.coarse } else { &tree.whole });
-            let layers = tree.chain(section.iter().flatten()).cloned().collect();
+            let section =
+                section.iter().flat_map(|[coarse, whole]| if is_coarse { coarse } else { whole });
+            let layers = tree.chain(section).cloned().collect();
             Picture { view, slice, layers, background }
         });
         let id = Id::unique("space");
-        render::paint_in_steps(ui, rect, id, [&coarse, &whole], self.speed);
+        render::paint_in_steps(ui, rect, id, [&coarse, &whole], (self.speed, pace));
         if D == 3 {
             // A picture of their own: what lies behind them stays as it is drawn.
             let layers = vec![self.mark_layer(marks, theme)];
@@ -78,22 +90,42 @@ impl Layers {
         self.speed = Speed { vertices: u32::MAX };
     }
 
-    /// Where a slice meets the tree; the same layers as long as it stays where it is.
+    /// Where a slice meets the tree, coarse and whole; the same layers as long as it stays
+    /// where it is. In the first frame there is only the coarse one if it is large.
     fn section<const D: usize>(
         &mut self,
+        ui: &Ui,
         key: &TreeKey,
         cut: &Cut,
         document: &Document<D>,
         show: &Show,
-    ) -> Vec<Layer> {
-        match &self.section {
-            Some((old, at, layers)) if old == key && at == cut => layers.clone(),
-            Some(_) | None => {
-                let layers = section::layers(&document.tree, show, cut, key.theme());
-                self.section = Some((key.clone(), *cut, layers.clone()));
-                layers
+    ) -> [Vec<Layer>; 2] {
+        let (tree, domain) = (&document.tree, document.tree.domain());
+        let layers = |cells: &[_]| section::layers(domain, cut, key.theme(), cells);
+        let rests = self.section.as_ref().is_some_and(|of| of.key == *key && of.cut == *cut);
+        let (coarse, whole) = match self.section.take().filter(|_| rests) {
+            Some(Section { coarse, whole: Some(whole), .. }) => (coarse, Some(whole)),
+            Some(Section { coarse, whole: None, .. }) => {
+                (coarse, Some(layers(&section::cells(tree, show, cut))))
             }
-        }
+            None => {
+                let cells = section::cells(tree, show, cut);
+                let most = self.speed.vertices as usize / 2;
+                match section::coarse(domain, &cells, most) {
+                    Some(coarse) => {
+                        ui.ctx().request_repaint();
+                        (layers(&coarse), None)
+                    }
+                    None => {
+                        let whole = layers(&cells);
+                        (whole.clone(), Some(whole))
+                    }
+                }
+            }
+        };
+        let both = [&coarse, whole.as_ref().unwrap_or(&coarse)].map(Vec::clone);
+        self.section = Some(Section { key: key.clone(), cut: *cut, coarse, whole });
+        both
     }
 
     fn mark_layer<const D: usize>(&mut self, marks: &[Mark<D>], theme: Theme) -> Layer {

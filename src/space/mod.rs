@@ -17,12 +17,14 @@ mod why;
 
 use crate::document::Document;
 use crate::look::Look;
+use crate::render::Pace;
 use crate::view::View;
 pub use base::Layers;
 use eframe::egui::{Event, Pos2, Rect, Sense, Ui, WidgetInfo, accesskit::Role};
 pub use flight::Flight;
 use octoscope_core::geometry::Aabb;
 use octoscope_core::paper::erratum_of;
+use octoscope_core::query::Query;
 use octoscope_core::trace::Moment;
 use octoscope_core::tree::NodeId;
 use octoscope_figure::{
@@ -89,6 +91,12 @@ pub fn ui<const D: usize>(ui: &mut Ui, look: &Look, space: Space<'_, D>) {
     if kept != before || document.scenario.ray != ray {
         view.set_camera(kept);
     }
+    let ray = Some(document.scenario.ray);
+    let ray = ray.filter(|_| matches!(document.scenario.query, Query::Ray { .. }));
+    view.ray = ray.and_then(|ray| {
+        let [from, to] = [ray.origin(), ray.at(1.0)].map(|end| frame.place(&camera, end));
+        Some([from?, to?])
+    });
     let show = shown_now(ui, view, *view.show::<D>());
     let show = &show;
 
@@ -105,13 +113,15 @@ pub fn ui<const D: usize>(ui: &mut Ui, look: &Look, space: Space<'_, D>) {
     painted.extend(expected(document));
     painted.extend(hover::marks(&tree, hovered, under.as_ref()));
     if let Some(layers) = layers {
-        layers.paint(ui, rect, &camera, document, (show, view.theme), &painted);
+        let is_busy = view.playback.playing || ui.input(|input| !input.events.is_empty());
+        let pace = if is_busy { Pace::Busy } else { Pace::Rest };
+        layers.paint(ui, rect, &camera, document, (show, view.theme), (&painted, pace));
         painted.retain(|mark| !base::draws(mark));
     } else if document.tree.n_leaves() <= MOST_PAINTED {
         let cut = show.slice.and_then(|slice| slice.cut(document.tree.domain(), &camera));
         painted.extend(cells(&document.tree, show, cut.as_ref()));
     }
-    painted.sort_by_key(|mark| mark.role.layer());
+    painted.sort_by_cached_key(|mark| mark.role.layer());
     let figure = space_figure(&painted, &camera, frame.page);
     paint::figure(&painter, look, view.theme, frame, &figure);
     gesture::paint_region_being_drawn(ui, &painter, look, &response);

@@ -107,6 +107,19 @@ fn what_is_no_number_is_refused_with_what_would_be_one() {
 }
 
 #[test]
+fn a_key_says_why_it_does_nothing() {
+    let mut desk = Desk::new();
+    desk.press(Key::Num7);
+    desk.click(Role::Button, "Point");
+    for key in [Key::G, Key::R, Key::N] {
+        desk.press(key);
+        assert!(desk.says("This query has no ray"), "{key:?}: {:?}", desk.texts());
+        desk.press(Key::Escape);
+        assert!(!desk.says("This query has no ray"));
+    }
+}
+
+#[test]
 fn what_is_no_number_stays_in_its_field_until_it_is_mended_or_given_up() {
     let mut desk = Desk::new();
     let before = desk.plane().scenario.ray.origin();

@@ -40,7 +40,7 @@ pub fn marks<const D: usize>(
     scene.query(&mut marks);
     scene.mirrored(&mut marks);
     scene.ray(&mut marks);
-    marks.sort_by_key(|mark| mark.role.layer());
+    marks.sort_by_cached_key(|mark| mark.role.layer());
     marks
 }
 

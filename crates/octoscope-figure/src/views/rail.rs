@@ -1,5 +1,6 @@
 //! What the rail shows: the parameters that the algorithm knows at a moment.
 
+use octoscope_core::geometry::Ray;
 use octoscope_core::trace::{HalvingPlane, Moment};
 use octoscope_core::tree::{Code, NodeId, Tree};
 
@@ -22,7 +23,8 @@ impl<const D: usize> RailOf<D> {
     }
 }
 
-/// Parameters t of one node. What the algorithm has not computed is not there.
+/// Parameters t of one node. What the algorithm has not computed is not there, unless it
+/// has told nothing but an interval: then the planes of the node are, which are its reason.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Rail<const D: usize> {
     /// The node, or the cell.
@@ -82,6 +84,22 @@ impl<const D: usize> Rail<D> {
         Some(Self { near: Some(clip.near), far: Some(clip.far), ..root })
     }
 
+    /// The same, with the planes of the node along `ray` if there would be none at all.
+    pub fn with_planes(self, tree: &Tree<D>, ray: &Ray<D>) -> Self {
+        let RailOf::Node(node) = self.of else { return self };
+        let is_told = self.near.or(self.mid).or(self.far).is_some() || self.halving.is_some();
+        if is_told {
+            return self;
+        }
+        let (bounds, origin, direction) = (tree.node_box(node), ray.origin(), ray.direction());
+        let met = |plane: [f64; D]| -> [f64; D] {
+            std::array::from_fn(|axis| (plane[axis] - origin[axis]) / direction[axis])
+        };
+        let [lower, upper] = [bounds.min, bounds.max].map(met);
+        let pick = |of: fn(f64, f64) -> f64| Some(std::array::from_fn(|e| of(lower[e], upper[e])));
+        Self { near: pick(f64::min), far: pick(f64::max), ..self }
+    }
+
     /// Of a node of which only the interval is known in which the ray is in it.
     fn of_node(node: NodeId, interval: [f64; 2]) -> Self {
         Self {
@@ -137,7 +155,10 @@ impl<const D: usize> Rail<D> {
 mod tests {
     use super::*;
     use octoscope_core::geometry::Axes;
+    use octoscope_core::progress::Progress;
+    use octoscope_core::scenario::{AnyScenario, built_in};
     use octoscope_core::trace::GridCell;
+    use octoscope_core::tree::build;
 
     fn slab(near: f64, far: f64) -> Rail<2> {
         let rail = Rail::of_node(NodeId::ROOT, [near, far]);
@@ -180,6 +201,22 @@ mod tests {
         let rail = Rail { halving: Some(HalvingPlane { axis: 1, at: 3.0 }), ..part };
         assert_eq!((rail.stops(0), rail.stops(1)), (vec![], vec![(3.0, "m")]));
         assert!(rail.range()[1] > 3.0);
+    }
+
+    #[test]
+    fn where_nothing_but_the_interval_is_told_the_planes_are_those_of_the_node() {
+        let Some(AnyScenario::Quadtree(scenario)) = built_in("quadtree-82") else { panic!() };
+        let (content, grid) = (scenario.source.content().unwrap(), scenario.grid().unwrap());
+        let tree = build(&content, grid, &scenario.recipe, &Progress::default()).unwrap();
+        let ray = Ray::new([-1.0, 3.0], [2.0, -2.0]).unwrap();
+        let interval = Rail::<2>::of_node(NodeId::ROOT, [1.0, 1.0]);
+        let rail = interval.with_planes(&tree, &ray);
+        assert_eq!((rail.near, rail.far), (Some([0.5, 1.0]), Some([1.0, 1.5])));
+        let told = Rail { mid: Some([0.0; 2]), ..interval };
+        assert_eq!(told.with_planes(&tree, &ray), told);
+        let parallel = Ray::new([0.5, -1.0], [0.0, 1.0]).unwrap();
+        let rail = interval.with_planes(&tree, &parallel);
+        assert_eq!(rail.bar(0), Some([f64::NEG_INFINITY, f64::INFINITY]));
     }
 
     #[test]

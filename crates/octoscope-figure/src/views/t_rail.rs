@@ -6,9 +6,10 @@ use super::subject::Subject;
 use super::words::{joined, on_axis, parameter};
 use crate::{Anchor, Figure, Form, Part, Role, metrics};
 use octoscope_core::explain::{RichText, approx};
-use octoscope_core::geometry::AXIS_NAMES;
+use octoscope_core::geometry::{AXIS_NAMES, Ray};
 use octoscope_core::text::Texts;
 use octoscope_core::trace::Moment;
+use octoscope_core::tree::Tree;
 
 /// The rail of a node: what is drawn, and where a t lies in it.
 #[derive(Clone, Debug, PartialEq)]
@@ -35,14 +36,15 @@ impl RailFigure {
 
 /// One bar per axis from t0 to t1 with tm, in rows of height `row` on a page of
 /// this width, with room for type of at least `least` page units; `None` as long as
-/// no parameter is known.
+/// no parameter is known. `ray` is the one that was traced in `tree`.
 pub fn t_rail<const D: usize>(
     texts: &Texts,
+    (tree, ray): (&Tree<D>, &Ray<D>),
     moment: &Moment<D>,
     [width, row]: [f64; 2],
     least: f64,
 ) -> Option<RailFigure> {
-    let rail = Rail::of(moment)?;
+    let rail = Rail::of(moment)?.with_planes(tree, ray);
     let (range, track) = (rail.range(), [24.0, width - 8.0]);
     let drawing = Drawing { rail: &rail, range, track, row, least };
     let mut sheet = Sheet::default();
@@ -64,7 +66,8 @@ pub fn rail_of<const D: usize>(moment: &Moment<D>) -> Option<RailOf<D>> {
 pub(super) fn view<const D: usize>(subject: &Subject<D>, width: f64) -> Option<Figure> {
     const ROW: f64 = 40.0;
     const HEAD: f64 = 20.0;
-    let rail = t_rail(subject.texts, subject.moment, [width, ROW], 0.0)?;
+    let of = (subject.tree, subject.ray);
+    let rail = t_rail(subject.texts, of, subject.moment, [width, ROW], 0.0)?;
     let mut sheet = Sheet::default();
     let of = rail_of(subject.moment)?;
     let text = super::place_note(subject.texts, of.place(subject.tree));
@@ -112,6 +115,11 @@ impl<const D: usize> Drawing<'_, D> {
         left + share_of(t, self.range) * (right - left)
     }
 
+    /// Half the height that a label takes.
+    fn half_line(&self) -> f64 {
+        (0.6 * self.least).max(8.0)
+    }
+
     fn bar_y(&self, axis: usize) -> f64 {
         self.row * (axis as f64 + 0.5) - 8.0
     }
@@ -135,7 +143,9 @@ impl<const D: usize> Drawing<'_, D> {
         }
         for Label { at, width, text, is_odd } in labels {
             if is_odd {
-                sheet.rect(Role::Blank, [at[0] - 4.0, at[1] - 8.0], [width + 8.0, 16.0]);
+                let half = self.half_line();
+                let corner = [at[0] - 4.0, at[1] - half];
+                sheet.rect(Role::Blank, corner, [width + 8.0, 2.0 * half]);
             }
             sheet.text(Role::Words, at, Anchor::Start, text);
         }
@@ -202,8 +212,9 @@ impl<const D: usize> Drawing<'_, D> {
         for label in labels {
             let [left, y] = label.at;
             if (left - 4.0..=left + label.width + 4.0).contains(&x) {
-                sheet.line(Role::Limit, [[x, from], [x, y - 8.0]]);
-                from = y + 8.0;
+                let half = self.half_line();
+                sheet.line(Role::Limit, [[x, from], [x, y - half]]);
+                from = y + half;
             }
         }
         sheet.line(Role::Limit, [[x, from], [x, self.bottom() + 3.0]]);

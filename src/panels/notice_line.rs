@@ -1,0 +1,97 @@
+//! What has just happened, over the picture.
+
+use crate::look::Look;
+use crate::notice::Notice;
+use eframe::egui::{Align2, Area, Context, Frame, Id, Key, Label, Order, Pos2, Rect, vec2};
+use std::time::Duration;
+
+/// Size of the line before it is known.
+const USUAL: [f32; 2] = [460.0, 64.0];
+/// Room between the line and the edges of the view.
+const BELOW: f32 = 44.0;
+const ABOVE: f32 = 12.0;
+
+/// One line at the lower edge of the space view, which lies in `space`, that says
+/// what has happened; a click takes it away, and so does time. It is at the upper edge
+/// where it would lie on the ray, whose handles are at `ray`.
+pub fn ui(
+    context: &Context,
+    look: &Look,
+    notice: &mut Notice,
+    space: Option<Rect>,
+    ray: Option<[Pos2; 2]>,
+) {
+    if notice.is_empty() {
+        return;
+    }
+    let (strength, secs) = notice.strength(context.input(|input| input.time));
+    context.request_repaint_after(Duration::from_secs_f64(secs));
+    if notice.is_empty() {
+        return;
+    }
+    let space = space.unwrap_or_else(|| context.content_rect());
+    let id = Id::unique("status");
+    let known = context.memory(|memory| memory.area_rect(id));
+    let size = known.map_or(USUAL.into(), |rect| rect.size());
+    let [below, above] = places(space, size);
+    let is_clear = |rect: &Rect| ray.is_none_or(|ray| !meets(rect, ray));
+    let place = [below, above].into_iter().find(is_clear).unwrap_or(below);
+    // Above dialogs, which it may be about, and what is written into the corner of the view.
+    let area = Area::new(id).order(Order::Tooltip);
+    let area = match place == below {
+        true => area.pivot(Align2::CENTER_BOTTOM).fixed_pos(below.center_bottom()),
+        false => area.pivot(Align2::CENTER_TOP).fixed_pos(above.center_top()),
+    };
+    let clicked = area.show(context, |ui| {
+        ui.multiply_opacity(strength);
+        let frame = Frame::popup(ui.style()).inner_margin(10.0).fill(look.palette.field);
+        frame.show(ui, |ui| {
+            ui.horizontal(|ui| {
+                let close = look.text("dialog-close");
+                ui.scope(|ui| {
+                    ui.set_max_width((space.width() - 140.0).clamp(160.0, 420.0));
+                    ui.add(Label::new(notice.text()).wrap());
+                });
+                ui.button(close).clicked()
+            })
+        })
+    });
+    let moved_on = context.input(|input| input.key_pressed(Key::Escape));
+    if clicked.inner.inner.inner || moved_on {
+        notice.clear();
+    }
+}
+
+/// Where a line of this size may be, what is better first.
+fn places(space: Rect, size: eframe::egui::Vec2) -> [Rect; 2] {
+    let below = space.center_bottom() - vec2(0.0, BELOW + 0.5 * size.y);
+    let above = space.center_top() + vec2(0.0, ABOVE + 0.5 * size.y);
+    [below, above].map(|centre| Rect::from_center_size(centre, size))
+}
+
+/// Whether a line from the first to the second point comes near a rectangle.
+fn meets(rect: &Rect, [from, to]: [Pos2; 2]) -> bool {
+    const NEAR: f32 = 12.0;
+    const N: u8 = 100;
+    let rect = rect.expand(NEAR);
+    (0..=N).any(|n| rect.contains(from + (to - from) * (f32::from(n) / f32::from(N))))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use eframe::egui::pos2;
+
+    #[test]
+    fn the_line_lies_above_only_where_the_ray_is_below() {
+        let space = Rect::from_min_max(pos2(0.0, 0.0), pos2(600.0, 500.0));
+        let [below, above] = places(space, USUAL.into());
+        assert!(space.contains_rect(below) && space.contains_rect(above));
+        let flat = |y: f32| [pos2(-50.0, y), pos2(650.0, y)];
+        let check = |ray, expected| assert_eq!([meets(&below, ray), meets(&above, ray)], expected);
+        check(flat(below.center().y), [true, false]);
+        check(flat(above.center().y), [false, true]);
+        check(flat(250.0), [false, false]);
+        check([pos2(300.0, -9.0), pos2(300.0, 520.0)], [true, true]);
+    }
+}
