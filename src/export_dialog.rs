@@ -142,7 +142,8 @@ fn settings(ui: &mut Ui, look: &Look, shown: &mut Shown) {
         }
 
         ui.label(name("export-format"));
-        let has_text = choice.view == FigureView::Table;
+        // A name may have told a format that this view has not.
+        let has_text = choice.view == FigureView::Table || choice.format.is_of_text();
         let formats = Format::ALL.into_iter().filter(|format| has_text || !format.is_of_text());
         let formats: Vec<_> = formats.map(|format| (format, format.name().to_owned())).collect();
         let mut format = choice.format;
@@ -358,7 +359,7 @@ fn preview(ui: &mut Ui, look: &Look, shown: &Shown) {
 
 /// The command that does the same, to be read and copied.
 fn command(ui: &mut Ui, look: &Look, shown: &Shown) -> Option<Answer> {
-    let line = line(shown.request, shown.origin, &shown.choice.file);
+    let line = line(shown.request, shown.origin, shown.choice);
     let mut answer = None;
     ui.horizontal(|ui| {
         ui.label(RichText::new(look.text("export-command")).color(look.palette.quiet));
@@ -382,8 +383,8 @@ fn command(ui: &mut Ui, look: &Look, shown: &Shown) -> Option<Answer> {
 }
 
 /// The command, as a shell reads it.
-pub fn line(request: &Request, origin: &Origin, file: &str) -> String {
-    shell_line(&request.command(&origin.file, origin.ray.as_deref(), file))
+pub fn line(request: &Request, origin: &Origin, choice: &Choice) -> String {
+    shell_line(&request.command(&origin.file, origin.ray.as_deref(), choice.file.trim()))
 }
 
 fn buttons(ui: &mut Ui, look: &Look, shown: &mut Shown) -> Option<Answer> {
@@ -396,11 +397,14 @@ fn buttons(ui: &mut Ui, look: &Look, shown: &mut Shown) -> Option<Answer> {
                 answer = Some(Answer::Choose);
             }
             let room = ui.available_width() - 12.0;
-            let field = TextEdit::singleline(&mut shown.choice.file).desired_width(room);
-            ui.add(field).labelled_by(label.id);
+            let mut file = shown.choice.file.clone();
+            let field = TextEdit::singleline(&mut file).desired_width(room);
+            if ui.add(field).labelled_by(label.id).changed() {
+                shown.choice.set_file(&file);
+            }
         });
     });
-    if files::is_there(Path::new(&shown.choice.file)) {
+    if files::is_there(Path::new(shown.choice.file.trim())) {
         let note = RichText::new(look.text("export-replaces"));
         ui.label(note.color(look.palette.quiet).size(13.0));
     }

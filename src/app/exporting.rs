@@ -4,7 +4,7 @@ use super::App;
 use super::copying::Copying;
 use super::jobs::file_name;
 use crate::document::AnyDocument;
-use crate::export::{Format, Origin, Request};
+use crate::export::{Origin, Request};
 use crate::export_dialog::{self, Answer, PREVIEW, Shown};
 use crate::figures::views_of;
 use crate::job::{Job, Poll};
@@ -104,7 +104,7 @@ impl App {
             Some(Answer::CopyText) => self.copy(context, Copying::Table, request),
             Some(Answer::CopySvg) => self.copy(context, Copying::Svg, request),
             Some(Answer::CopyCommand) => {
-                let line = export_dialog::line(&request, &origin, &self.view.export.file);
+                let line = export_dialog::line(&request, &origin, &self.view.export);
                 context.copy_text(line);
                 self.notice.say(self.look.text("status-copied-command"));
             }
@@ -134,16 +134,7 @@ impl App {
     /// Writes what is chosen to `path`, on another thread. The ending of the name
     /// tells the format, if it is one.
     pub(super) fn export_to(&mut self, context: &Context, path: &Path) {
-        let ending = path.extension().unwrap_or_default().to_string_lossy().into_owned();
-        let told = Format::of_ending(&ending);
-        // What moves as PNG does is called so, too; and TeX is a figure or a table.
-        let chosen = self.view.export.format;
-        let is_apng = chosen == Format::Apng && told == Some(Format::Png);
-        let is_table = chosen.is_of_text() && ending.eq_ignore_ascii_case(chosen.ending());
-        if let Some(format) = told.filter(|_| !is_apng && !is_table) {
-            self.view.export.format = format;
-        }
-        self.view.export.file = path.to_string_lossy().into_owned();
+        self.view.export.set_file(&path.to_string_lossy());
         let request = self.view.export.request(&self.document, &self.view);
         let (name, mut document, path) = (file_name(path), self.document.clone(), path.to_owned());
         let title = self.look.texts.format("job-export", &[("name", name.as_str().into())]);

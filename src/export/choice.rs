@@ -10,6 +10,7 @@ use octoscope_core::scenario::StepAt;
 use octoscope_figure::views::{Fields, FigureView};
 use octoscope_figure::{Background, Show, Theme, TikzForm, Unit};
 use serde::{Deserialize, Serialize};
+use std::path::Path;
 
 /// What is chosen in the dialog of an export.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -150,6 +151,24 @@ impl Choice {
             Some(_) | None => &self.file,
         };
         self.file = format!("{stem}.{}", format.ending());
+        self.take_format(format);
+    }
+
+    /// Takes another name of the file, whose ending tells the format if it is one.
+    pub fn set_file(&mut self, file: &str) {
+        self.file = file.to_owned();
+        let ending = Path::new(file.trim()).extension().unwrap_or_default().to_string_lossy();
+        let Some(told) = Format::of_ending(&ending) else { return };
+        // What moves as PNG does is called so, too; and TeX is a figure or a table.
+        let is_apng = self.format == Format::Apng && told == Format::Png;
+        let is_table =
+            self.format.is_of_text() && ending.eq_ignore_ascii_case(self.format.ending());
+        if told != self.format && !is_apng && !is_table {
+            self.take_format(told);
+        }
+    }
+
+    fn take_format(&mut self, format: Format) {
         self.format = format;
         if format.moves() && self.steps == StepChoice::Here {
             self.steps = StepChoice::All;
@@ -294,6 +313,26 @@ mod tests {
         check("a/b.svg", "a/b.tex");
         check("b", "b.tex");
         check("v1.2", "v1.2.tex");
+    }
+
+    #[test]
+    fn the_name_of_a_file_tells_its_format() {
+        let mut choice = Choice::default();
+        let mut check = |file: &str, format: Format, steps: StepChoice| {
+            choice.set_file(file);
+            assert_eq!((choice.file.as_str(), choice.format), (file, format));
+            assert_eq!(choice.steps, steps, "{file}");
+        };
+        check("a.PDF", Format::Pdf, StepChoice::Here);
+        check("a.b", Format::Pdf, StepChoice::Here);
+        check("", Format::Pdf, StepChoice::Here);
+        check("a.gif", Format::Gif, StepChoice::All);
+        check("a.apng", Format::Apng, StepChoice::All);
+        check("a.png", Format::Apng, StepChoice::All);
+        check("a.tex", Format::Tikz, StepChoice::All);
+        let mut table = Choice { format: Format::Latex, ..Choice::default() };
+        table.set_file("a.tex");
+        assert_eq!(table.format, Format::Latex);
     }
 
     #[test]

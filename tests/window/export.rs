@@ -234,6 +234,25 @@ fn every_view_that_fits_can_be_chosen() {
 }
 
 #[test]
+fn the_format_follows_the_name_that_is_typed() {
+    let mut desk = Desk::new();
+    desk.press_with(Modifiers::COMMAND, Key::E);
+    let mut type_name = |name: &str| {
+        desk.get_by_role_and_label(Role::TextInput, "File").click();
+        desk.run();
+        desk.press_with(Modifiers::COMMAND, Key::A);
+        desk.event(Event::Text(name.to_owned()));
+        desk.run();
+        shown_command(&desk)
+    };
+    let command = type_name("a.pdf");
+    assert!(command.contains("--format=pdf") && command.ends_with("-o a.pdf"), "{command}");
+    let command = type_name(" b.gif ");
+    assert!(command.contains("--format=gif --step=all"), "{command}");
+    assert!(command.ends_with("-o b.gif"), "{command}");
+}
+
+#[test]
 fn tables_of_the_dialog_are_those_of_its_command() {
     let folder = tempdir().unwrap();
     let mut desk = Desk::new();
