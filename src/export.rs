@@ -4,6 +4,7 @@
 mod choice;
 mod eye;
 mod format;
+mod frames;
 mod made;
 mod moving;
 mod order;

@@ -1,8 +1,8 @@
 //! Frames of what moves, drawn on several threads.
 
 use super::Series;
+use super::frames::Frames;
 use super::made::Made;
-use super::write::Frames;
 use octoscope_core::progress::Progress;
 use octoscope_figure::{FileOptions, Pixels, Rasteriser};
 use std::num::NonZero;
