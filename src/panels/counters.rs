@@ -59,7 +59,9 @@ fn summary(ui: &mut Ui, look: &Look, costs: Costs<'_>) {
         costs.total.get(Counter::Descends),
     ];
     let used = counters.zip(in_total).filter(|(_, total)| *total > 0).take(N_LARGE);
-    ui.columns(N_LARGE, |columns| {
+    let used: Vec<_> = used.collect();
+    // Few have room for longer names.
+    ui.columns(used.len().clamp(N_LARGE - 1, N_LARGE), |columns| {
         for (column, ((name, [step, so_far]), _)) in columns.iter_mut().zip(used) {
             column.spacing_mut().item_spacing.y = 0.0;
             column.horizontal(|ui| {

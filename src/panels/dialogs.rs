@@ -149,18 +149,23 @@ fn title(ui: &mut Ui, text: &str) {
 fn keys(ui: &mut Ui, look: &Look) {
     title(ui, &look.text("dialog-keys"));
     ScrollArea::vertical().max_height(most_height(ui, 380.0)).show(ui, |ui| {
-        for menu in Menu::ALL {
-            ui.add_space(4.0);
-            ui.label(RichText::new(look.text(menu.id())).color(look.palette.quiet));
-            Grid::new(menu.id()).num_columns(2).spacing([24.0, 2.0]).show(ui, |ui| {
-                for row in COMMANDS.iter().filter(|row| row.menu == menu && !row.keys.is_empty()) {
+        // One grid, so that all keys stand below each other.
+        Grid::new("keys").num_columns(2).spacing([24.0, 2.0]).show(ui, |ui| {
+            for menu in Menu::ALL {
+                let rows = COMMANDS.iter().filter(|row| row.menu == menu && !row.keys.is_empty());
+                let mut rows = rows.peekable();
+                if rows.peek().is_some() {
+                    ui.label(RichText::new(look.text(menu.id())).color(look.palette.quiet));
+                    ui.end_row();
+                }
+                for row in rows {
                     let keys = shortcut::all_shown(look, row.keys);
                     ui.label(look.text(row.id));
                     ui.label(RichText::new(keys).monospace());
                     ui.end_row();
                 }
-            });
-        }
+            }
+        });
     });
 }
 

@@ -31,7 +31,7 @@ pub fn ui<const D: usize>(
     // Codes of deep trees may be wider than the panel.
     ScrollArea::horizontal().show(ui, |ui| {
         let grid = Grid::new("stack").num_columns(4).striped(true);
-        grid.spacing([8.0, 0.0]).min_col_width(24.0).min_row_height(18.0).show(ui, |ui| {
+        grid.spacing([12.0, 0.0]).min_col_width(24.0).min_row_height(18.0).show(ui, |ui| {
             for key in ["stack-level", "stack-codes", "stack-state", "stack-interval"] {
                 ui.label(
                     RichText::new(look.text(key))
@@ -75,7 +75,7 @@ fn pending<const D: usize>(
     let mut pointed = None;
     let mono = |text: String| RichText::new(text).font(FontId::monospace(look.type_size(12.0)));
     let grid = Grid::new("pending").num_columns(4).striped(true);
-    grid.spacing([8.0, 0.0]).min_col_width(24.0).min_row_height(18.0).show(ui, |ui| {
+    grid.spacing([12.0, 0.0]).min_col_width(24.0).min_row_height(18.0).show(ui, |ui| {
         for key in ["stack-level", "stack-codes", "stack-half", "stack-interval"] {
             ui.label(
                 RichText::new(look.text(key)).size(look.type_size(12.0)).color(look.palette.quiet),

@@ -87,9 +87,11 @@ pub fn typed_field(
             kept = Kept { value: bits, is_given_up: true, ..Kept::default() };
         } else if let Some(text) = &kept.text {
             kept.was_left = true;
-            said = Some((typing.wrong)(text));
             if ui.input(|input| input.key_pressed(Key::Enter)) {
+                // It is edited on, and says below itself what is wrong.
                 response.request_focus();
+            } else {
+                said = Some((typing.wrong)(text));
             }
         }
     }

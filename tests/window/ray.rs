@@ -134,7 +134,7 @@ fn what_is_no_number_stays_in_its_field_until_it_is_mended_or_given_up() {
     desk.type_into("origin y", "0.5x");
     assert_eq!(desk.plane().scenario.ray.origin(), before);
     assert_eq!(shown(&desk), "0.5x");
-    assert_eq!(said(&desk), 2, "below the field, and on the line of notices: {:?}", desk.texts());
+    assert_eq!(said(&desk), 1, "below the field: {:?}", desk.texts());
     // Confirmed by Enter it is edited on.
     desk.press(Key::Backspace);
     assert_eq!((desk.plane().scenario.ray.origin()[1], said(&desk)), (0.5, 0));
@@ -142,6 +142,7 @@ fn what_is_no_number_stays_in_its_field_until_it_is_mended_or_given_up() {
     desk.type_into("origin y", "up");
     desk.press(Key::Tab);
     assert_eq!(shown(&desk), "up", "also where it is left");
+    assert!(desk.says("“up” is no finite number"));
     desk.click(Role::SpinButton, "origin y");
     desk.press(Key::Escape);
     assert_eq!((shown(&desk).as_str(), desk.plane().scenario.ray.origin()[1]), ("0.5", 0.5));

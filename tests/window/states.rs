@@ -1,9 +1,12 @@
 //! What the window can look like, state by state, for tests and pictures that go
 //! through all of them.
 
-use crate::desk::{Desk, sample};
+use crate::desk::{Desk, sample, spoken};
 use crate::drawn::At;
-use eframe::egui::{Key, pos2};
+use eframe::egui::accesskit::Role;
+use eframe::egui::{Event, Key, pos2};
+use egui_kittest::Node;
+use egui_kittest::kittest::Queryable as _;
 use octoscope::bench::run;
 use octoscope::document::Document;
 use octoscope::files::Purpose;
@@ -112,6 +115,7 @@ pub fn all() -> Vec<State> {
     states.extend(questions());
     states.extend(pictures());
     states.extend(over_the_window());
+    states.extend(answers());
     states
 }
 
@@ -288,4 +292,32 @@ pub fn show_lab(desk: &mut Desk, tab: Tab, cost: Quantity) {
     desk.state_mut().view.lab = choice;
     desk.state_mut().view.dialog = Some(Dialog::Lab);
     desk.run();
+}
+
+/// What the window answers where something cannot be done.
+fn answers() -> Vec<State> {
+    vec![
+        State::new("answer-no-number", |desk| {
+            // The first number of the ray, in any language.
+            let fields: Vec<_> = desk.get_all_by_role(Role::SpinButton).collect();
+            let is_of_ray = |node: &&Node<'_>| spoken(node).ends_with(" x");
+            fields.iter().find(is_of_ray).unwrap().click();
+            drop(fields);
+            desk.run();
+            desk.event(Event::Text("abc".to_owned()));
+            desk.press(Key::Enter);
+        }),
+        State::new("answer-no-ray", |desk| {
+            open(desk, "quadtree-82", Preset::Rail);
+            Question::Point(PointMethod::Codes).ask(desk);
+            desk.press(Key::G);
+        }),
+        State::new("answer-errata", |desk| {
+            desk.open_scenario(&counterexample(Variant::B3));
+            desk.press(Key::End);
+            let named = |node: &Node<'_>| spoken(node).contains("Ray Tracing mit");
+            desk.nodes().into_iter().find(named).unwrap().click();
+            desk.run();
+        }),
+    ]
 }
