@@ -1,10 +1,10 @@
 //! Many rays at once.
 
 use super::in_order::in_order;
-use super::line::{Met, line};
+use super::line::{Met, push_line};
 use super::summary::{Summary, tally};
 use octoscope_core::geometry::Ray;
-use octoscope_core::measure::{Tally, fnv_1a};
+use octoscope_core::measure::Tally;
 use octoscope_core::traverse::{Kernel, Leaf, StopAt, visit_many};
 use octoscope_core::tree::Tree;
 use std::hint::black_box;
@@ -16,12 +16,8 @@ use std::time::{Duration, Instant};
 /// Name of the kernel, where others have that of their algorithm.
 pub const BATCH: &str = "batch";
 
-/// Rays that a thread visits before it asks for more, and whose lines are kept until
-/// those before them are done.
-const BLOCK: usize = 512;
-const BLOCKS: usize = 64;
-
-/// Hands the line of every ray to `take`, in order, with the leaves that it tells.
+/// Hands the lines of all rays to `take`, in order and in blocks, with the number of
+/// leaves that they tell.
 ///
 /// # Errors
 /// Stops at the first error of `take`.
@@ -30,22 +26,22 @@ pub fn lines<const D: usize>(
     rays: &[Ray<D>],
     stop_at: StopAt,
     threads: NonZeroUsize,
-    mut take: impl FnMut(&str, &[Met]) -> io::Result<()>,
+    take: impl FnMut((String, Tally)) -> io::Result<()>,
 ) -> io::Result<()> {
-    for rays in rays.chunks(BLOCK * BLOCKS) {
-        let blocks: Vec<&[Ray<D>]> = rays.chunks(BLOCK).collect();
-        let work = |block: &&[Ray<D>]| {
-            let mut found = vec![Vec::new(); block.len()];
-            visit_many(tree, block, stop_at, Kernel::Vector, |index, leaves| {
-                found[index] = leaves.iter().map(|&leaf| met(leaf)).collect();
-            });
-            found
-        };
-        in_order(&blocks, threads, work, |_, found| {
-            found.iter().try_for_each(|met| take(&line(tree, met), met))
-        })?;
-    }
-    Ok(())
+    let work = |rays: &[Ray<D>]| {
+        // Rays end in any order.
+        let mut found = vec![Vec::new(); rays.len()];
+        visit_many(tree, rays, stop_at, Kernel::Vector, |index, leaves| {
+            found[index] = leaves.iter().map(|&leaf| met(leaf)).collect();
+        });
+        let (mut lines, mut sum) = (String::new(), Tally::default());
+        for met in found {
+            push_line(&mut lines, tree, &met);
+            tally(&mut sum, &met);
+        }
+        (lines, sum)
+    };
+    in_order(rays, threads, work, take)
 }
 
 fn met(leaf: Leaf) -> Met {
@@ -65,9 +61,8 @@ pub fn measure<const D: usize>(
     repeat: NonZeroUsize,
 ) -> io::Result<Summary> {
     let mut summary = Summary::new(BATCH.to_owned(), rays.len());
-    lines(tree, rays, stop_at, threads, |line, met| {
-        summary.checksum = fnv_1a(summary.checksum, line.as_bytes());
-        tally(&mut summary.tally, met);
+    lines(tree, rays, stop_at, threads, |block| {
+        summary.add(block);
         Ok(())
     })?;
     summary.times = (0..repeat.get()).map(|_| time(tree, rays, stop_at, threads)).collect();

@@ -1,27 +1,27 @@
 //! Whether the algorithms agree on a ray.
 
-use super::line::{Met, line, met, push_token, visited};
+use super::line::{Met, met, push_line, push_token, visited};
 use super::{Answer, Asked, Touches};
 use octoscope_core::geometry::Ray;
 use octoscope_core::query::Arithmetic;
 use octoscope_core::traverse::{Algorithm, Method, Slivers, StopAt, first_difference_of_run};
 use octoscope_core::tree::{NodeId, Tree};
 
-/// Line of a ray, and the first difference between `methods` in words. The
-/// line is that of the oracle, if it is among them, else of the first.
-pub fn compared_line<const D: usize>(
+/// Appends the line of a ray to `lines`; returns the first difference between `methods`
+/// in words. The line is that of the oracle, if it is among them, else of the first.
+pub fn push_compared_line<const D: usize>(
+    lines: &mut String,
     tree: &Tree<D>,
     ray: &Ray<D>,
     methods: &[Method],
     asked: Asked,
-) -> (String, Option<String>) {
+) -> Option<String> {
     let oracle = methods.iter().find(|method| method.algorithm == Algorithm::Exhaustive);
-    let Some(&reference) = oracle.or(methods.first()) else {
-        return (String::new(), None);
-    };
+    let &reference = oracle.or(methods.first())?;
     let expected = met(tree, ray, reference, asked);
+    push_line(lines, tree, &expected);
     if methods.len() == 1 {
-        return (line(tree, &expected), None);
+        return None;
     }
     let whole = Asked { stop_at: StopAt::End, touches: Touches::LeftOut, ..asked };
     let all_leaves = visited(&met(tree, ray, reference, whole));
@@ -30,7 +30,7 @@ pub fn compared_line<const D: usize>(
         Arithmetic::Doubles => Slivers::Ignore,
     };
     let others = methods.iter().filter(|&&method| method != reference);
-    let difference = others
+    others
         .filter_map(|&method| {
             let found = visited(&met(tree, ray, method, asked));
             let options = asked.options(method.variants);
@@ -45,8 +45,7 @@ pub fn compared_line<const D: usize>(
                 leaf(at.expected),
             ))
         })
-        .next();
-    (line(tree, &expected), difference)
+        .next()
 }
 
 /// The differences found so far.

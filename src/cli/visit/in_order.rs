@@ -1,42 +1,57 @@
 //! Work on several threads, results in order.
 
+use std::collections::BTreeMap;
 use std::io;
 use std::num::NonZeroUsize;
-use std::panic::resume_unwind;
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::mpsc::sync_channel;
 use std::thread;
 
-/// Items that a thread works on before results are handed on.
-const BLOCK: usize = 1024;
+/// Items that a thread works on at once, so many that handing their results on is
+/// nothing beside it.
+pub const BLOCK: usize = 512;
 
-/// Does `work` on every item, by so many threads, and hands the results to
-/// `take` with the numbers of their items, in order.
+/// Does `work` on blocks of the items, by so many threads, and hands the results to
+/// `take`, in order and while the next ones are worked on.
 ///
 /// # Errors
 /// Stops at the first error of `take`.
 pub fn in_order<T: Sync, R: Send>(
     items: &[T],
     threads: NonZeroUsize,
-    work: impl Fn(&T) -> R + Sync,
-    mut take: impl FnMut(usize, R) -> io::Result<()>,
+    work: impl Fn(&[T]) -> R + Sync,
+    mut take: impl FnMut(R) -> io::Result<()>,
 ) -> io::Result<()> {
     if threads.get() == 1 {
-        return items.iter().enumerate().try_for_each(|(index, item)| take(index, work(item)));
+        return items.chunks(BLOCK).try_for_each(|block| take(work(block)));
     }
-    let mut results_so_far = 0;
-    for block in items.chunks(BLOCK.saturating_mul(threads.get())) {
-        let parts = block.chunks(block.len().div_ceil(threads.get()));
-        let results: Vec<Vec<R>> = thread::scope(|scope| {
-            let workers: Vec<_> =
-                parts.map(|part| scope.spawn(|| part.iter().map(&work).collect())).collect();
-            let joined = workers.into_iter().map(thread::ScopedJoinHandle::join);
-            joined.map(|part| part.unwrap_or_else(|panic| resume_unwind(panic))).collect()
-        });
-        for result in results.into_iter().flatten() {
-            take(results_so_far, result)?;
-            results_so_far += 1;
+    let next = AtomicUsize::new(0);
+    thread::scope(|scope| {
+        let (sender, results) = sync_channel(threads.get());
+        for _ in 0..threads.get() {
+            let (next, work, sender) = (&next, &work, sender.clone());
+            scope.spawn(move || {
+                let numbers = std::iter::repeat_with(|| next.fetch_add(1, Ordering::Relaxed));
+                let blocks = numbers.map_while(|n| Some((n, items.chunks(BLOCK).nth(n)?)));
+                for (number, block) in blocks {
+                    // Nobody takes it after an error.
+                    if sender.send((number, work(block))).is_err() {
+                        return;
+                    }
+                }
+            });
         }
-    }
-    Ok(())
+        drop(sender);
+        let (mut n_taken, mut early) = (0, BTreeMap::new());
+        for (number, result) in results {
+            early.insert(number, result);
+            while let Some(result) = early.remove(&n_taken) {
+                take(result)?;
+                n_taken += 1;
+            }
+        }
+        Ok(())
+    })
 }
 
 #[cfg(test)]
@@ -45,37 +60,32 @@ mod tests {
 
     #[test]
     fn results_come_in_order_from_any_number_of_threads() {
-        let items: Vec<usize> = (0..5000).collect();
-        for threads in [1, 2, 3, 7] {
-            let mut taken = Vec::new();
-            let threads = NonZeroUsize::new(threads).unwrap();
-            in_order(
-                &items,
-                threads,
-                |n| n * 2,
-                |index, double| {
-                    assert_eq!(double, index * 2);
-                    taken.push(index);
+        for n in [0, 1, BLOCK, 20 * BLOCK + 1] {
+            let items: Vec<usize> = (0..n).collect();
+            for threads in [1, 2, 3, 7] {
+                let mut taken: Vec<usize> = Vec::new();
+                let threads = NonZeroUsize::new(threads).unwrap();
+                let doubled = |block: &[usize]| block.iter().map(|n| n * 2).collect::<Vec<_>>();
+                in_order(&items, threads, doubled, |block| {
+                    taken.extend(block);
                     Ok(())
-                },
-            )
-            .unwrap();
-            assert_eq!(taken, items);
+                })
+                .unwrap();
+                assert!(taken.into_iter().eq((0..n).map(|n| n * 2)));
+            }
         }
     }
 
     #[test]
     fn the_first_error_stops_the_work() {
-        let mut taken = 0;
-        let result = in_order(
-            &[1, 2, 3],
-            NonZeroUsize::MIN,
-            |n| *n,
-            |_, n| {
-                taken = n;
-                if n == 2 { Err(io::ErrorKind::BrokenPipe.into()) } else { Ok(()) }
-            },
-        );
-        assert_eq!((result.unwrap_err().kind(), taken), (io::ErrorKind::BrokenPipe, 2));
+        for threads in [1, 3] {
+            let mut n_taken = 0;
+            let threads = NonZeroUsize::new(threads).unwrap();
+            let result = in_order(&[0; 20 * BLOCK], threads, <[_]>::len, |_| {
+                n_taken += 1;
+                if n_taken == 2 { Err(io::ErrorKind::BrokenPipe.into()) } else { Ok(()) }
+            });
+            assert_eq!((result.unwrap_err().kind(), n_taken), (io::ErrorKind::BrokenPipe, 2));
+        }
     }
 }

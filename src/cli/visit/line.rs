@@ -35,16 +35,16 @@ pub fn visited(met: &[Met]) -> Vec<NodeId> {
         .collect()
 }
 
-/// Line of a ray with its end: the number of visited leaves, then a token for
-/// each leaf.
-pub fn line<const D: usize>(tree: &Tree<D>, met: &[Met]) -> String {
-    let mut line = visited(met).len().to_string();
+/// Appends the line of a ray with its end: the number of visited leaves, then a token
+/// for each leaf.
+pub fn push_line<const D: usize>(text: &mut String, tree: &Tree<D>, met: &[Met]) {
+    let n_visited = met.iter().filter(|met| !matches!(met, Met::Touch(_))).count();
+    write!(text, "{n_visited}").expect("a string takes everything");
     for met in met {
-        line.push(' ');
-        push_token(&mut line, tree, *met);
+        text.push(' ');
+        push_token(text, tree, *met);
     }
-    line.push('\n');
-    line
+    text.push('\n');
 }
 
 /// Token of a leaf: `level:x,y,z`, `*` behind it if it is full, `~` before it
@@ -102,7 +102,9 @@ mod tests {
     #[test]
     fn a_line_counts_visited_leaves_and_marks_full_ones_and_touches() {
         let met = [Met::Full(NodeId(1)), Met::Touch(NodeId(2)), Met::Empty(NodeId(4))];
-        assert_eq!(line(&tree(), &met), "2 1:0,0* ~1:0,2 1:2,2\n");
-        assert_eq!(line(&tree(), &[]), "0\n");
+        let mut lines = String::new();
+        push_line(&mut lines, &tree(), &met);
+        push_line(&mut lines, &tree(), &[]);
+        assert_eq!(lines, "2 1:0,0* ~1:0,2 1:2,2\n0\n");
     }
 }

@@ -226,10 +226,21 @@ fn visit_in<const D: usize>(arguments: &Visit) -> anyhow::Result<Answer> {
     }
     let prints = !arguments.summary;
     if prints || methods.len() > 1 {
-        let work = |ray: &Ray<D>| check::compared_line(&tree, ray, &methods, asked);
-        in_order::in_order(&rays, threads, work, |index, (line, difference)| {
-            differences.add(index, &rays[index], difference);
-            if prints { output.write_all(line.as_bytes()) } else { Ok(()) }
+        let work = |rays: &[Ray<D>]| {
+            let mut lines = String::new();
+            let compared = rays
+                .iter()
+                .map(|ray| check::push_compared_line(&mut lines, &tree, ray, &methods, asked));
+            let found: Vec<Option<String>> = compared.collect();
+            (lines, found)
+        };
+        let mut n_rays = 0;
+        in_order::in_order(&rays, threads, work, |(lines, found)| {
+            for difference in found {
+                differences.add(n_rays, &rays[n_rays], difference);
+                n_rays += 1;
+            }
+            if prints { output.write_all(lines.as_bytes()) } else { Ok(()) }
         })?;
     }
     output.finish()?;
@@ -253,7 +264,9 @@ fn visit_at_once<const D: usize>(
         let row = batch::measure(tree, rays, stop_at, threads, arguments.repeat)?;
         output.write_all(summary::table(&[row]).as_bytes())?;
     } else {
-        batch::lines(tree, rays, stop_at, threads, |line, _| output.write_all(line.as_bytes()))?;
+        batch::lines(tree, rays, stop_at, threads, |(lines, _)| {
+            output.write_all(lines.as_bytes())
+        })?;
     }
     output.finish()?;
     Ok(Answer::Done)

@@ -2,7 +2,7 @@
 
 use super::Asked;
 use super::in_order::in_order;
-use super::line::{Met, line, met};
+use super::line::{Met, met, push_line};
 use octoscope_core::geometry::Ray;
 use octoscope_core::measure::{FNV_BASIS, Tally, fnv_1a};
 use octoscope_core::query::Query;
@@ -34,6 +34,13 @@ impl Summary {
         let (tally, times) = (Tally::default(), Vec::new());
         Self { name, n_rays, tally, checksum: FNV_BASIS, times }
     }
+
+    /// Adds the lines of the next rays, with the number of leaves that they tell.
+    pub fn add(&mut self, (lines, tally): (String, Tally)) {
+        self.checksum = fnv_1a(self.checksum, lines.as_bytes());
+        self.tally.leaves += tally.leaves;
+        self.tally.occupied += tally.occupied;
+    }
 }
 
 /// Runs `method` over all rays: once for the lines, then `repeat` times for
@@ -50,13 +57,17 @@ pub fn measure<const D: usize>(
     repeat: NonZeroUsize,
 ) -> io::Result<Summary> {
     let mut summary = Summary::new(method.to_string(), rays.len());
-    let work = |ray: &Ray<D>| {
-        let met = met(tree, ray, method, asked);
-        (line(tree, &met), met)
+    let work = |rays: &[Ray<D>]| {
+        let (mut lines, mut sum) = (String::new(), Tally::default());
+        for ray in rays {
+            let met = met(tree, ray, method, asked);
+            push_line(&mut lines, tree, &met);
+            tally(&mut sum, &met);
+        }
+        (lines, sum)
     };
-    in_order(rays, threads, work, |_, (line, met)| {
-        summary.checksum = fnv_1a(summary.checksum, line.as_bytes());
-        tally(&mut summary.tally, &met);
+    in_order(rays, threads, work, |block| {
+        summary.add(block);
         Ok(())
     })?;
     let query = asked.along(method);
