@@ -5,7 +5,7 @@ use super::{Choice, ENDINGS, Ending, Tab, figure, settings};
 use crate::look::Look;
 use crate::widgets::{paint_figure, room, segments};
 use eframe::egui::{
-    Align, ComboBox, Context, Frame, Id, Label, Layout, Modal, RichText, ScrollArea, Sense,
+    Align, Button, ComboBox, Context, Frame, Id, Label, Layout, Modal, RichText, ScrollArea, Sense,
     TextWrapMode, Ui, WidgetInfo, accesskit::Role,
 };
 use octoscope_core::measure::{Quantity, Results, Watched};
@@ -85,7 +85,7 @@ pub fn ui(context: &Context, look: &Look, mut shown: Shown) -> Option<Answer> {
                 let high = (height - (ui.cursor().top() - ui.min_rect().top()) - below).max(80.0);
                 content(ui, look, &shown, high);
                 ui.add_space(4.0);
-                answer = answer.or(save(ui, look, shown.choice.tab));
+                answer = answer.or(save(ui, look, &shown));
             });
         });
     });
@@ -180,8 +180,10 @@ fn told(figure: &Figure) -> String {
     texts.collect::<Vec<_>>().join("; ")
 }
 
-/// Files that can be written.
-fn save(ui: &mut Ui, look: &Look, tab: Tab) -> Option<Answer> {
+/// Files that can be written, where there is something to write.
+fn save(ui: &mut Ui, look: &Look, shown: &Shown) -> Option<Answer> {
+    let (tab, has_results) = (shown.choice.tab, !shown.results.sites.is_empty());
+    let has_chart = if tab == Tab::Processor { !shown.watched.is_empty() } else { has_results };
     let mut answer = None;
     ui.horizontal_wrapped(|ui| {
         ui.label(RichText::new(look.text("lab-save")).color(look.palette.quiet));
@@ -191,8 +193,9 @@ fn save(ui: &mut Ui, look: &Look, tab: Tab) -> Option<Answer> {
                 continue;
             }
             let kind = if is_table { "table" } else { "chart" };
-            let name = look.text(&format!("lab-{kind}-{ending}"));
-            if ui.button(RichText::new(name).size(13.0)).clicked() {
+            let name = RichText::new(look.text(&format!("lab-{kind}-{ending}"))).size(13.0);
+            let has_it = if is_table { has_results } else { has_chart };
+            if ui.add_enabled(has_it, Button::new(name)).clicked() {
                 answer = Some(Answer::Save(ending));
             }
         }

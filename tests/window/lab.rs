@@ -51,7 +51,7 @@ fn a_field_says_which_numbers_it_takes() {
 #[test]
 fn algorithms_are_measured_and_shown_as_bars_lines_and_numbers() {
     let mut desk = lab();
-    assert_eq!(told(&desk), "Nothing is measured yet.");
+    assert_eq!(told(&desk), "Nothing is measured yet: choose at the left, and press Measure.");
     measure(&mut desk);
     let bars = told(&desk);
     for part in ["Time a ray", "Cloud of 1890 spheres", "512 spheres", "SametNet", "1.00"] {
@@ -103,12 +103,20 @@ fn without_a_scene_or_an_algorithm_there_is_nothing_to_measure() {
     let mut desk = lab();
     desk.click(Role::Button, "none");
     assert!(desk.query_by_label_contains("Choose a scene").is_some());
+    // Nor to save or to watch.
+    desk.click(Role::Button, "Table as CSV");
+    assert_eq!(desk.state().view.dialog, Some(Dialog::Lab));
+    desk.click(Role::Button, "Memory and branches");
+    assert!(told(&desk).ends_with("Choose an algorithm to watch it on the ray."));
+    desk.click(Role::Button, "Chart as SVG");
+    assert_eq!(desk.state().view.dialog, Some(Dialog::Lab));
+    desk.click(Role::Button, "Scenes");
     desk.get_by_role_and_label(Role::Button, "Measure").click();
     desk.run();
-    assert_eq!(told(&desk), "Nothing is measured yet.");
+    assert_eq!(told(&desk), "Nothing is measured yet: choose at the left, and press Measure.");
     desk.click(Role::Button, "those of the paper");
     measure(&mut desk);
-    assert_ne!(told(&desk), "Nothing is measured yet.");
+    assert_ne!(told(&desk), "Nothing is measured yet: choose at the left, and press Measure.");
 }
 
 #[test]

@@ -128,7 +128,10 @@ fn the_verdict_counts_what_holds() {
     let expected = "7 published statements were measured: 0 hold here, 3 only in which is faster, \
                     4 not.";
     assert_eq!(told, expected);
-    assert_eq!(verdict(&Results::default(), &texts(Language::English)), "Nothing is measured yet.");
+    assert_eq!(
+        verdict(&Results::default(), &texts(Language::English)),
+        "Nothing is measured yet: choose at the left, and press Measure."
+    );
 }
 
 #[test]

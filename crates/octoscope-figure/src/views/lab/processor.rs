@@ -19,6 +19,10 @@ pub fn processor_chart(watched: &[Watched], texts: &Texts, width: f64) -> Figure
     let mut sheet = Sheet::default();
     let note = texts.get("lab-processor-note");
     let top = sheet.paragraph(Role::Note, [0.0, 0.0], width, &note.into()) + 12.0;
+    if watched.is_empty() {
+        sheet.text(Role::Words, [0.0, top + 8.0], Anchor::Start, texts.get("lab-no-algorithm"));
+        return sheet.figure([width, top + 18.0]);
+    }
     let names: Vec<RichText> =
         watched.iter().map(|one| way_name(one.algorithm.into(), texts).into()).collect();
     let names_wide = names.iter().map(|name| metrics::width(Role::Words, name)).fold(0.0, f64::max);
