@@ -1,17 +1,18 @@
 //! The figure of a scene: marks, seen through a camera.
 
 mod apart;
+mod arrows;
+mod boxes;
 mod labels;
 
 use crate::camera::corners;
 use crate::ground::{bounds_of, ground, is_ground};
-use crate::marks::interval;
 use crate::painter::{Half, Painted, at_share, back_to_front};
 use crate::parts::{Arrow, part_of_plane};
-use crate::sides::sides_to_eye;
 use crate::{Camera, Drawn, Figure, Form, Mark, Page, Part, Projected, Role, Shape, Style, Theme};
 use apart::is_apart;
-use octoscope_core::geometry::{Aabb, Ray};
+use arrows::last_point;
+use octoscope_core::geometry::Aabb;
 
 /// Figure of `marks` as `camera` shows them on `page`. In space, boxes of one
 /// tree cover each other as they do for the eye; leaves and solids lie below
@@ -75,16 +76,6 @@ fn chord_length<const D: usize>(marks: &[Mark<D>], camera: &Camera<D>, page: Pag
     }
 }
 
-/// Where a ray has its tip or leaves the root, whichever is later.
-fn last_point<const D: usize>(
-    [from, tip]: [[f64; D]; 2],
-    root: Option<&Aabb<D>>,
-) -> Option<[f64; D]> {
-    let ray = Ray::new(from, std::array::from_fn(|e| tip[e] - from[e])).ok()?;
-    let exit = root.and_then(|root| interval(&ray, root)).map_or(1.0, |[_, exit]| exit);
-    Some(ray.at(exit.clamp(1.0, f64::MAX)))
-}
-
 /// What lies in space, the farthest first.
 fn painted<const D: usize>(
     mut in_space: Vec<InSpace<D>>,
@@ -136,8 +127,6 @@ const HINT: f64 = -f64::MAX / 4.0;
 const FINE: f64 = 12.0;
 /// Planes of less than this length, in page units, bear no letter.
 const LEGIBLE: f64 = 36.0;
-/// Length of the head of an arrow, in page units.
-const HEAD: f64 = 14.0;
 /// Place of areas on which everything else lies.
 const GROUND: f64 = -f64::MAX / 2.0;
 
@@ -298,115 +287,6 @@ impl<const D: usize> Canvas<'_, D> {
         let corners: Vec<_> =
             corners(bounds).filter_map(|c| self.camera.project(self.page, c)).collect();
         [0, 2, 3, 1].into_iter().filter_map(|i| corners.get(i)).map(|p| p.at).collect()
-    }
-
-    /// Edges behind, sides that face the eye, and their edges.
-    fn draw_box(&mut self, mark: &Mark<D>, bounds: &Aabb<D>) {
-        let ends: Vec<[f64; D]> = corners(bounds).collect();
-        let seen = sides_to_eye(self.camera, self.page, bounds);
-        let bit = |axis: usize| 1usize << (D - 1 - axis);
-        let in_sight = |corner: usize, axis: usize| {
-            seen.iter().any(|s| s.axis != axis && (corner & bit(s.axis) != 0) == s.is_upper)
-        };
-        let (mut behind, mut front) = (Vec::new(), Vec::new());
-        if Style::of(Theme::Light, mark.role).fill.is_some() {
-            for side in &seen {
-                let polygon = side.polygon.iter().map(|p| p.at).collect();
-                front.push((Part::Face(side.axis), Form::Polygon(polygon)));
-            }
-        }
-        for axis in 0..D {
-            for corner in (0..1 << D).filter(|corner| corner & bit(axis) == 0) {
-                let segment = [ends[corner], ends[corner | bit(axis)]];
-                if let Some(line) = self.camera.project_segment(self.page, segment) {
-                    let line = line.map(|p| p.at);
-                    let form = Form::Polyline(line.to_vec());
-                    if in_sight(corner, axis) {
-                        self.spared.push(line);
-                        front.push((Part::Edge, form));
-                    } else {
-                        behind.push((Part::HiddenEdge, form));
-                    }
-                }
-            }
-        }
-        let drawn = |(part, form)| Drawn { form, role: mark.role, part, node: mark.node };
-        let [behind, front] =
-            [behind, front].map(|parts| parts.into_iter().map(drawn).collect::<Vec<_>>());
-        if is_apart(mark.role) {
-            let order = self.order_apart(bounds);
-            self.drawn.extend(behind.into_iter().chain(front).map(|drawn| (order, drawn)));
-            self.name_apart(mark, order, &seen);
-        } else if is_hint(mark.role) {
-            let hint = behind.into_iter().chain(front).map(|drawn| (HINT, drawn));
-            self.drawn.extend(hint);
-        } else if is_above(mark.role) {
-            let order = above_space(mark.role);
-            self.drawn.extend(behind.into_iter().chain(front).map(|drawn| (order, drawn)));
-        } else {
-            self.in_space.push(InSpace { bounds: *bounds, behind, front });
-        }
-    }
-
-    fn draw_plane(&mut self, mark: &Mark<D>, axis: usize, bounds: &Aabb<D>) {
-        let corners: Vec<[f64; D]> = corners(bounds).collect();
-        let upper = 1usize << (D - 1 - axis);
-        let own: Vec<[f64; D]> = (0..1 << D)
-            .filter(|corner| corner & upper == 0)
-            .map(|corner| corners[corner])
-            .collect();
-        if let [from, to] = own[..] {
-            if let Some(line) = self.camera.project_segment(self.page, [from, to]) {
-                let line = Form::Polyline(line.map(|p| p.at).to_vec());
-                self.push(mark, *bounds, Part::Edge, line);
-            }
-        } else if let [a, b, c, d] = own[..] {
-            let polygon: Vec<_> = [a, b, d, c]
-                .into_iter()
-                .filter_map(|p| self.camera.project(self.page, p))
-                .map(|p| p.at)
-                .collect();
-            self.push(mark, *bounds, Part::Whole, Form::Polygon(polygon));
-        }
-    }
-
-    /// The ray, so long that its head lies beyond the last point on it.
-    fn past_last(&self, [from, to]: [[f64; D]; 2]) -> [[f64; D]; 2] {
-        const ROOM: f64 = 8.0;
-        const MOST: f64 = 8.0;
-        let Some(last) = self.last else { return [from, to] };
-        let longer = |by: f64| std::array::from_fn(|e| last[e] + by * (to[e] - last[e]));
-        let reach = |end: [f64; D]| {
-            let [last, end] = [last, end].map(|place| self.camera.project(self.page, place));
-            Some(distance(last?.at, end?.at))
-        };
-        let mut by = 1.0;
-        while by < MOST && reach(longer(by)).is_some_and(|reach| reach < HEAD + ROOM) {
-            by *= 1.25;
-        }
-        [from, longer(by)]
-    }
-
-    fn draw_arrow(&mut self, mark: &Mark<D>, ends: [[f64; D]; 2], [from, to]: [[f64; 2]; 2]) {
-        const HALF_WIDTH: f64 = 5.0;
-        let length = distance(from, to);
-        if length < 1e-9 {
-            return;
-        }
-        self.spared.push([from, to]);
-        let along: [f64; 2] = std::array::from_fn(|e| (to[e] - from[e]) / length);
-        let across = [-along[1], along[0]];
-        let neck: [f64; 2] = std::array::from_fn(|e| to[e] - HEAD.min(length) * along[e]);
-        let wing = |side: f64| std::array::from_fn(|e| neck[e] + side * HALF_WIDTH * across[e]);
-        let drawn = |part, form| Drawn { form, role: mark.role, part, node: mark.node };
-        let line = drawn(Part::Edge, Form::Polyline(vec![from, neck]));
-        let head = drawn(Part::Head, Form::Polygon(vec![to, wing(1.0), wing(-1.0)]));
-        if D == 3 && mark.role == Role::Ray && !self.is_apart {
-            self.arrows.push(Arrow { ends, shaft: [from, neck], line, head });
-        } else {
-            let order = above_space(mark.role);
-            self.drawn.extend([(order, line), (order, head)]);
-        }
     }
 
     /// Draws a form of a mark that lies in `bounds`.

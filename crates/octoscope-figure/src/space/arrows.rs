@@ -1,0 +1,67 @@
+//! Arrows of a scene, and how far that of the ray reaches.
+
+use super::{Canvas, above_space, distance};
+use crate::marks::interval;
+use crate::parts::Arrow;
+use crate::{Drawn, Form, Mark, Part, Role};
+use octoscope_core::geometry::{Aabb, Ray};
+
+/// Length of the head of an arrow, in page units.
+const HEAD: f64 = 14.0;
+
+impl<const D: usize> Canvas<'_, D> {
+    /// The ray, so long that its head lies beyond the last point on it.
+    pub(super) fn past_last(&self, [from, to]: [[f64; D]; 2]) -> [[f64; D]; 2] {
+        const ROOM: f64 = 8.0;
+        const MOST: f64 = 8.0;
+        let Some(last) = self.last else { return [from, to] };
+        let longer = |by: f64| std::array::from_fn(|e| last[e] + by * (to[e] - last[e]));
+        let reach = |end: [f64; D]| {
+            let [last, end] = [last, end].map(|place| self.camera.project(self.page, place));
+            Some(distance(last?.at, end?.at))
+        };
+        let mut by = 1.0;
+        while by < MOST && reach(longer(by)).is_some_and(|reach| reach < HEAD + ROOM) {
+            by *= 1.25;
+        }
+        [from, longer(by)]
+    }
+
+    /// Draws an arrow between two places, which lie on the page here.
+    pub(super) fn draw_arrow(
+        &mut self,
+        mark: &Mark<D>,
+        ends: [[f64; D]; 2],
+        [from, to]: [[f64; 2]; 2],
+    ) {
+        const HALF_WIDTH: f64 = 5.0;
+        let length = distance(from, to);
+        if length < 1e-9 {
+            return;
+        }
+        self.spared.push([from, to]);
+        let along: [f64; 2] = std::array::from_fn(|e| (to[e] - from[e]) / length);
+        let across = [-along[1], along[0]];
+        let neck: [f64; 2] = std::array::from_fn(|e| to[e] - HEAD.min(length) * along[e]);
+        let wing = |side: f64| std::array::from_fn(|e| neck[e] + side * HALF_WIDTH * across[e]);
+        let drawn = |part, form| Drawn { form, role: mark.role, part, node: mark.node };
+        let line = drawn(Part::Edge, Form::Polyline(vec![from, neck]));
+        let head = drawn(Part::Head, Form::Polygon(vec![to, wing(1.0), wing(-1.0)]));
+        if D == 3 && mark.role == Role::Ray && !self.is_apart {
+            self.arrows.push(Arrow { ends, shaft: [from, neck], line, head });
+        } else {
+            let order = above_space(mark.role);
+            self.drawn.extend([(order, line), (order, head)]);
+        }
+    }
+}
+
+/// Where a ray has its tip or leaves the root, whichever is later.
+pub(super) fn last_point<const D: usize>(
+    [from, tip]: [[f64; D]; 2],
+    root: Option<&Aabb<D>>,
+) -> Option<[f64; D]> {
+    let ray = Ray::new(from, std::array::from_fn(|e| tip[e] - from[e])).ok()?;
+    let exit = root.and_then(|root| interval(&ray, root)).map_or(1.0, |[_, exit]| exit);
+    Some(ray.at(exit.clamp(1.0, f64::MAX)))
+}

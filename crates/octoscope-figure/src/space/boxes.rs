@@ -1,0 +1,80 @@
+//! Boxes and planes in space.
+
+use super::{Canvas, HINT, InSpace, above_space, is_above, is_apart, is_hint};
+use crate::camera::corners;
+use crate::sides::sides_to_eye;
+use crate::{Drawn, Form, Mark, Part, Style, Theme};
+use octoscope_core::geometry::Aabb;
+
+impl<const D: usize> Canvas<'_, D> {
+    /// Edges behind, sides that face the eye, and their edges.
+    pub(super) fn draw_box(&mut self, mark: &Mark<D>, bounds: &Aabb<D>) {
+        let ends: Vec<[f64; D]> = corners(bounds).collect();
+        let seen = sides_to_eye(self.camera, self.page, bounds);
+        let bit = |axis: usize| 1usize << (D - 1 - axis);
+        let in_sight = |corner: usize, axis: usize| {
+            seen.iter().any(|s| s.axis != axis && (corner & bit(s.axis) != 0) == s.is_upper)
+        };
+        let (mut behind, mut front) = (Vec::new(), Vec::new());
+        if Style::of(Theme::Light, mark.role).fill.is_some() {
+            for side in &seen {
+                let polygon = side.polygon.iter().map(|p| p.at).collect();
+                front.push((Part::Face(side.axis), Form::Polygon(polygon)));
+            }
+        }
+        for axis in 0..D {
+            for corner in (0..1 << D).filter(|corner| corner & bit(axis) == 0) {
+                let segment = [ends[corner], ends[corner | bit(axis)]];
+                if let Some(line) = self.camera.project_segment(self.page, segment) {
+                    let line = line.map(|p| p.at);
+                    let form = Form::Polyline(line.to_vec());
+                    if in_sight(corner, axis) {
+                        self.spared.push(line);
+                        front.push((Part::Edge, form));
+                    } else {
+                        behind.push((Part::HiddenEdge, form));
+                    }
+                }
+            }
+        }
+        let drawn = |(part, form)| Drawn { form, role: mark.role, part, node: mark.node };
+        let [behind, front] =
+            [behind, front].map(|parts| parts.into_iter().map(drawn).collect::<Vec<_>>());
+        if is_apart(mark.role) {
+            let order = self.order_apart(bounds);
+            self.drawn.extend(behind.into_iter().chain(front).map(|drawn| (order, drawn)));
+            self.name_apart(mark, order, &seen);
+        } else if is_hint(mark.role) {
+            let hint = behind.into_iter().chain(front).map(|drawn| (HINT, drawn));
+            self.drawn.extend(hint);
+        } else if is_above(mark.role) {
+            let order = above_space(mark.role);
+            self.drawn.extend(behind.into_iter().chain(front).map(|drawn| (order, drawn)));
+        } else {
+            self.in_space.push(InSpace { bounds: *bounds, behind, front });
+        }
+    }
+
+    /// A side of a box, or a plane through it.
+    pub(super) fn draw_plane(&mut self, mark: &Mark<D>, axis: usize, bounds: &Aabb<D>) {
+        let corners: Vec<[f64; D]> = corners(bounds).collect();
+        let upper = 1usize << (D - 1 - axis);
+        let own: Vec<[f64; D]> = (0..1 << D)
+            .filter(|corner| corner & upper == 0)
+            .map(|corner| corners[corner])
+            .collect();
+        if let [from, to] = own[..] {
+            if let Some(line) = self.camera.project_segment(self.page, [from, to]) {
+                let line = Form::Polyline(line.map(|p| p.at).to_vec());
+                self.push(mark, *bounds, Part::Edge, line);
+            }
+        } else if let [a, b, c, d] = own[..] {
+            let polygon: Vec<_> = [a, b, d, c]
+                .into_iter()
+                .filter_map(|p| self.camera.project(self.page, p))
+                .map(|p| p.at)
+                .collect();
+            self.push(mark, *bounds, Part::Whole, Form::Polygon(polygon));
+        }
+    }
+}
