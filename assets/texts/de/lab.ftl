@@ -43,6 +43,7 @@ lab-best = bester { $value }
 lab-scenes-note = Tiefe { $depth }. Balken in Einheiten des besten, dessen Wert oben steht ({ $unit }); ein spitzer Balken geht weiter.
 lab-growth-note = { $scene }. Hinter jedem Namen der Exponent e von Aufwand ~ Größe^e, nach kleinsten Quadraten der Logarithmen.
 lab-nothing = Es ist noch nichts gemessen: links auswählen und „Messen“ drücken.
+lab-uncounted = Diese Zahl gibt es hier nicht.
 lab-no-algorithm = Ein Verfahren wählen, um ihm auf dem Strahl zuzusehen.
 lab-one-depth = Wie der Aufwand wächst, zeigen erst Messungen in zwei oder mehr Tiefen.
 lab-statement = Aussage

@@ -43,6 +43,7 @@ lab-best = best { $value }
 lab-scenes-note = Depth { $depth }. Bars in units of the best, whose value stands at the head ({ $unit }); a pointed bar goes on.
 lab-growth-note = { $scene }. Behind each name the exponent e of cost ~ size^e, by least squares of the logarithms.
 lab-nothing = Nothing is measured yet: choose at the left, and press Measure.
+lab-uncounted = There is no such number here.
 lab-no-algorithm = Choose an algorithm to watch it on the ray.
 lab-one-depth = Measure at two depths or more to see how costs grow.
 lab-statement = statement

@@ -90,6 +90,25 @@ fn charts_have_room_for_everything_in_both_languages() {
 }
 
 #[test]
+fn what_is_not_counted_is_said_to_be_missing() {
+    let mut kernels = results(5..=6);
+    for row in kernels.sites.iter_mut().flat_map(|site| &mut site.rows) {
+        row.way = Way::KERNELS[0];
+    }
+    let (texts, cost) = (texts(Language::English), Quantity::Steps);
+    let of = Growth { scene: "cloud", size: Quantity::Cells, cost };
+    let growth = growth_chart(&kernels, of, &texts, [760.0, 460.0]);
+    for chart in [scenes_chart(&kernels, cost, 6, &texts, 620.0), growth] {
+        let says_so = |drawn: &octoscope_figure::Drawn| match &drawn.form {
+            Form::Text { text, .. } => text.plain() == "There is no such number here.",
+            Form::Polygon(_) | Form::Polyline(_) | Form::Circle { .. } => false,
+            Form::Formula { .. } => false,
+        };
+        assert!(chart.drawn.iter().any(says_so));
+    }
+}
+
+#[test]
 fn everything_in_charts_has_a_name_in_both_languages() {
     for language in Language::ALL {
         let texts = texts(language);

@@ -48,7 +48,11 @@ pub fn growth_chart(
         .collect();
     all.retain(|series| series.points.len() > 1);
     if all.is_empty() {
-        let key = if results.sites.is_empty() { "lab-nothing" } else { "lab-one-depth" };
+        let key = match results.depths().len() {
+            0 => "lab-nothing",
+            1 => "lab-one-depth",
+            _ => "lab-uncounted",
+        };
         sheet.text(Role::Words, [0.0, 10.0], Anchor::Start, texts.get(key));
         return sheet.figure([width, 20.0]);
     }

@@ -28,8 +28,9 @@ pub fn scenes_chart(
     let mut sheet = Sheet::default();
     let sites: Vec<&Site> = results.sites.iter().filter(|site| site.depth == depth).collect();
     if sites.is_empty() {
-        sheet.text(Role::Words, [0.0, 10.0], Anchor::Start, texts.get("lab-nothing"));
-        return sheet.figure([width, 20.0]);
+        let nothing = texts.get("lab-nothing");
+        let bottom = sheet.paragraph(Role::Words, [0.0, 0.0], width, &nothing.into());
+        return sheet.figure([width, bottom]);
     }
     let title = texts.get(&format!("lab-quantity-{}", quantity.id()));
     sheet.text(Role::Heading, [0.0, 9.0], Anchor::Start, title);
@@ -65,7 +66,7 @@ fn panel(
         site.rows.iter().map(|row| way_name(row.way, texts).into()).collect();
     let names_wide = names.iter().map(|name| metrics::width(Role::Note, name)).fold(0.0, f64::max);
     let Some(best) = site.least(quantity) else {
-        sheet.text(Role::Words, [x, y + 10.0], Anchor::Start, texts.get("lab-nothing"));
+        sheet.text(Role::Words, [x, y + 10.0], Anchor::Start, texts.get("lab-uncounted"));
         return 20.0;
     };
     let value = short(in_unit(quantity, best));
