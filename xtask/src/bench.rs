@@ -7,8 +7,9 @@ use std::fs;
 use std::process::Command;
 
 /// What is measured: the name of the bench and the title of its part.
-const BENCHES: [(&str, &str); 3] = [
+const BENCHES: [(&str, &str); 4] = [
     ("kernels", "Traversals"),
+    ("threads", "Several threads"),
     ("building", "Building"),
     ("exactness", "Exact comparisons against doubles"),
 ];
