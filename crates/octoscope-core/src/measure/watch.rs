@@ -81,8 +81,28 @@ impl<const D: usize> Observer<D> for Both<'_, D> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::measure::count;
     use crate::progress::Progress;
-    use crate::tree::{Domain, Split, grow};
+    use crate::scene::made;
+    use crate::tree::{Domain, Recipe, Split, build, grow};
+
+    #[test]
+    fn one_ray_costs_what_is_counted_of_many() {
+        let recipe = Recipe { depth: 6, ..Recipe::default() };
+        let cloud = made::cloud::<3>(1, 100);
+        let tree = build(&cloud, Domain::unit(6), &recipe, &Progress::default()).unwrap();
+        let ray = Ray::new([-0.5, 0.21, 0.4], [1.0, 0.13, 0.07]).unwrap();
+        for watched in watch(&tree, &ray, &Algorithm::ALL) {
+            let query = Query::default().along_the_ray_by(watched.algorithm.into());
+            let counted = count(&tree, &[ray], &query, &Progress::default()).unwrap();
+            let n_misses = watched.reads.iter().filter(|read| !read.is_cached).count();
+            let lines = [watched.reads.len() as u64, watched.n_lines, n_misses as u64];
+            let branches = [watched.branches.len() as u64, watched.n_wrong()];
+            let both = (counted.lines, counted.branches);
+            assert_eq!((lines, branches), both, "{:?}", watched.algorithm);
+            assert!(!watched.is_cut);
+        }
+    }
 
     #[test]
     fn every_algorithm_can_be_watched_and_long_runs_are_cut() {
