@@ -77,6 +77,9 @@ first-many = { $comparisons }, also sind die Bits von { $axes } 1: Der Strahl { 
    *[no] { " " }ein
 }, im Zustand { $state }.
 first-printed = Nach der gedruckten Regel, { $rule }, tritt der Strahl im Zustand { $state } ein.
+selection-printed = Nach der gedruckten Regel, { $rule }, werden die Kinder besucht, die zu { $states } gehören.
+states-one = Zustand { $states }
+states-many = den Zuständen { $states }
 first-none = { $comparisons }, also ist kein Bit 1: Der Strahl { $inside ->
     [yes] beginnt
    *[no] tritt
@@ -145,6 +148,7 @@ bit-of = { $value } in { $axis }
 exits-one = Das Blatt wird durch die Ebene { $planes } verlassen: { $exits }.
 exits-many = Das Blatt wird durch die Ebenen { $planes } zugleich verlassen: { $exits }.
 target = Dahinter, entlang { $axes }, sind die Codes { $to } statt { $from }.
+target-printed = Nach der gedruckten Regel, { $rule }, sind die Codes dahinter, entlang { $axes }, { $to }.
 border-inside = Diese Codes liegen im Gebiet; dahinter ist also eine Zelle.
 border-outside = Entlang { $axes } liegt der Code außerhalb des Gebiets; dahinter ist also keine Zelle.
 border-point-outside = Entlang { $axes } liegt der Punkt außerhalb des Gebiets; dahinter ist also keine Zelle.

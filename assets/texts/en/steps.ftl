@@ -71,6 +71,9 @@ first-many = { $comparisons }, so the { $axes } bits are 1: the ray { $inside ->
    *[no] enters
 } in the upper halves of { $axes }, in state { $state }.
 first-printed = By the printed rule, { $rule }, the ray enters in state { $state }.
+selection-printed = By the printed rule, { $rule }, the children visited are those of { $states }.
+states-one = state { $states }
+states-many = states { $states }
 first-none = { $comparisons }, so no bit is 1: the ray { $inside ->
     [yes] starts
    *[no] enters
@@ -136,6 +139,7 @@ bit-of = { $value } in { $axis }
 exits-one = The leaf is left through the plane { $planes }: { $exits }.
 exits-many = The leaf is left through the planes { $planes } at once: { $exits }.
 target = Beyond it along { $axes }, the codes are { $to } instead of { $from }.
+target-printed = By the printed rule, { $rule }, the codes beyond it along { $axes } are { $to }.
 border-inside = These codes lie inside the domain, so there is a cell beyond.
 border-outside = Along { $axes } the code lies outside the domain, so there is no cell beyond.
 border-point-outside = Along { $axes } the point lies outside the domain, so there is no cell beyond.

@@ -1,12 +1,12 @@
 //! Sentences on steps that follow a misprinted rule.
 
 use super::rich::strong;
-use super::words::{Words, approx};
+use super::words::{Words, approx, grid_place};
 use crate::event::Event;
 use crate::geometry::Axes;
 use crate::query::Query;
-use crate::trace::{Moment, Trace};
-use crate::traverse::Algorithm;
+use crate::trace::{Extent, Moment, Trace};
+use crate::traverse::{Algorithm, selection};
 use crate::tree::{Child, Code, NodeId};
 use crate::variant::Variant::{
     self, B1, B2, B2Morton, B3, B4, B5, B6, B7, B9, B10, B11, B18, B19, B21, B24a, B24b, B24c,
@@ -85,7 +85,7 @@ impl<const D: usize> Printed<'_, D> {
                 let grid_size = self.words.tree.domain().grid_size();
                 if code.contains(&grid_size) { self.after(&[&[B21]]) } else { None }
             }
-            Event::Target { .. } => self.after(&[&[B28]]),
+            Event::Target { to, axes, .. } => self.target(to, axes),
             Event::Test { .. }
             | Event::Sort { .. }
             | Event::Visit { .. }
@@ -154,8 +154,22 @@ impl<const D: usize> Printed<'_, D> {
         let clamps = matches!(self.query, Query::Ray { algorithm: Algorithm::Parametric, .. });
         let of_entry: &[Variant] = if clamps && entry < 0.0 { &[B9, B10] } else { &[] };
         let rule = self.at_work(&[of_children, of_entry].concat())?;
+        if let Some(states) = self.selected() {
+            return self.instead("selection-printed", &[("states", states), ("rule", rule)]);
+        }
         let state = strong(&state.0.to_string());
         self.instead("first-printed", &[("state", state), ("rule", rule)])
+    }
+
+    /// "states 0, 1 and 3": what the selection of the plane comes to as it is printed, if
+    /// it is at work.
+    fn selected(&self) -> Option<String> {
+        let frame = self.before.frame().filter(|_| D == 2 && self.variants.has(B3))?;
+        let Extent::Planes { near, far } = frame.extent else { return None };
+        let states = selection(near, frame.mid?, far);
+        let key = if states.len() == 1 { "states-one" } else { "states-many" };
+        let states = self.words.list(states.iter().map(|state| strong(&state.0.to_string())));
+        Some(self.words.say(key, &[("states", states)]))
     }
 
     /// No branch of the selection as printed is for equal parameters.
@@ -193,6 +207,12 @@ impl<const D: usize> Printed<'_, D> {
         let bit = highest.filter(|bit| bit + 1 != u32::from(level))?;
         let (bit, level) = (strong(&bit.to_string()), strong(&level.to_string()));
         self.instead("difference-printed", &[("bit", bit), ("level", level), ("rule", rule)])
+    }
+
+    fn target(&self, to: [i64; D], axes: Axes<D>) -> Option<Told> {
+        let rule = self.at_work(&[B28])?;
+        let arguments = [("axes", self.words.axes(axes)), ("to", grid_place(to)), ("rule", rule)];
+        self.instead("target-printed", &arguments)
     }
 
     fn follow(&self, level: u8, child: Child<D>, node: NodeId) -> Option<Told> {

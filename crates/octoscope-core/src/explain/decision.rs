@@ -195,7 +195,9 @@ impl<const D: usize> Teller<'_, D> {
         next: Option<Child<D>>,
     ) -> String {
         let words = self.words;
-        let name = if self.mask().is_empty() { "child" } else { "state" };
+        let variants = self.trace.query.variants_at_work();
+        let is_child = self.mask().is_empty() && !variants.has(Variant::B2Morton);
+        let name = if is_child { "child" } else { "state" };
         let child = words.say(name, &[("state", state.0.to_string())]);
         let mut arguments = vec![
             ("child", child),

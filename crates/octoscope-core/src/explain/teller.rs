@@ -3,7 +3,8 @@
 use super::as_printed::with_printed_rules;
 use super::rich::{on_axis, strong};
 use super::words::{
-    Decided, Words, approx, chain, coordinate, distinct, equation, point, signs, t, tuple,
+    Decided, Words, approx, chain, coordinate, distinct, equation, grid_place, point, signs, t,
+    tuple,
 };
 use crate::event::{End, Event};
 use crate::geometry::{AXIS_NAMES, Axes, Ray};
@@ -269,7 +270,7 @@ impl<const D: usize> Teller<'_, D> {
                 "target",
                 &[
                     ("axes", words.axes(axes)),
-                    ("to", tuple(to.map(|c| c.to_string().replace('-', "−")))),
+                    ("to", grid_place(to)),
                     ("from", tuple(from.map(|c| c.to_string()))),
                 ],
             ),

@@ -89,6 +89,11 @@ pub(super) fn tuple<const D: usize>(parts: [String; D]) -> String {
     format!("({})", parts.join(", "))
 }
 
+/// Codes of a place that may lie outside the domain, where one may be −1.
+pub(super) fn grid_place<const D: usize>(codes: [i64; D]) -> String {
+    tuple(codes.map(|c| c.to_string().replace('-', "−")))
+}
+
 /// A direction to a neighbour, with its signs: (+1, 0, −1).
 pub(super) fn signs<const D: usize>(direction: [i8; D]) -> String {
     tuple(direction.map(|s| match s {

@@ -38,14 +38,14 @@ pub fn counterexample(variant: Variant) -> AnyScenario {
         }),
         Variant::B9 => Octree(rays([0.625, 0.75, 0.875], [1.0; 3], along(Algorithm::Parametric))),
         Variant::B10 => Octree(rays([2.0; 3], [1.0; 3], along(table))),
-        Variant::B11 => Quadtree(rays([1.0, -1.0], [0.0, 1.0], along(table))),
+        Variant::B11 => Quadtree(rays([-0.5, 0.5], [1.0; 2], along(table))),
         Variant::B18 | Variant::B19 => Quadtree(asked(2, [1, 1], point([0.375; 2], variants))),
         Variant::B21 => Quadtree(asked(1, [1, 1], point([1.0, 0.25], variants))),
         Variant::B24a | Variant::B24c => {
-            Quadtree(asked(4, [5, 9], region([[5.0, 9.0], [6.0, 10.0]], variants)))
+            Quadtree(asked(4, [5, 9], region([[5.5, 9.5], [6.5, 10.5]], variants)))
         }
         // The corners differ along x alone.
-        Variant::B24b => Quadtree(asked(4, [5, 9], region([[5.0, 9.0], [6.0, 9.0]], variants))),
+        Variant::B24b => Quadtree(asked(4, [5, 9], region([[5.5, 9.25], [6.5, 9.75]], variants))),
         Variant::B25Leftmost | Variant::B25Rightmost => {
             Quadtree(asked(2, [1, 1], neighbour([0, 0], [1, 0], variants)))
         }

@@ -67,13 +67,17 @@ fn of_ray<const D: usize>(
         (results(&record(tree, ray, &oracle).events), results(&trace.events));
     let corrected = corrected(tree, ray, &trace.query);
 
-    // What the misprint does not change is right, slivers included. Else the run may
-    // stop at a full leaf, but at none that is not on the ray at all.
-    let slivers = Slivers::Ignore;
+    // What the misprint does not change is right, slivers included; where the right
+    // rules come to exactly what is expected, any other leaf is due to the misprint. The
+    // run may stop at a full leaf, but at none that is not on the ray at all.
+    let difference_of = |found: &[NodeId], slivers| {
+        first_difference_of_run(tree, ray, options, &expected, found, slivers)
+    };
+    let is_exact = difference_of(&results(&corrected), Slivers::Count).is_none();
+    let slivers = if is_exact { Slivers::Count } else { Slivers::Ignore };
     let stopped_beside = trace.outcome.end == End::FirstFull
         && found.last().is_some_and(|leaf| !expected.contains(leaf));
-    let difference = first_difference_of_run(tree, ray, options, &expected, &found, slivers);
-    let wrong = difference.map(|difference| difference.found);
+    let wrong = difference_of(&found, slivers).map(|difference| difference.found);
     let wrong = wrong.or_else(|| stopped_beside.then(|| found.last().copied()));
     let wrong = wrong.filter(|_| results(&corrected) != found);
     let first_wrong_step =

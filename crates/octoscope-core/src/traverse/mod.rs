@@ -40,5 +40,6 @@ pub(crate) use clip::slabs;
 pub use clip::{Clip, clip};
 pub(crate) use hero::sorted;
 pub(crate) use misprint::{Base, traverse as traverse_mirrored};
+pub(crate) use misprinted_rules::selection;
 pub use parametric_table::{TABLE_1, TABLE_2, TABLE_3, entry_axes, transition};
 pub use variant::{UnknownVariant, Variant, Variants};

@@ -112,7 +112,7 @@ impl<const D: usize> Writer<'_, D> {
         xor: Code<D>,
         level: u8,
     ) -> Vec<Statement> {
-        let width = self.width();
+        let width = self.difference_width();
         let sign = self.notation.xor();
         let delta = self.notation.difference();
         let is_region = self.before.corners.is_some();
@@ -138,6 +138,12 @@ impl<const D: usize> Writer<'_, D> {
         all
     }
 
+    /// Digits of a difference: as many as levels lie below the root, and for who looks at
+    /// the leftmost one, that of the root.
+    fn difference_width(&self) -> u8 {
+        self.width() + u8::from(self.has(Variant::B25Leftmost))
+    }
+
     /// l = 1 + ⌊log₂ (Δ_x ∨ Δ_y)⌋, or as it is printed.
     fn level_of(&self, xor: Code<D>, level: u8) -> Statement {
         let k = self.notation.level();
@@ -146,7 +152,7 @@ impl<const D: usize> Writer<'_, D> {
         let sign = if both { self.notation.and() } else { self.notation.or() };
         let joined = xor.into_iter().reduce(|a, b| if both { a & b } else { a | b }).unwrap_or(0);
         let all = || Formula::separated((0..D).map(|e| Formula::on(e, delta, "")), sign);
-        let bits = binary(joined, self.width());
+        let bits = binary(joined, self.difference_width());
         let climbs = [
             (Variant::B25Leftmost, "formula-leftmost"),
             (Variant::B25Rightmost, "formula-rightmost"),

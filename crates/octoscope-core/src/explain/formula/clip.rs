@@ -45,6 +45,17 @@ impl<const D: usize> Writer<'_, D> {
         })
     }
 
+    /// 0 by 0, along an axis without motion, of which B-5 knows no better.
+    fn no_number(&self, axis: usize, index: &str) -> Statement {
+        let domain = self.tree.domain();
+        let plane = domain.plane(axis, if index == "0" { 0 } else { domain.grid_size() });
+        let [symbols, numbers] = self.quotient(axis, index, plane);
+        Statement {
+            symbols: row![self.t_of_node(axis, index), Sign::Equal, symbols],
+            numbers: Some(row![numbers, Sign::Equal, number(f64::NAN)]),
+        }
+    }
+
     pub(super) fn clip(
         &self,
         near: [f64; D],
@@ -55,6 +66,9 @@ impl<const D: usize> Writer<'_, D> {
         let turned = (0..D).filter(|&e| self.is_mirrored() && self.ray.direction()[e] < 0.0);
         let mut all: Vec<Statement> = turned.map(|axis| self.mirrored(axis)).collect();
         let [first, last] = if self.has(Variant::B1) { ["min", "max"] } else { ["max", "min"] };
+        for (index, planes) in [("0", near), ("1", far)] {
+            all.extend((0..D).filter(|&e| planes[e].is_nan()).map(|e| self.no_number(e, index)));
+        }
         all.extend(self.entry(near, enter));
         all.push(self.limit(["min", "0"], first, near, enter));
         all.push(self.limit(["max", "1"], last, far, exit));
