@@ -5,8 +5,8 @@ use crate::look::Look;
 use crate::shortcut;
 use crate::widgets::tick;
 use eframe::egui::{
-    Align, Button, Layout, MenuBar, RichText, ScrollArea, Sense, Shape, Stroke, Ui, WidgetInfo,
-    accesskit::Role, vec2,
+    Align, Atom, Atoms, Button, Layout, MenuBar, RichText, ScrollArea, Sense, Shape, Stroke, Ui,
+    WidgetInfo, accesskit::Role, vec2,
 };
 use octoscope_core::text::Language;
 
@@ -101,11 +101,13 @@ fn rows(
                 ui.add_enabled(entry == Entry::Enabled, button)
             }
             Entry::On | Entry::Off => {
-                let response = tick(ui, look, &mut (entry == Entry::On), name);
-                match row.keys.first() {
-                    Some(key) => response.on_hover_text(shortcut::shown(look, key)),
-                    None => response,
+                let mut row_of = Atoms::new(name);
+                if let Some(key) = row.keys.first() {
+                    let key = RichText::new(shortcut::shown(look, key)).weak();
+                    row_of.push_right(Atom::grow());
+                    row_of.push_right(key);
                 }
+                tick(ui, look, &mut (entry == Entry::On), row_of)
             }
         };
         if response.clicked() {
