@@ -1,5 +1,6 @@
 //! What the rail shows: the parameters that the algorithm knows at a moment.
 
+use octoscope_core::explain::distinct;
 use octoscope_core::geometry::Ray;
 use octoscope_core::trace::{HalvingPlane, Moment};
 use octoscope_core::tree::{Code, NodeId, Tree};
@@ -128,6 +129,20 @@ impl<const D: usize> Rail<D> {
         all.chain(halving.map(|plane| (plane.at, "m"))).collect()
     }
 
+    /// A parameter in as few digits as tell it from those next to it.
+    pub fn told(&self, t: f64) -> String {
+        let stops = (0..D).flat_map(|axis| self.stops(axis)).map(|(t, _)| t);
+        let [mut below, mut above] = [f64::NEG_INFINITY, f64::INFINITY];
+        for other in stops.chain(self.interval) {
+            if other < t {
+                below = below.max(other);
+            } else if other > t {
+                above = above.min(other);
+            }
+        }
+        distinct(&[below, t, above]).swap_remove(1)
+    }
+
     /// Range of t that is shown: all finite parameters, with a margin. Where all
     /// begins at once, in an interval, planes far outside would leave no room for
     /// it: they are left out, and lie beyond the ends.
@@ -175,6 +190,15 @@ mod tests {
         for reach in [1e308, f64::MAX] {
             assert!(slab(-reach, reach).range().iter().all(|t| t.is_finite()));
         }
+    }
+
+    #[test]
+    fn parameters_that_are_almost_the_same_do_not_look_the_same() {
+        let rail = slab(0.9999997, 1.000001);
+        assert_eq!([rail.told(0.9999997), rail.told(1.000001)], ["0.9999997", "1.000001"]);
+        let rail = Rail { mid: Some([1.0 / 3.0, f64::INFINITY]), ..slab(0.0, 1.0) };
+        assert_eq!(rail.told(1.0 / 3.0), "0.3333");
+        assert_eq!([rail.told(f64::INFINITY), rail.told(f64::NAN)], ["∞", "NaN"]);
     }
 
     #[test]

@@ -5,7 +5,7 @@ use super::sheet::Sheet;
 use super::subject::Subject;
 use super::words::{joined, on_axis, parameter};
 use crate::{Anchor, Figure, Form, Part, Role, metrics};
-use octoscope_core::explain::{RichText, approx};
+use octoscope_core::explain::RichText;
 use octoscope_core::geometry::{AXIS_NAMES, Ray};
 use octoscope_core::text::Texts;
 use octoscope_core::trace::Moment;
@@ -200,7 +200,7 @@ impl<const D: usize> Drawing<'_, D> {
     fn label(&self, axis: usize, t: f64, plane: &str, with_value: bool) -> Label {
         let is_odd = !t.is_finite() || t == 0.0 && t.is_sign_negative();
         let x = if t.is_nan() { 0.5 * (self.track[0] + self.track[1]) } else { self.x_of(t) };
-        let value = if with_value { format!(" {}", approx(t)) } else { String::new() };
+        let value = if with_value { format!(" {}", self.rail.told(t)) } else { String::new() };
         let text = joined([parameter(axis, plane), value.into()]);
         let width = metrics::width_of_least(Role::Words, &text, self.least);
         Label { at: [x - 0.5 * width, 0.0], width, text, is_odd }
@@ -243,7 +243,9 @@ impl<const D: usize> Drawing<'_, D> {
             .into_iter()
             .zip(ends)
             .filter(|(_, t)| t.is_finite())
-            .map(|(key, t)| (self.x_of(t), format!("{} {}", texts.get(key), approx(t)).into()))
+            .map(|(key, t)| {
+                (self.x_of(t), format!("{} {}", texts.get(key), self.rail.told(t)).into())
+            })
             .collect();
         let wanted = texts.iter().map(|(x, text)| {
             let width = metrics::width(Role::Note, text);
