@@ -107,7 +107,7 @@ impl App {
             Some(dialogs::Answer::Path(typed)) => self.take_path(&context, typed),
             Some(dialogs::Answer::Take(target)) => self.take(&context, target),
         }
-        let View { space, ray, .. } = self.view;
-        notice_line::ui(&context, &self.look, &mut self.notice, space, ray);
+        let View { space, ray, formulas, .. } = self.view;
+        notice_line::ui(&context, &self.look, &mut self.notice, space, ray, formulas);
     }
 }

@@ -10,16 +10,19 @@ const USUAL: [f32; 2] = [460.0, 64.0];
 /// Room between the line and the edges of the view.
 const BELOW: f32 = 44.0;
 const ABOVE: f32 = 12.0;
+const UNDER: f32 = 3.0;
 
 /// One line at the lower edge of the space view, which lies in `space`, that says
 /// what has happened; a click takes it away, and so does time. It is at the upper edge
-/// where it would lie on the ray, whose handles are at `ray`.
+/// where it would lie on the ray, whose handles are at `ray`. In a hall the view has no
+/// room for it: where there are formulas below the view, it is on these.
 pub fn ui(
     context: &Context,
     look: &Look,
     notice: &mut Notice,
     space: Option<Rect>,
     ray: Option<[Pos2; 2]>,
+    formulas: bool,
 ) {
     if notice.is_empty() {
         return;
@@ -35,12 +38,14 @@ pub fn ui(
     let size = known.map_or(USUAL.into(), |rect| rect.size());
     let [below, above] = places(space, size);
     let is_clear = |rect: &Rect| ray.is_none_or(|ray| !meets(rect, ray));
-    let place = [below, above].into_iter().find(is_clear).unwrap_or(below);
     // Above dialogs, which it may be about, and what is written into the corner of the view.
     let area = Area::new(id).order(Order::Tooltip);
-    let area = match place == below {
-        true => area.pivot(Align2::CENTER_BOTTOM).fixed_pos(below.center_bottom()),
-        false => area.pivot(Align2::CENTER_TOP).fixed_pos(above.center_top()),
+    let area = if look.is_for_hall() && formulas {
+        area.pivot(Align2::CENTER_TOP).fixed_pos(space.center_bottom() + vec2(0.0, UNDER))
+    } else if is_clear(&below) || !is_clear(&above) {
+        area.pivot(Align2::CENTER_BOTTOM).fixed_pos(below.center_bottom())
+    } else {
+        area.pivot(Align2::CENTER_TOP).fixed_pos(above.center_top())
     };
     let clicked = area.show(context, |ui| {
         ui.multiply_opacity(strength);
@@ -49,7 +54,7 @@ pub fn ui(
             ui.horizontal(|ui| {
                 let close = look.text("dialog-close");
                 ui.scope(|ui| {
-                    ui.set_max_width((space.width() - 140.0).clamp(160.0, 420.0));
+                    ui.set_max_width((space.width() - 90.0).clamp(160.0, 420.0));
                     ui.add(Label::new(notice.text()).wrap());
                 });
                 ui.button(close).clicked()
