@@ -8,11 +8,12 @@ use crate::map::Maps;
 use crate::notice::Notice;
 use crate::panels::{formula, query, ray, scene, show};
 use crate::space::{self, Layers, Space};
-use crate::view::{Preset, View};
+use crate::view::{PanelKind, Preset, View};
 use eframe::egui::{CentralPanel, Frame, Margin, Panel, Rangef, ScrollArea, Ui, UiBuilder};
 use octoscope_core::explain::formulas;
 use octoscope_core::query::Query;
 use octoscope_core::traverse::Variant;
+use octoscope_figure::views::FormulaRows;
 
 /// Windows of less than this, in points, have panels on one side only.
 const NARROW: f32 = 900.0;
@@ -66,6 +67,11 @@ pub fn ui<const D: usize>(
         });
     }
     let panels = view.panels(&document.scenario.query);
+    // The rail is low: there formulas have the whole width, and the picture is higher.
+    let across = lecture && panels == [PanelKind::Rail];
+    if across {
+        below(ui, look, document, view, FormulaRows::One);
+    }
     // In a narrow window there is one side for both; what was asked for comes first.
     let question_first = narrow && shown;
     let question_below = narrow && !lecture && view.question.is_none();
@@ -89,10 +95,8 @@ pub fn ui<const D: usize>(
             });
         });
     }
-    if view.formulas
-        && let Some(height) = formula::height(ui.available_height())
-    {
-        below(ui, look, document, view, height);
+    if !across {
+        below(ui, look, document, view, FormulaRows::Two);
     }
     let middle = Frame::new().fill(look.palette.background);
     CentralPanel::default().frame(middle).show(ui, |ui| {
@@ -101,14 +105,18 @@ pub fn ui<const D: usize>(
     scene.map(Wish::Scene).or(wish)
 }
 
-/// The formulas of the step, in as much room in every step.
+/// The formulas of the step, if they are shown: in as much room in every step.
 fn below<const D: usize>(
     ui: &mut Ui,
     look: &Look,
     document: &Document<D>,
     view: &View,
-    height: f32,
+    rows: FormulaRows,
 ) {
+    let Some(height) = formula::height(ui.available_height(), rows).filter(|_| view.formulas)
+    else {
+        return;
+    };
     let margin = Margin { left: 16, right: 16, top: 6, bottom: 6 };
     let frame = Frame::new().fill(look.palette.background).inner_margin(margin);
     let panel = Panel::bottom("formula").frame(frame).resizable(false).exact_size(height + 12.0);

@@ -7,17 +7,17 @@ use crate::widgets::paint_formula;
 use eframe::egui::{Rect, Sense, Ui, WidgetInfo, accesskit::Role, vec2};
 use octoscope_core::explain::{Notation, Statement, spoken};
 use octoscope_figure::Page;
-use octoscope_figure::views::{formula_figure, formula_height};
+use octoscope_figure::views::{FormulaRows, formula_figure, formula_height};
 
 /// Share of a low picture that formulas take at most.
-const SHARE: f32 = 0.26;
+const SHARE: f32 = 0.34;
 /// Below a picture that is lower than so many points there are none.
 const LEAST: f32 = 150.0;
 
 /// Height of formulas below a picture of this height without them: the same in every
 /// step, so that nothing moves; `None` where there is no room.
-pub fn height(picture: f32) -> Option<f32> {
-    (picture >= LEAST).then(|| (formula_height() as f32).min(SHARE * picture))
+pub fn height(picture: f32, rows: FormulaRows) -> Option<f32> {
+    (picture >= LEAST).then(|| (formula_height(rows) as f32).min(SHARE * picture))
 }
 
 /// Formulas of a step in all the room there is, in the largest type that fits.

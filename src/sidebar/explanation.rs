@@ -135,7 +135,11 @@ fn body<const D: usize>(
         PanelKind::Neighbour => neighbour::ui(ui, look, &tree, moment),
         PanelKind::Rail => {
             // A lecture has no other panel.
-            let row = if view.preset == Preset::Lecture { 76.0 } else { 40.0 };
+            let row = match (view.preset == Preset::Lecture, D) {
+                (true, 2) => 72.0,
+                (true, _) => 48.0,
+                (false, _) => 40.0,
+            };
             let pointed = t_rail::ui(ui, look, &trace, &document.shown(moment), row);
             if let Some(step) = pointed.step {
                 view.playback.playing = false;

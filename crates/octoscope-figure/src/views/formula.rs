@@ -8,14 +8,24 @@ use octoscope_core::explain::{Formula, Statement, formulas};
 
 /// Steps by which the type may become smaller to fit.
 const SMALLEST: u8 = 5;
-/// Distance of the two lines of a statement, against the first's type.
-const LEADING: f64 = 10.0;
-/// Distance of statements side by side, and of rows of them.
-const GAP: f64 = 28.0;
-const ROW_GAP: f64 = 14.0;
+/// Distances of what stands on a page, in page units.
+#[derive(Clone, Copy)]
+struct Spacing {
+    /// Of the two lines of a statement.
+    leading: f64,
+    /// Of statements side by side, in the largest type.
+    gap: f64,
+    /// Of rows of them.
+    row_gap: f64,
+}
+
+const WIDE: Spacing = Spacing { leading: 10.0, gap: 28.0, row_gap: 14.0 };
+/// Where type would have to be smaller otherwise.
+const TIGHT: Spacing = Spacing { leading: 4.0, gap: 12.0, row_gap: 8.0 };
 
 /// Statements side by side on a page of at most this size, in the largest type that
-/// fits, symbols above numbers. The page is as high as what is on it. No type is
+/// fits, symbols above numbers; closer together before the type becomes smaller. The
+/// page is as high as what is on it. No type is
 /// smaller than `least` page units: rather the numbers are left out, then the last
 /// statements.
 pub fn formula_figure(statements: &[Statement], most: Page, least: f64) -> Figure {
@@ -25,14 +35,17 @@ pub fn formula_figure(statements: &[Statement], most: Page, least: f64) -> Figur
     };
     let set_in = |statements: &[Statement]| {
         let types = (0..=SMALLEST.min(smallest)).map(|step| FormulaType { step, most: smallest });
-        types.map(|of| set(statements, most.width, of)).find(is_fitting)
+        let mut pages = types.flat_map(|of| [WIDE, TIGHT].map(|spacing| (of, spacing)));
+        pages.find_map(|(of, spacing)| {
+            Some(set(statements, most.width, of, spacing)).filter(is_fitting)
+        })
     };
     let bare = |statement: &Statement| Statement { numbers: None, ..statement.clone() };
     let symbols: Vec<Statement> = statements.iter().map(bare).collect();
     let fewer = || (1..=symbols.len()).rev().find_map(|n| set_in(&symbols[..n]));
     let smaller = FormulaType { step: SMALLEST.min(smallest), most: smallest };
     let found = set_in(statements).or_else(|| if least > 0.0 { fewer() } else { None });
-    found.unwrap_or_else(|| set(statements, most.width, smaller))
+    found.unwrap_or_else(|| set(statements, most.width, smaller, TIGHT))
 }
 
 /// A formula in a line of at most this width, in type of at least `least` page units.
@@ -41,12 +54,32 @@ pub fn formula_line(formula: &Formula, most: f64, least: f64) -> Figure {
     formula_figure(&[statement], Page { width: most, height: f64::INFINITY }, least)
 }
 
-/// Height of a page that has room for every statement of one row.
-pub fn formula_height() -> f64 {
-    let letter = || Box::new(Formula::from("x"));
-    let fraction = Formula::Fraction { over: letter(), under: letter() };
-    let statement = Statement { symbols: fraction.clone(), numbers: Some(fraction) };
-    set(&[statement], f64::INFINITY, FormulaType::new(0)).page.height + 2.0
+/// How many rows of statements a page has room for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum FormulaRows {
+    /// One, with fractions.
+    One,
+    /// One with fractions and one without.
+    Two,
+}
+
+/// Height of a page that has room for `rows` of statements in type one step below the
+/// largest, subscripts as large as a hall reads them.
+pub fn formula_height(rows: FormulaRows) -> f64 {
+    let boxed = |text: &str| Box::new(Formula::from(text));
+    let plain = [Formula::Sub { body: boxed("t"), below: boxed("x") }, Formula::from("1")];
+    let fractions =
+        plain.clone().map(|x| Formula::Fraction { over: Box::new(x), under: boxed("d") });
+    let statement =
+        |[symbols, numbers]: [Formula; 2]| Statement { symbols, numbers: Some(numbers) };
+    let all = [fractions, plain].map(statement);
+    let n_rows = match rows {
+        FormulaRows::One => 1,
+        FormulaRows::Two => 2,
+    };
+    let of = FormulaType { step: 1, most: 2 };
+    // No two of them are side by side; minus signs and primes need a little more.
+    set(&all[..n_rows], 0.0, of, TIGHT).page.height + 5.0
 }
 
 /// A row of statements with the room that it takes.
@@ -56,9 +89,9 @@ struct Row {
     width: f64,
 }
 
-fn set(statements: &[Statement], most: f64, of: FormulaType) -> Figure {
+fn set(statements: &[Statement], most: f64, of: FormulaType, spacing: Spacing) -> Figure {
     let step = of.step;
-    let gap = GAP * 0.9_f64.powi(i32::from(step));
+    let gap = spacing.gap * 0.9_f64.powi(i32::from(step));
     let mut rows = vec![Row::default()];
     for Statement { symbols, numbers } in statements {
         let set = |formula: &Formula| (SetFormula::of(formula, of), formula.clone());
@@ -77,7 +110,7 @@ fn set(statements: &[Statement], most: f64, of: FormulaType) -> Figure {
     let mut sheet = Sheet::default();
     let mut top = 0.0;
     for (index, row) in rows.iter().enumerate() {
-        top += if index == 0 { 0.0 } else { ROW_GAP };
+        top += if index == 0 { 0.0 } else { spacing.row_gap };
         for line in 0..2 {
             let parts = || row.columns.iter().filter_map(|column| column[line].as_ref());
             let reach = |reach: fn(&SetFormula) -> f64| {
@@ -87,7 +120,7 @@ fn set(statements: &[Statement], most: f64, of: FormulaType) -> Figure {
             if above + below == 0.0 {
                 continue;
             }
-            top += if line == 0 { 0.0 } else { LEADING };
+            top += if line == 0 { 0.0 } else { spacing.leading };
             let mut x = 0.0;
             for column in &row.columns {
                 if let Some((_, formula)) = &column[line] {

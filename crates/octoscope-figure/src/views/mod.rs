@@ -30,7 +30,7 @@ pub use automaton::Automaton;
 pub use bits::{BitRow, BitTable, Carries, Conclusion, Spacing};
 pub use codes::{CodeTable, child_rule, code_table};
 pub use exercise::{Exercise, ExerciseError};
-pub use formula::{formula_figure, formula_height, formula_line};
+pub use formula::{FormulaRows, formula_figure, formula_height, formula_line};
 pub use kind::{FigureView, UnknownView, ViewError};
 pub use listing::{Changed, changed_variables};
 pub use neighbour::{NeighbourTables, neighbour_tables};
