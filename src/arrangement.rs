@@ -62,12 +62,22 @@ impl Arrangement {
         self.folded.contains(&kind)
     }
 
+    /// Whether a panel is shown whatever the preset says.
+    pub fn is_added(&self, kind: PanelKind) -> bool {
+        self.added.contains(&kind)
+    }
+
+    /// Shows all of a panel.
+    pub fn unfold(&mut self, kind: PanelKind) {
+        self.folded.retain(|&other| other != kind);
+    }
+
     /// Changes a panel of those that are `shown`.
     pub fn change(&mut self, kind: PanelKind, change: Change, shown: &[PanelKind]) {
         match change {
             Change::Fold => {
                 if self.is_folded(kind) {
-                    self.folded.retain(|&other| other != kind);
+                    self.unfold(kind);
                 } else {
                     self.folded.push(kind);
                 }
@@ -84,7 +94,7 @@ impl Arrangement {
     /// Shows a panel, whatever the preset says; the last one if it is new.
     pub fn add(&mut self, kind: PanelKind) {
         self.closed.retain(|&other| other != kind);
-        self.folded.retain(|&other| other != kind);
+        self.unfold(kind);
         if !self.added.contains(&kind) {
             self.added.push(kind);
         }

@@ -3,10 +3,10 @@
 use crate::command::{COMMANDS, Command};
 use crate::text::texts;
 use octoscope_core::explain::algorithm_name;
-use octoscope_core::paper::{ERRATA, Erratum, paper_texts};
+use octoscope_core::paper::{ERRATA, Erratum, misprint_title, paper_texts};
 use octoscope_core::scenario::BUILT_IN;
 use octoscope_core::text::{Language, Texts};
-use octoscope_core::traverse::Algorithm;
+use octoscope_core::traverse::{Algorithm, Variant};
 
 /// Something that can be found.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -19,6 +19,8 @@ pub enum Target {
     Algorithm(Algorithm),
     /// An error of the paper.
     Erratum(&'static Erratum),
+    /// One of several rules that an error of the paper may be read as.
+    Reading(Variant),
 }
 
 /// A target that matches, with its name in the language of the window.
@@ -37,7 +39,12 @@ impl Target {
         let commands = commands.filter(|&command| command != Command::Find).map(Self::Command);
         let scenes = BUILT_IN.iter().map(|scene| Self::Scene(scene.id));
         let algorithms = Algorithm::ALL.into_iter().map(Self::Algorithm);
-        commands.chain(algorithms).chain(scenes).chain(ERRATA.iter().map(Self::Erratum))
+        let named = |variant: &Variant| ERRATA.iter().any(|erratum| erratum.id == variant.id());
+        let errata = ERRATA.iter().flat_map(move |erratum| {
+            let readings = erratum.variants.iter().copied().filter(move |v| !named(v));
+            std::iter::once(Self::Erratum(erratum)).chain(readings.map(Self::Reading))
+        });
+        commands.chain(algorithms).chain(scenes).chain(errata)
     }
 
     /// Key of the heading under which it is listed.
@@ -46,7 +53,7 @@ impl Target {
             Self::Command(_) => "find-command",
             Self::Scene(_) => "find-scene",
             Self::Algorithm(_) => "find-algorithm",
-            Self::Erratum(_) => "find-erratum",
+            Self::Erratum(_) | Self::Reading(_) => "find-erratum",
         }
     }
 
@@ -57,6 +64,7 @@ impl Target {
             Self::Scene(id) => id,
             Self::Algorithm(algorithm) => algorithm.id(),
             Self::Erratum(erratum) => erratum.id,
+            Self::Reading(variant) => variant.id(),
         }
     }
 
@@ -67,6 +75,10 @@ impl Target {
             Self::Algorithm(algorithm) => algorithm_name(algorithm, texts.language()),
             Self::Erratum(erratum) => {
                 format!("{} · {}", erratum.id, paper.get(&erratum.key("title")))
+            }
+            Self::Reading(variant) => {
+                let title = misprint_title(variant, texts.language()).unwrap_or_default();
+                format!("{} · {title}", variant.id())
             }
         }
     }
@@ -150,6 +162,9 @@ mod tests {
         check("hero", Target::Algorithm(Algorithm::Hero));
         check("sphere-grid", Target::Scene("sphere-grid"));
         check("b-25", Target::Erratum(ERRATA.iter().find(|e| e.id == "B-25").unwrap()));
+        check("b-2-morton", Target::Reading(Variant::B2Morton));
+        check("24b", Target::Reading(Variant::B24b));
+        check("b-24a", Target::Reading(Variant::B24a));
     }
 
     #[test]

@@ -104,6 +104,9 @@ pub struct View {
     /// What is unfolded in the diagram of the tree, and how it is looked at.
     #[serde(skip)]
     pub tree: TreeView,
+    /// The panel that is to be seen from its top in the next frame.
+    #[serde(skip)]
+    pub sought: Option<PanelKind>,
     /// Whether the window is blank.
     #[serde(skip)]
     pub blank: bool,
@@ -144,11 +147,13 @@ impl View {
 
     /// The panels to be shown, from top to bottom.
     pub fn panels<const D: usize>(&self, query: &Query<D>) -> Vec<PanelKind> {
-        let automatic = self.preset.panels(query);
-        match self.arrangements.get(&self.preset) {
-            Some(arrangement) => arrangement.shown(&automatic),
-            None => automatic,
+        let mut automatic = self.preset.panels(query);
+        let Some(arrangement) = self.arrangements.get(&self.preset) else { return automatic };
+        // While it is open the lab stays above all others, with a misprint or without.
+        if arrangement.is_added(PanelKind::Paper) && !automatic.contains(&PanelKind::Paper) {
+            automatic.insert(0, PanelKind::Paper);
         }
+        arrangement.shown(&automatic)
     }
 
     /// What the user has changed about the panels of the present preset.
@@ -226,6 +231,7 @@ impl Default for View {
             standpoint: None,
             hover: Hover::default(),
             tree: TreeView::default(),
+            sought: None,
             blank: false,
             spotlight: false,
             notes_since: None,
@@ -238,6 +244,7 @@ impl Default for View {
 mod tests {
     use super::*;
     use crate::arrangement::Change;
+    use octoscope_core::traverse::{Variant, Variants};
 
     #[test]
     fn what_an_earlier_version_remembered_still_opens() {
@@ -260,6 +267,20 @@ mod tests {
         assert!(!again.panels(&query).contains(&PanelKind::Stack));
         again.preset = Preset::Bits;
         assert_eq!(again.panels(&query), Preset::Bits.panels(&query));
+    }
+
+    #[test]
+    fn the_lab_stays_first_while_it_is_open() {
+        let with = |variants| Query::<2>::default().with_variants(variants);
+        let [printed, right] = [Variants::NONE.with(Variant::B3), Variants::NONE].map(with);
+        for preset in Preset::ALL {
+            let mut view = View { preset, ..View::default() };
+            assert_eq!(view.panels(&printed)[0], PanelKind::Paper);
+            assert!(!view.panels(&right).contains(&PanelKind::Paper));
+            view.arrangement().add(PanelKind::Paper);
+            assert_eq!(view.panels(&printed)[0], PanelKind::Paper);
+            assert_eq!(view.panels(&right)[0], PanelKind::Paper);
+        }
     }
 
     #[test]

@@ -5,12 +5,13 @@ use crate::document::AnyDocument;
 use crate::job::{Job, Poll};
 use crate::open::{open, open_built_in, open_scenario};
 use crate::save::Last;
-use crate::view::Dialog;
+use crate::view::{Dialog, PanelKind};
 use crate::{complaint, with_document};
 use anyhow::anyhow;
 use eframe::egui::Context;
-use octoscope_core::paper::{counterexample, find_other};
+use octoscope_core::paper::{counterexample, erratum_of, find_other};
 use octoscope_core::progress::{Cancelled, Progress};
+use octoscope_core::query::Query;
 use octoscope_core::traverse::Variant;
 use std::path::{Path, PathBuf};
 
@@ -264,6 +265,9 @@ impl App {
                     self.notice.say(self.look.texts.format("status-kept", &arguments));
                 }
                 self.go_to_start();
+                if with_document!(&self.document, d => is_misprinted(&d.scenario.query)) {
+                    self.view.sought = Some(PanelKind::Paper);
+                }
                 self.settled = self.shown();
             }
             (Err(error), Purpose::Restore) => {
@@ -294,6 +298,11 @@ impl App {
             }
         }
     }
+}
+
+/// Whether a query follows a rule of the paper as it is printed.
+fn is_misprinted<const D: usize>(query: &Query<D>) -> bool {
+    query.variants_at_work().iter().any(|variant| erratum_of(variant).is_some())
 }
 
 /// The last part of a path, for a message.

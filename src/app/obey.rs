@@ -121,10 +121,12 @@ impl App {
     /// Does what was found by its name.
     pub(super) fn take(&mut self, context: &Context, target: Target) {
         match target {
+            Target::Command(Command::Panel(kind)) => self.show_panel(kind),
             Target::Command(command) if self.is_enabled(command) => self.obey(context, command),
             Target::Command(_) => self.notice.say(self.look.text("find-disabled")),
             Target::Scene(id) => self.open_scene(context, id),
             Target::Algorithm(algorithm) => self.run(algorithm),
+            Target::Reading(variant) => self.open_counterexample(context, variant),
             Target::Erratum(erratum) => match erratum.variants.first() {
                 Some(&variant) => self.open_counterexample(context, variant),
                 None => {
@@ -203,8 +205,18 @@ impl App {
         if shown.contains(&kind) {
             self.view.arrangement().change(kind, Change::Close, &shown);
         } else {
+            self.show_panel(kind);
+        }
+    }
+
+    /// Shows a panel from its top.
+    fn show_panel(&mut self, kind: PanelKind) {
+        if self.panels().contains(&kind) {
+            self.view.arrangement().unfold(kind);
+        } else {
             self.view.arrangement().add(kind);
         }
+        self.view.sought = Some(kind);
     }
 
     pub(super) fn go_to(&mut self, step: usize) {

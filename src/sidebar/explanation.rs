@@ -10,7 +10,8 @@ use crate::panels::{
 use crate::sidebar::Wish;
 use crate::view::{PanelKind, Preset, View};
 use crate::widgets::{Place, panel_heading};
-use eframe::egui::{Rect, RichText, Ui, UiBuilder, vec2};
+use eframe::egui::style::ScrollAnimation;
+use eframe::egui::{Align, Rect, RichText, Ui, UiBuilder, vec2};
 use octoscope_core::event::Event;
 use octoscope_core::explain::listing as listing_of;
 use octoscope_core::query::Query;
@@ -61,8 +62,14 @@ pub fn ui<const D: usize>(
             let folded = view.arrangement().is_folded(kind);
             let place = Place { folded, index, n_panels: panels.len() };
             let note = note(look, document, moment, kind);
+            let top = column.cursor().top();
             let change = panel_heading(&mut column, look, &look.text(kind.id()), &note, place);
             chosen = change.map(|change| (kind, change)).or(chosen);
+            if view.sought.take_if(|sought| *sought == kind).is_some() {
+                let heading = rect.with_min_y(top).with_max_y(column.cursor().top());
+                let jump = ScrollAnimation::none();
+                column.scroll_to_rect_animation(heading, Some(Align::TOP), jump);
+            }
             if !folded {
                 // By its kind: what is remembered of a panel moves with it.
                 let body = |ui: &mut Ui| body(ui, look, document, moment, view, maps, kind);
@@ -71,6 +78,7 @@ pub fn ui<const D: usize>(
         }
         bottom = column.min_rect().bottom().max(bottom);
     }
+    view.sought = None;
     ui.advance_cursor_after_rect(whole.with_max_y(bottom));
     if let Some((kind, change)) = chosen {
         view.arrangement().change(kind, change, panels);
@@ -181,7 +189,13 @@ fn body<const D: usize>(
         PanelKind::Paper => {
             let verdict = document.verdict();
             let query = &mut document.scenario.query;
-            return paper::ui(ui, look, query, &verdict);
+            let before = *query;
+            let wish = paper::ui(ui, look, query, &verdict);
+            if *query != before {
+                // It stays under the pointer, also when no misprint is left.
+                view.arrangement().add(kind);
+            }
+            return wish;
         }
         PanelKind::Tree => {
             let of = document.shown(moment);

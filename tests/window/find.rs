@@ -1,7 +1,9 @@
 //! The search over everything that has a name, by keyboard alone.
 
 use crate::desk::Desk;
-use eframe::egui::{Event, Key, Modifiers};
+use eframe::egui::{Event, Key, Modifiers, MouseWheelSource, MouseWheelUnit, TouchPhase, vec2};
+use egui_kittest::Harness;
+use egui_kittest::kittest::Queryable;
 use octoscope::view::Dialog;
 use octoscope_core::query::Query;
 use octoscope_core::traverse::{Algorithm, Variant};
@@ -40,6 +42,57 @@ fn an_erratum_opens_its_counterexample() {
     desk.state_mut().finish_work();
     desk.run();
     assert!(desk.space().scenario.query.variants().has(Variant::B2));
+}
+
+#[test]
+fn a_reading_of_an_erratum_opens_its_own_counterexample() {
+    let mut desk = Desk::new();
+    search(&mut desk, "24b");
+    desk.press(Key::Enter);
+    desk.state_mut().finish_work();
+    desk.run();
+    assert!(desk.plane().scenario.query.variants().has(Variant::B24b));
+}
+
+#[test]
+fn a_panel_that_is_found_is_shown_whether_it_was_open_or_not() {
+    let mut desk = Desk::new();
+    desk.press(Key::Num1);
+    for _ in 0..2 {
+        search(&mut desk, "paper lab");
+        desk.press(Key::Enter);
+        desk.run();
+        let heading = desk.get_by_label("Paper lab").rect();
+        assert!(heading.top() < 80.0, "{heading:?}");
+    }
+}
+
+#[test]
+fn the_lab_of_an_erratum_is_seen_from_its_top() {
+    let mut desk = Desk::of(Harness::builder(), [1280.0, 600.0]);
+    search(&mut desk, "b-3");
+    desk.press(Key::Enter);
+    desk.state_mut().finish_work();
+    desk.run();
+    let top = |desk: &Desk| desk.get_by_label("Paper lab").rect().top();
+    let first = top(&desk);
+    desk.get_by_label_contains("All errata").click();
+    desk.run();
+    desk.point_at(desk.get_by_label("Paper lab").rect().center());
+    desk.event(Event::MouseWheel {
+        unit: MouseWheelUnit::Point,
+        delta: vec2(0.0, -300.0),
+        modifiers: Modifiers::NONE,
+        phase: TouchPhase::Move,
+        source: MouseWheelSource::Wheel,
+    });
+    desk.run();
+    assert!(top(&desk) < first - 100.0, "{}", top(&desk));
+    search(&mut desk, "b-11");
+    desk.press(Key::Enter);
+    desk.state_mut().finish_work();
+    desk.run();
+    assert_eq!(top(&desk), first);
 }
 
 #[test]

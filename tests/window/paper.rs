@@ -3,6 +3,7 @@
 use crate::desk::Desk;
 use eframe::egui::Key;
 use eframe::egui::accesskit::Role;
+use egui_kittest::kittest::Queryable;
 use octoscope::document::AnyDocument;
 use octoscope_core::paper::counterexample;
 use octoscope_core::query::Query;
@@ -28,6 +29,21 @@ fn a_misprint_is_explained_and_its_first_wrong_step_is_found() {
     let wrong = wrong.expect("the counterexample goes wrong");
     desk.click(Role::Button, "Go to that step");
     assert_eq!(wrong, format!("Goes wrong at step {}.", desk.step_number()));
+}
+
+#[test]
+fn the_lab_stays_where_it_is_when_its_last_switch_is_turned_off() {
+    for preset in [Key::Num1, Key::Num2, Key::Num6] {
+        let mut desk = Desk::new();
+        desk.open_scenario(&counterexample(Variant::B24a));
+        desk.press(preset);
+        let place = |desk: &Desk| desk.get_by_label("B-24a").rect();
+        let before = place(&desk);
+        desk.click(Role::Button, "B-24a");
+        desk.run();
+        assert!(!desk.plane().scenario.query.variants().has(Variant::B24a));
+        assert_eq!(place(&desk), before);
+    }
 }
 
 #[test]

@@ -51,7 +51,7 @@ pub fn ui(ui: &mut Ui, look: &Look, search: &mut Search) -> Option<Target> {
 fn row<'a>(ui: &Ui, look: &Look, hit: &Hit, chosen: bool) -> Button<'a> {
     let key = match hit.target {
         Target::Command(command) => command.row().keys.first(),
-        Target::Scene(_) | Target::Algorithm(_) | Target::Erratum(_) => None,
+        Target::Scene(_) | Target::Algorithm(_) | Target::Erratum(_) | Target::Reading(_) => None,
     };
     let side = match key {
         Some(key) => shortcut::shown(look, key),
