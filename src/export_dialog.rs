@@ -43,6 +43,8 @@ pub struct Shown<'a> {
     pub preview: Option<&'a TextureHandle>,
     /// Why the figure cannot be drawn, in words.
     pub fault: Option<&'a str>,
+    /// Why what was asked for could not be made, in words.
+    pub refused: Option<&'a str>,
 }
 
 /// What the user asks for.
@@ -404,7 +406,9 @@ fn buttons(ui: &mut Ui, look: &Look, shown: &mut Shown) -> Option<Answer> {
             }
         });
     });
-    if files::is_there(Path::new(shown.choice.file.trim())) {
+    if let Some(refused) = shown.refused {
+        ui.add(Label::new(RichText::new(refused).color(look.palette.ray)).wrap());
+    } else if files::is_there(Path::new(shown.choice.file.trim())) {
         let note = RichText::new(look.text("export-replaces"));
         ui.label(note.color(look.palette.quiet).size(13.0));
     }

@@ -25,6 +25,8 @@ pub(super) struct Exporting {
     preview: Preview,
     /// What is being written to a file or made for the clipboard, one after the other.
     making: Option<Job<anyhow::Result<Made>>>,
+    /// Why the last file or copy was not made, in words, while the dialog is open.
+    refused: Option<String>,
     /// The last scenario that was saved, and where.
     pub(super) saved: Option<(PathBuf, AnyScenario)>,
 }
@@ -57,6 +59,7 @@ impl App {
     pub(super) fn show_export_dialog(&mut self, context: &Context) {
         if self.view.dialog != Some(Dialog::Export) {
             self.exporting.preview = Preview::default();
+            self.exporting.refused = None;
             return;
         }
         let request = self.view.export.request(&self.document, &self.view);
@@ -81,11 +84,15 @@ impl App {
             origin: &origin,
             preview: self.exporting.preview.texture.as_ref(),
             fault: self.exporting.preview.fault.as_deref(),
+            refused: self.exporting.refused.as_deref(),
         };
         let answer = export_dialog::ui(context, &self.look, shown);
         // A view that this scenario does not have stays chosen for the next one.
         if choice.view == request.view {
             choice.view = self.view.export.view;
+        }
+        if choice != self.view.export {
+            self.exporting.refused = None;
         }
         (self.view.export, self.view.language) = (choice, language);
         self.view.notation = notation;
@@ -94,7 +101,6 @@ impl App {
             None => {}
             Some(Answer::Export) => {
                 let path = PathBuf::from(self.view.export.file.trim());
-                self.view.dialog = None;
                 self.export_to(context, &path);
             }
             Some(Answer::Choose) => {
@@ -128,12 +134,15 @@ impl App {
             return;
         }
         self.notice.clear();
+        self.exporting.refused = None;
         self.exporting.making = Some(Job::start(title, context, work));
     }
 
     /// Writes what is chosen to `path`, on another thread. The ending of the name
-    /// tells the format, if it is one.
+    /// tells the format, if it is one. The dialog is open until the file is there, and
+    /// says why if it cannot be.
     pub(super) fn export_to(&mut self, context: &Context, path: &Path) {
+        self.view.dialog = Some(Dialog::Export);
         self.view.export.set_file(&path.to_string_lossy());
         let request = self.view.export.request(&self.document, &self.view);
         let (name, mut document, path) = (file_name(path), self.document.clone(), path.to_owned());
@@ -192,6 +201,7 @@ impl App {
         };
         match result {
             Ok(Made::File(name)) => {
+                self.view.dialog.take_if(|dialog| *dialog == Dialog::Export);
                 self.notice
                     .say(self.look.texts.format("status-exported", &[("name", name.into())]));
             }
@@ -208,6 +218,9 @@ impl App {
                 self.notice.say(self.look.text("status-copied-table"));
             }
             Err(error) if error.root_cause().is::<Cancelled>() => {}
+            Err(error) if self.view.dialog == Some(Dialog::Export) => {
+                self.exporting.refused = Some(complaint::told(&self.look.texts, &error));
+            }
             Err(error) => self.complain(&error),
         }
     }

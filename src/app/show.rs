@@ -3,6 +3,7 @@
 use super::App;
 use crate::command::Command;
 use crate::panels::menu::Entry;
+use crate::panels::notice_line::Over;
 use crate::panels::{dialogs, menu, notice_line, sentence, timeline};
 use crate::sidebar::{self, Wish};
 use crate::view::View;
@@ -107,7 +108,12 @@ impl App {
             Some(dialogs::Answer::Path(typed)) => self.take_path(&context, typed),
             Some(dialogs::Answer::Take(target)) => self.take(&context, target),
         }
-        let View { space, ray, formulas, .. } = self.view;
-        notice_line::ui(&context, &self.look, &mut self.notice, space, ray, formulas);
+        let over = match self.view {
+            View { dialog: None, space: Some(space), ray, formulas, .. } => {
+                Over::Space { space, ray, formulas }
+            }
+            View { .. } => Over::Window,
+        };
+        notice_line::ui(&context, &self.look, &mut self.notice, over);
     }
 }

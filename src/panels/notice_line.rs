@@ -12,18 +12,27 @@ const BELOW: f32 = 44.0;
 const ABOVE: f32 = 12.0;
 const UNDER: f32 = 3.0;
 
-/// One line at the lower edge of the space view, which lies in `space`, that says
-/// what has happened; a click takes it away, and so does time. It is at the upper edge
-/// where it would lie on the ray, whose handles are at `ray`. In a hall the view has no
-/// room for it: where there are formulas below the view, it is on these.
-pub fn ui(
-    context: &Context,
-    look: &Look,
-    notice: &mut Notice,
-    space: Option<Rect>,
-    ray: Option<[Pos2; 2]>,
-    formulas: bool,
-) {
+/// What the line lies over.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Over {
+    /// The space view.
+    Space {
+        /// Where it is.
+        space: Rect,
+        /// Where the handles of its ray are.
+        ray: Option<[Pos2; 2]>,
+        /// Whether there are formulas below it.
+        formulas: bool,
+    },
+    /// The whole window, which may show a dialog.
+    Window,
+}
+
+/// One line at the lower edge of the space view that says what has happened; a click
+/// takes it away, and so does time. It is at the upper edge where it would lie on the
+/// ray, and at that of the window where it would lie on a dialog. In a hall the view has
+/// no room for it: where there are formulas below the view, it is on these.
+pub fn ui(context: &Context, look: &Look, notice: &mut Notice, over: Over) {
     if notice.is_empty() {
         return;
     }
@@ -32,20 +41,26 @@ pub fn ui(
     if notice.is_empty() {
         return;
     }
-    let space = space.unwrap_or_else(|| context.content_rect());
     let id = Id::unique("status");
     let known = context.memory(|memory| memory.area_rect(id));
     let size = known.map_or(USUAL.into(), |rect| rect.size());
+    let space = match over {
+        Over::Space { space, .. } => space,
+        Over::Window => context.content_rect(),
+    };
     let [below, above] = places(space, size);
-    let is_clear = |rect: &Rect| ray.is_none_or(|ray| !meets(rect, ray));
     // Above dialogs, which it may be about, and what is written into the corner of the view.
     let area = Area::new(id).order(Order::Tooltip);
-    let area = if look.is_for_hall() && formulas {
-        area.pivot(Align2::CENTER_TOP).fixed_pos(space.center_bottom() + vec2(0.0, UNDER))
-    } else if is_clear(&below) || !is_clear(&above) {
-        area.pivot(Align2::CENTER_BOTTOM).fixed_pos(below.center_bottom())
-    } else {
-        area.pivot(Align2::CENTER_TOP).fixed_pos(above.center_top())
+    let area = area.pivot(Align2::CENTER_TOP);
+    let area = match over {
+        Over::Window => area.fixed_pos(above.center_top()),
+        Over::Space { formulas: true, .. } if look.is_for_hall() => {
+            area.fixed_pos(space.center_bottom() + vec2(0.0, UNDER))
+        }
+        Over::Space { ray: Some(ray), .. } if meets(&below, ray) && !meets(&above, ray) => {
+            area.fixed_pos(above.center_top())
+        }
+        Over::Space { .. } => area.pivot(Align2::CENTER_BOTTOM).fixed_pos(below.center_bottom()),
     };
     let clicked = area.show(context, |ui| {
         ui.multiply_opacity(strength);

@@ -358,7 +358,7 @@ fn a_page_like_a_thread_has_a_preview() {
 }
 
 #[test]
-fn a_path_that_cannot_be_written_is_one_message() {
+fn a_path_that_cannot_be_written_stays_to_be_corrected() {
     let mut desk = Desk::new();
     desk.state_mut().view.export.file = "no/such/folder/a.svg".to_owned();
     desk.press_with(Modifiers::COMMAND, Key::E);
@@ -366,6 +366,15 @@ fn a_path_that_cannot_be_written_is_one_message() {
     let context = desk.ctx.clone();
     desk.state_mut().finish_export(&context);
     desk.run();
-    let Some(Dialog::Error(message)) = desk.state().view.dialog.clone() else { panic!() };
-    assert!(message.contains("no such folder"), "{message}");
+    assert_eq!(desk.state().view.dialog, Some(Dialog::Export));
+    assert_eq!(desk.state().view.export.file, "no/such/folder/a.svg");
+    let is_told = |desk: &Desk| desk.texts().iter().any(|text| text.contains("no such folder"));
+    assert!(is_told(&desk), "{:?}", desk.texts());
+
+    desk.state_mut().view.export.file = "no/such/a.svg".to_owned();
+    desk.run();
+    desk.click(Role::Button, "Close");
+    assert_eq!(desk.state().view.dialog, None);
+    desk.press_with(Modifiers::COMMAND, Key::E);
+    assert!(!is_told(&desk), "{:?}", desk.texts());
 }
