@@ -1,5 +1,8 @@
 //! `octoscope export`: figures without a window.
 
+mod stray;
+
+use self::stray::refuse_stray;
 use super::progress::run_with_progress;
 use super::ray::RayChoice;
 use super::values::{language, theme};
@@ -66,15 +69,15 @@ pub struct Export {
     /// Number of steps that have happened, first (before all) or last, a range
     /// such as 3-12, or all; without it, where the scenario says, and all for gif
     /// and apng.
-    #[arg(long, value_name = "N|first|last|A-B|all", allow_negative_numbers = true)]
+    #[arg(long, value_name = "N|first|last|A-B|all", allow_hyphen_values = true)]
     step: Option<Steps>,
     /// Steps of a storyboard: even:N of all, leaves:N of those that report a leaf,
-    /// or a list as 3,7,12.
-    #[arg(long, value_name = "even:N|leaves:N|LIST", default_value_t)]
-    steps: Moments,
+    /// or a list as 3,7,12; without it, even:6.
+    #[arg(long, value_name = "even:N|leaves:N|LIST", allow_hyphen_values = true)]
+    steps: Option<Moments>,
     /// Number of the exercise on a worksheet: each has another ray through the
     /// tree; without it, the ray of the scenario is the exercise.
-    #[arg(long, value_name = "N", value_parser = seed, allow_negative_numbers = true)]
+    #[arg(long, value_name = "N", value_parser = seed, allow_hyphen_values = true)]
     seed: Option<u64>,
     /// Fills the worksheet in.
     #[arg(long)]
@@ -88,27 +91,27 @@ pub struct Export {
     /// Extent in mm, pt or px (without a unit), into which the figure is
     /// fitted; or a width with its unit, such as 85mm for a column, in which the figure
     /// is laid out, as high as it then is; without it, the file ends around the figure.
-    #[arg(long, value_name = "WIDTH[xHEIGHT][UNIT]", allow_negative_numbers = true)]
+    #[arg(long, value_name = "WIDTH[xHEIGHT][UNIT]", allow_hyphen_values = true)]
     size: Option<Size>,
     /// Enlarges the file so many times. Of a PNG whose size is in mm or pt, the
     /// pixels per point; without it, it has 300 dots per inch.
-    #[arg(long, value_name = "FACTOR", value_parser = scale, allow_negative_numbers = true)]
+    #[arg(long, value_name = "FACTOR", value_parser = scale, allow_hyphen_values = true)]
     scale: Option<f64>,
-    /// Size of type and lines against the usual, on a page of the same size.
-    #[arg(long, value_name = "FACTOR", default_value = "1", value_parser = type_scale, allow_negative_numbers = true)]
-    type_scale: f64,
-    /// Width of lines against that.
-    #[arg(long, value_name = "FACTOR", default_value = "1", value_parser = type_scale, allow_negative_numbers = true)]
-    line_scale: f64,
-    /// light, dark, print or projector.
-    #[arg(long, default_value = "print", value_parser = theme)]
-    theme: Theme,
+    /// Size of type and lines against the usual, on a page of the same size; without it, 1.
+    #[arg(long, value_name = "FACTOR", value_parser = type_scale, allow_hyphen_values = true)]
+    type_scale: Option<f64>,
+    /// Width of lines against that; without it, 1.
+    #[arg(long, value_name = "FACTOR", value_parser = type_scale, allow_hyphen_values = true)]
+    line_scale: Option<f64>,
+    /// light, dark, print or projector; without it, print.
+    #[arg(long, value_parser = theme)]
+    theme: Option<Theme>,
     /// Leaves out what lies behind the figure.
     #[arg(long)]
     transparent: bool,
-    /// How long each step is shown in gif and apng, in seconds.
-    #[arg(long, value_name = "SECONDS", default_value = "0.5", value_parser = pause, allow_negative_numbers = true)]
-    pause: f64,
+    /// How long each step is shown in gif and apng, in seconds; without it, 0.5.
+    #[arg(long, value_name = "SECONDS", value_parser = pause, allow_hyphen_values = true)]
+    pause: Option<f64>,
     /// Writes TikZ for slides: one frame, an overlay a step.
     #[arg(long)]
     beamer: bool,
@@ -134,9 +137,9 @@ pub struct Export {
     #[arg(long, value_name = "LANGUAGE", default_value = "en", value_parser = language)]
     lang: Language,
     /// How the view formula writes: seed (as in "Ray Tracing mit Octrees"), revelles
-    /// or frisken-perry.
-    #[arg(long, value_name = "NOTATION", default_value_t)]
-    notation: Notation,
+    /// or frisken-perry; without it, seed.
+    #[arg(long, value_name = "NOTATION")]
+    notation: Option<Notation>,
 }
 
 fn format(id: &str) -> Result<Format, String> {
@@ -198,22 +201,20 @@ impl Export {
             view: self.view,
             order: self.order()?,
             steps: self.step.unwrap_or(Steps::One(StepAt::First)),
-            moments: self.steps.clone(),
+            moments: self.steps.clone().unwrap_or_default(),
             exercise: (self.seed, if self.solution { Fields::Solved } else { Fields::Empty }),
             eye: self.camera.clone(),
             show: self.show,
             language: self.lang,
-            notation: self.notation,
+            notation: self.notation.unwrap_or_default(),
         })
     }
 
     /// What the file is to be like.
     fn order(&self) -> anyhow::Result<Order> {
         let format = chosen_format(self)?;
-        if (self.beamer || self.snippet) && format != Format::Tikz {
-            let option = if self.beamer { "--beamer" } else { "--snippet" };
-            bail!("{option} is for TikZ; give --format tikz, or leave it out");
-        }
+        refuse_stray(self, format)?;
+        let usual = Order::default();
         let tikz = match (self.beamer, self.snippet) {
             (false, false) => TikzForm::Standalone,
             (false, true) => TikzForm::Snippet,
@@ -224,27 +225,40 @@ impl Export {
             if self.transparent { Background::Transparent } else { Background::Filled };
         Ok(Order {
             format,
-            theme: self.theme,
+            theme: self.theme.unwrap_or(usual.theme),
             background,
             size: self.size,
             enlarged: self.scale,
-            type_scale: self.type_scale,
-            line_scale: self.line_scale,
+            type_scale: self.type_scale.unwrap_or(usual.type_scale),
+            line_scale: self.line_scale.unwrap_or(usual.line_scale),
             tikz,
-            pause_secs: self.pause,
+            pause_secs: self.pause.unwrap_or(usual.pause_secs),
         })
     }
 }
 
 fn chosen_format(arguments: &Export) -> anyhow::Result<Format> {
+    let ending = arguments.output.as_deref().and_then(|name| name.extension());
+    let ending = ending.map(|ending| ending.to_string_lossy());
     if let Some(format) = arguments.format {
+        if let Some(ending) = ending
+            && let Some(other) = Format::of_ending(&ending)
+            && !format.may_end_in(other.ending())
+        {
+            bail!(
+                "--format {format} writes {}, but ‘.{ending}’ is the ending of {}; leave --format \
+                 out, or end the name in .{}",
+                format.name(),
+                other.name(),
+                format.ending(),
+                format = format.id(),
+            );
+        }
         return Ok(format);
     }
-    let name = arguments.output.as_deref();
-    let Some(ending) = name.and_then(|name| name.extension()) else {
+    let Some(ending) = ending else {
         bail!("the format is not told; give --format with one of {}", Format::known());
     };
-    let ending = ending.to_string_lossy();
     Format::of_ending(&ending).ok_or_else(|| {
         anyhow!(
             "‘.{ending}’ is no ending of figures; give --format with one of {}",
@@ -299,6 +313,17 @@ mod tests {
             notation: Notation::Seed,
         };
         check(plain.clone());
+        let sheet = Request {
+            view: FigureView::Worksheet,
+            exercise: (Some(4), Fields::Solved),
+            ..plain.clone()
+        };
+        check(sheet);
+        let formula = FigureView::Formula;
+        check(Request { view: formula, notation: Notation::FriskenPerry, ..plain.clone() });
+        let order = Order { format: Format::Gif, pause_secs: 0.1, ..plain.order };
+        let steps = Steps::Range(StepAt::At(3), StepAt::Last);
+        check(Request { order, steps, ..plain.clone() });
         let slides = [TikzForm::Beamer, TikzForm::Snippet, TikzForm::BeamerSnippet];
         for (tikz, theme) in slides.into_iter().zip(Theme::ALL) {
             let order = Order {
@@ -310,25 +335,25 @@ mod tests {
                 type_scale: 1.25,
                 line_scale: 0.8,
                 tikz,
-                pause_secs: 0.1,
+                pause_secs: plain.order.pause_secs,
             };
             check(Request {
                 view: FigureView::Storyboard,
                 order,
-                steps: Steps::Range(StepAt::At(3), StepAt::Last),
+                steps: Steps::One(StepAt::Last),
                 moments: Moments::At(vec![3, 7]),
-                exercise: (Some(4), Fields::Solved),
+                exercise: (None, Fields::Empty),
                 eye: Some("298,24,1.062,-0.5,0.25,1".parse().unwrap()),
                 show: Some(parse_shown("codes,children").unwrap()),
                 language: Language::German,
-                notation: Notation::FriskenPerry,
+                notation: Notation::Seed,
             });
         }
         for format in Format::ALL {
             check(Request { order: Order { format, ..plain.order }, ..plain.clone() });
         }
         for view in FigureView::ALL {
-            check(Request { view, moments: Moments::Leaves(3), ..plain.clone() });
+            check(Request { view, ..plain.clone() });
         }
     }
 }

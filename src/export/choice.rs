@@ -230,7 +230,7 @@ impl Choice {
             |x: f64, [least, most]: [f64; 2]| ((x * 100.0).round() / 100.0).clamp(least, most);
         let enlarged = short(self.enlarged, [0.01, 100.0]);
         let is_tikz = self.format == Format::Tikz;
-        let order = Order {
+        let figure = Order {
             format: self.format,
             theme: self.theme,
             background: self.background,
@@ -239,7 +239,15 @@ impl Choice {
             type_scale: short(self.type_scale, [0.25, 8.0]),
             line_scale: short(self.line_scale, [0.25, 8.0]),
             tikz: if is_tikz { self.tikz } else { TikzForm::default() },
-            pause_secs: short(self.pause_secs, [0.02, 60.0]),
+            pause_secs: match self.format.moves() {
+                true => short(self.pause_secs, [0.02, 60.0]),
+                false => Order::default().pause_secs,
+            },
+        };
+        // Text has no looks.
+        let order = match self.format.is_of_text() {
+            true => Order { format: self.format, ..Order::default() },
+            false => figure,
         };
         let shown = self.view_of(document);
         let chosen = match shown.is_of_a_step() {

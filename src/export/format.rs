@@ -80,6 +80,12 @@ impl Format {
         }
     }
 
+    /// Whether a file of it may have this ending, one of [`Format::ending`]: what moves
+    /// is shown by programs for PNG, too.
+    pub fn may_end_in(self, ending: &str) -> bool {
+        ending == self.ending() || self == Self::Apng && ending == Self::Png.ending()
+    }
+
     /// Format of this name.
     pub fn of_id(id: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|format| id.eq_ignore_ascii_case(format.id()))

@@ -57,9 +57,18 @@ fn numbers_out_of_range_are_refused_with_the_range_and_its_reason() {
         refused(&format!("{VISIT} --threads {count}"), &["--threads", "from 1 to 1024"]);
         refused(&format!("{VISIT} --summary --repeat {count}"), &["--repeat", "from 1 to "]);
     }
-    for (option, bad) in [("step", "-1"), ("scale", "-2"), ("size", "-5")] {
+    for (option, bad) in [
+        ("step", "-1"),
+        ("steps", "-1,3"),
+        ("scale", "-2"),
+        ("type-scale", "-2x"),
+        ("pause", "-1s"),
+        ("size", "-5"),
+        ("size", "-5mm"),
+    ] {
         refused(&format!("export scene:figure-1 --{option} {bad}"), &[option, bad, "give "]);
     }
+    refused("bench --depth -1-5", &["--depth", "-1-5"]);
 }
 
 #[test]
@@ -78,6 +87,39 @@ fn a_missing_folder_is_named_instead_of_the_file() {
     }
     let message = Desk::new().refuses(&format!("{VISIT} -o a.cells/out"));
     assert!(message.contains("this is a file") && message.contains(": a.cells"), "{message}");
+}
+
+#[test]
+fn options_of_other_views_and_formats_are_refused() {
+    for (options, parts) in [
+        ("--seed 3", ["--seed", "‘worksheet’"]),
+        ("--solution", ["--solution", "--view worksheet"]),
+        ("--steps even:3", ["--steps", "‘storyboard’"]),
+        ("--notation seed", ["--notation", "--view formula"]),
+        ("--view tree --camera 0,0,1", ["--camera", "‘space’, ‘storyboard’, ‘worksheet’"]),
+        ("--view tree --show none", ["--show", "--view space"]),
+        ("--view storyboard --step 1-3", ["--step", "‘storyboard’"]),
+        ("--pause 1", ["--pause", "GIF and APNG"]),
+        ("--beamer", ["--beamer", "TikZ"]),
+        ("--view table --format csv --theme print", ["--theme", "CSV"]),
+        ("--view table --format latex --size 80mm", ["--size", "LaTeX"]),
+    ] {
+        let format = if options.contains("--format") { "" } else { "--format svg" };
+        let message = format!("export scene:figure-1 {options} {format}");
+        refused(&message, &parts);
+        refused(&message, &["leave it out"]);
+    }
+}
+
+#[test]
+fn a_name_that_ends_as_another_format_is_refused() {
+    refused("export scene:figure-1 --format svg -o a.pdf", &["SVG", "‘.pdf’", "PDF", ".svg"]);
+    refused("export scene:figure-1 --format tikz -o a.csv", &["TikZ", "‘.csv’", ".tex"]);
+    for arguments in
+        ["--format apng -o a.png --step 0-1", "--format tikz -o a.tikz", "--format svg -o a"]
+    {
+        Desk::new().prints(&format!("export scene:figure-1 {arguments}"));
+    }
 }
 
 #[test]

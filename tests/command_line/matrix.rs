@@ -24,8 +24,8 @@ const VIEWS: [(&str, &str, usize); 14] = [
     ("a.octo --view table", "8-9", 2),
     ("a.octo --view chart", "8-9", 2),
     ("a.octo --view formula --notation revelles", "5-7", 3),
-    ("a.octo --view storyboard --steps leaves:3", "0-1", 1),
-    ("scene:figure-1 --view worksheet --seed 4 --solution", "0-1", 1),
+    ("a.octo --view storyboard --steps leaves:3", "1", 1),
+    ("scene:figure-1 --view worksheet --seed 4 --solution", "1", 1),
 ];
 
 fn desk() -> Desk {

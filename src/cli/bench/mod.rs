@@ -45,24 +45,24 @@ pub struct Bench {
     /// the six of the published comparison.
     #[arg(long, value_name = "NAME", value_parser = scene)]
     scene: Vec<&'static str>,
-    /// Identifier of an algorithm, with @ and variants as in bsp@gem; may be given
-    /// several times. Or batch, the kernel for many rays at once with the vectors of
+    /// Identifier of an algorithm, with @ and variants as in bsp@gem or, with commas
+    /// between several, parametric@B-1,B-3; may be given several times. Or batch, the kernel for many rays at once with the vectors of
     /// the processor, and batch@plain, the same without: exact, but no steps can be
     /// counted. Or all, with the oracle, which tests all leaves; without the option,
     /// all but the oracle.
     #[arg(long, value_name = "ID")]
     algorithm: Vec<Choice>,
     /// Levels below the root: one number, or the least and the most.
-    #[arg(long, value_name = "N-N", default_value = "5-8", value_parser = depths)]
+    #[arg(long, value_name = "N-N", default_value = "5-8", value_parser = depths, allow_hyphen_values = true)]
     depth: Depths,
     /// Number of rays.
-    #[arg(long, value_name = "N", default_value = "1000", value_parser = rays, allow_negative_numbers = true)]
+    #[arg(long, value_name = "N", default_value = "1000", value_parser = rays, allow_hyphen_values = true)]
     rays: usize,
     /// Seed of the rays.
-    #[arg(long, value_name = "N", default_value = "24301", value_parser = seed, allow_negative_numbers = true)]
+    #[arg(long, value_name = "N", default_value = "24301", value_parser = seed, allow_hyphen_values = true)]
     seed: u64,
     /// How often every algorithm runs through all rays.
-    #[arg(long, value_name = "N", default_value = "9", value_parser = repeats, allow_negative_numbers = true)]
+    #[arg(long, value_name = "N", default_value = "9", value_parser = repeats, allow_hyphen_values = true)]
     repeat: usize,
     /// Prints one line for each scene, depth and algorithm, as CSV.
     #[arg(long)]

@@ -44,17 +44,17 @@ pub struct Visit {
     cells: PathBuf,
     /// Levels below the root, 0 to 20; the domain has 2^depth cells along each
     /// axis.
-    #[arg(long, value_name = "N", value_parser = depth, allow_negative_numbers = true)]
+    #[arg(long, value_name = "N", value_parser = depth, allow_hyphen_values = true)]
     depth: u8,
     /// Rays: one a line, origin and direction, decimal or hexadecimal floats;
     /// # starts a comment. Without any ray, nothing is printed.
     #[arg(long, value_name = "FILE")]
     rays: PathBuf,
     /// Dimension: 2 for a quadtree, 3 for an octree.
-    #[arg(long, value_name = "N", default_value = "3", value_parser = dimension, allow_negative_numbers = true)]
+    #[arg(long, value_name = "N", default_value = "3", value_parser = dimension, allow_hyphen_values = true)]
     dim: Dimension,
     /// Identifier of the algorithm (see octoscope scenes), with @ and variants
-    /// as in bsp@gem or parametric@B-2; or all: runs every one, prints what the
+    /// as in bsp@gem or, with commas between several, parametric@B-1,B-3; or all: runs every one, prints what the
     /// oracle finds, and fails where one differs from it; or batch: many rays at
     /// once, always exactly, by the kernel that is made for speed and that no
     /// debugger shows.
@@ -77,7 +77,7 @@ pub struct Visit {
     #[arg(long)]
     exact: bool,
     /// Number of threads; the output stays in order.
-    #[arg(long, value_name = "N", default_value = "1", value_parser = threads, allow_negative_numbers = true)]
+    #[arg(long, value_name = "N", default_value = "1", value_parser = threads, allow_hyphen_values = true)]
     threads: NonZeroUsize,
     /// Prints for each algorithm the number of rays, of leaves and of occupied
     /// leaves, a checksum of the output (FNV-1a, 64 bits) and the time that the
@@ -86,7 +86,7 @@ pub struct Visit {
     #[arg(long)]
     summary: bool,
     /// How often the summary measures.
-    #[arg(long, value_name = "N", default_value = "5", requires = "summary", value_parser = repeat, allow_negative_numbers = true)]
+    #[arg(long, value_name = "N", default_value = "5", requires = "summary", value_parser = repeat, allow_hyphen_values = true)]
     repeat: NonZeroUsize,
     /// Writes to this file, which appears whole or not at all.
     #[arg(short, long, value_name = "FILE")]
