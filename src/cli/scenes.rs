@@ -18,7 +18,8 @@ use std::io::Write;
 /// the paper, with their identifiers.
 ///
 /// A scene's identifier, scene:NAME, stands wherever a command takes a file; a
-/// ray's, gallery:NAME, where one takes a ray. A scenario that names a scene may
+/// ray's, gallery:NAME, where one takes a ray. Variants follow an algorithm after @,
+/// several with commas between them, as in parametric@B-1,B-3. A scenario that names a scene may
 /// choose another seed of its random numbers, and another n, which says how many
 /// or how large.
 #[derive(Debug, Args)]
@@ -77,6 +78,7 @@ fn as_text() -> String {
     let [algorithms, rays, errata] = [algorithms.concat(), rays.concat(), errata.concat()];
     let [of_algorithms, of_rays, of_errata] =
         ["algorithm", "degenerate ray", "erratum"].map(|name| format!("{name:<22}what it is"));
+    let of_algorithms = format!("{of_algorithms}, and its variants: @ONE, or @ONE,ANOTHER");
     format!(
         "{head}{scenes}\n{of_algorithms}\n{algorithms}\n{of_rays}\n{rays}\n{of_errata}\n{errata}"
     )

@@ -32,7 +32,8 @@ pub struct Trace {
     /// Scenario (.octo), data file, or built-in scene as scene:NAME.
     file: PathBuf,
     /// Traverses by this algorithm (see octoscope scenes), whatever the
-    /// scenario asks; with @ and variants as in bsp@gem or parametric@B-2.
+    /// scenario asks; with @ and variants as in bsp@gem or, with
+    /// commas between several, parametric@B-1,B-3.
     #[arg(long, value_name = "ID")]
     algorithm: Option<Method>,
     /// Takes this ray: origin and direction, four numbers in 2-D and six in

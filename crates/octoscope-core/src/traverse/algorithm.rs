@@ -191,6 +191,9 @@ pub enum MethodError {
     /// There is no such variant.
     #[error(transparent)]
     Variant(#[from] UnknownVariant),
+    /// Several variants without commas between them.
+    #[error("several variants stand between commas; give {0}")]
+    NoCommas(Method),
     /// The variant is one of another algorithm.
     #[error("‘{variant}’ is no variant of {algorithm}; {list}", list = variants_of(*.algorithm))]
     Stray {
@@ -262,7 +265,15 @@ impl std::str::FromStr for Method {
         let algorithm: Algorithm = id.parse()?;
         let mut variants = Variants::NONE;
         for id in rest.into_iter().flat_map(|rest| rest.split(',')) {
-            let variant: Variant = id.trim().parse()?;
+            let variant: Variant = match id.trim().parse() {
+                Ok(variant) => variant,
+                Err(unknown) => {
+                    return Err(several(rest.unwrap_or_default())
+                        .map_or(unknown.into(), |several| {
+                            MethodError::NoCommas(Self { algorithm, variants: several })
+                        }));
+                }
+            };
             if !variant.belongs_to(algorithm) {
                 let algorithm = algorithm.into();
                 return Err(MethodError::Stray { variant: variant.id(), algorithm });
@@ -271,6 +282,14 @@ impl std::str::FromStr for Method {
         }
         Ok(Self { algorithm, variants })
     }
+}
+
+/// The variants of a text that has something else than commas between them.
+fn several(text: &str) -> Option<Variants> {
+    let ids = text.split([',', '@', '+', ';', '/', ' ']).filter(|id| !id.is_empty());
+    let all =
+        ids.map(|id| id.parse().ok()).try_fold(Variants::NONE, |all, one| Some(all.with(one?)));
+    all.filter(|all| !all.is_empty())
 }
 
 #[cfg(test)]
@@ -289,6 +308,10 @@ mod tests {
         let message = |text: &str| text.parse::<Method>().unwrap_err().to_string();
         assert!(message("fast").starts_with("there is no algorithm ‘fast’; there are parametric,"));
         assert!(message("bsp@fast").starts_with("there is no variant ‘fast’"));
+        let commas = "several variants stand between commas; give parametric@B-1,B-3";
+        assert_eq!(message("parametric@B-1@B-3"), commas);
+        assert_eq!(message("parametric@B-1+B-3"), commas);
+        assert!(message("parametric@B-1+no").starts_with("there is no variant ‘B-1+no’"));
         assert_eq!(message("bsp@push"), "‘push’ is no variant of bsp; it has gem");
         assert_eq!(message("hero@gem"), "‘gem’ is no variant of hero; it has none");
     }
