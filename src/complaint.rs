@@ -108,6 +108,7 @@ fn of_scenario(texts: &Texts, error: &ScenarioError) -> String {
         Fault::Newer(version) => {
             texts.format("error-newer", &[("version", version.to_string().into())])
         }
+        Fault::Outside { count, first, .. } => outside(texts, *count, *first),
         // What to write in a file is told in the words of the file.
         fault => texts.format("error-scenario", &[("details", fault.to_string().into())]),
     };
@@ -119,10 +120,7 @@ fn of_building(texts: &Texts, error: &BuildError) -> String {
         BuildError::TooManyNodes => {
             texts.format("error-too-many-nodes", &[("most", MAX_NODES.to_string().into())])
         }
-        BuildError::Outside { count, first } => {
-            let arguments = [("count", (*count).into()), ("first", (*first).into())];
-            texts.format("error-outside", &arguments)
-        }
+        BuildError::Outside { count, first } => outside(texts, *count, *first),
         BuildError::Domain(DomainError::TooFine) => texts.get("error-too-fine"),
         BuildError::Unusable(item) => texts.format("error-unusable", &[("item", (*item).into())]),
         BuildError::Domain(DomainError::NotABox | DomainError::TooDeep(_))
@@ -136,10 +134,16 @@ fn of_building(texts: &Texts, error: &BuildError) -> String {
     }
 }
 
+fn outside(texts: &Texts, count: usize, first: usize) -> String {
+    texts.format("error-outside", &[("count", count.into()), ("first", first.into())])
+}
+
 fn of_opening(texts: &Texts, fault: &OpenFault) -> String {
     match fault {
         OpenFault::TooLarge => texts.get("error-scenario-too-large"),
         OpenFault::UnknownKind => texts.get("error-unknown-kind"),
+        OpenFault::Cells => texts.get("error-list-of-cells"),
+        OpenFault::Rays => texts.get("error-list-of-rays"),
         OpenFault::NoScenario => texts.get("error-no-scenario"),
         OpenFault::DataFile => texts.get("error-data-file"),
         OpenFault::OtherData => texts.get("error-other-data"),

@@ -38,6 +38,19 @@ pub enum OpenFault {
          .svg, .pdf, .png or .tex"
     )]
     UnknownKind,
+    /// A list of cells, which does not say how deep the tree is.
+    #[error(
+        "a list of cells has no depth; write the cells into a scenario (.octo) as \"cells\" in its \
+         \"scene\", with a \"depth\" in its \"build\", or send rays through them by octoscope visit \
+         --cells FILE --depth N --rays FILE"
+    )]
+    Cells,
+    /// A list of rays, without a tree.
+    #[error(
+        "a list of rays has no tree; send the rays through one by octoscope visit --cells FILE \
+         --depth N --rays FILE, or write one of them into a scenario (.octo) as \"ray\""
+    )]
+    Rays,
     /// A figure that another program has made.
     #[error("there is no scenario inside; choose a figure that Octoscope has exported")]
     NoScenario,
@@ -117,7 +130,7 @@ pub fn open_bytes(
     }
     let path = name.to_owned();
     let imported = match import(name, bytes, progress) {
-        Err(ImportError::UnknownKind) => return Err(OpenFault::UnknownKind.into()),
+        Err(ImportError::UnknownKind) => return Err(unknown_kind(name).into()),
         imported => imported?,
     };
     match imported {
@@ -181,6 +194,16 @@ fn with_path(error: anyhow::Error, path: &Path) -> anyhow::Error {
         return error;
     }
     AtPath { error, path: path.to_owned() }.into()
+}
+
+/// Why a file of this name is no scenario, figure or data file.
+fn unknown_kind(name: &str) -> OpenFault {
+    let ending = Path::new(name).extension().unwrap_or_default().to_ascii_lowercase();
+    match ending.to_str() {
+        Some("cells") => OpenFault::Cells,
+        Some("rays") => OpenFault::Rays,
+        Some(_) | None => OpenFault::UnknownKind,
+    }
 }
 
 /// Whether a file of this name holds a scenario.

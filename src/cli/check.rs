@@ -8,6 +8,7 @@ use crate::traced::MOST_EVENTS;
 use crate::with_document;
 use clap::Args;
 use octoscope_core::progress::Progress;
+use octoscope_core::scenario::StepAt;
 use octoscope_core::scene::Content;
 use octoscope_core::tree::MAX_ROOT_LEVEL;
 use octoscope_import::{cells, rays};
@@ -18,7 +19,8 @@ use std::path::{Path, PathBuf};
 ///
 /// One line a file: its name, ok, quadtree or octree, what it is built from,
 /// leaves, occupied leaves, the depth of the deepest leaf below the root and
-/// the steps of the query; of lists of cells and rays, what is in them; or its
+/// the steps of the query, with the step that is taken if the scenario names a later
+/// one than there is; of lists of cells and rays, what is in them; or its
 /// name, bad and what is wrong with it.
 ///
 /// Exit status: 1 if a file is bad.
@@ -132,11 +134,17 @@ fn made_of<const D: usize>(content: &Content<D>) -> String {
     }
 }
 
-/// Number of steps of the query; of a long run that there are more than are kept.
+/// Number of steps of the query, and whether the scenario names a later one; of a long
+/// run that there are more than are kept.
 fn steps<const D: usize>(document: &Document<D>) -> String {
-    match document.trace.is_cut() {
-        true => format!("more than {MOST_EVENTS} steps"),
-        false => count(document.trace.events.len(), "step", "steps"),
+    if document.trace.is_cut() {
+        return format!("more than {MOST_EVENTS} steps");
+    }
+    let n = document.trace.events.len();
+    let steps = count(n, "step", "steps");
+    match document.opened().step {
+        StepAt::At(step) if step > n => format!("{steps} (\"step\" is {step}: the last is taken)"),
+        StepAt::At(_) | StepAt::First | StepAt::Last => steps,
     }
 }
 

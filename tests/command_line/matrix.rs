@@ -94,7 +94,7 @@ fn every_view_is_among_those_that_are_exported() {
 fn an_svg_of_every_view_shows_what_its_png_shows() {
     let desk = desk();
     for (view, steps, _) in VIEWS {
-        let one = format!("{view} --step {}", steps.split_once('-').unwrap().0);
+        let one = format!("{view} --step {}", steps.split('-').next().unwrap());
         let png = Pixmap::decode_png(&file(&desk, &one, "a.png")).unwrap();
         let inked = png.pixels().iter().filter(|pixel| pixel.red() < 250).count();
         assert!(inked > 1000, "{view}: {inked} pixels");
@@ -117,7 +117,7 @@ fn a_pdf_of_every_view_shows_what_its_png_shows() {
         let info = text(&output.stdout);
         assert!(info.contains(&format!("Pages:           {n_frames}\n")), "{view}: {info}");
 
-        let one = format!("{view} --step {}", steps.split_once('-').unwrap().0);
+        let one = format!("{view} --step {}", steps.split('-').next().unwrap());
         let png = Pixmap::decode_png(&file(&desk, &one, "a.png")).unwrap();
         file(&desk, &one, "a.pdf");
         let [width, height] = [png.width(), png.height()].map(|side| side.to_string());
@@ -143,7 +143,7 @@ fn latex_sets_every_view_on_a_page_of_its_size() {
         .to_owned();
     let mut sizes = Vec::new();
     for (view, steps, _) in VIEWS {
-        let one = format!("{view} --step {}", steps.split_once('-').unwrap().0);
+        let one = format!("{view} --step {}", steps.split('-').next().unwrap());
         let tikz = String::from_utf8(file(&desk, &one, "a.tex")).unwrap();
         assert!(tikz.contains("\\documentclass") && tikz.contains("octo "), "{view}");
         assert!(!tikz.contains("[U+"), "LaTeX has a sign for every letter: {view}");
@@ -258,7 +258,7 @@ fn what_moves_has_a_frame_a_step_that_shows_what_its_png_shows() {
         assert_eq!([gif.len(), apng.len()], [n_frames; 2], "{view}");
         // Files of the same steps lie on the same page.
         desk.prints(&format!("export {view} --step {steps} --size 200x150 -o b.png"));
-        let first: usize = steps.split_once('-').unwrap().0.parse().unwrap();
+        let first: usize = steps.split('-').next().unwrap().parse().unwrap();
         for (index, ((gif, pause), apng)) in gif.iter().zip(&apng).enumerate() {
             assert_eq!(*pause, 30, "{view}");
             let step = first + index;

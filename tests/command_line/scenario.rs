@@ -32,6 +32,49 @@ fn check_does_not_count_the_steps_of_a_long_run_but_says_so() {
 }
 
 #[test]
+fn check_tells_which_step_is_taken_where_there_are_fewer() {
+    let desk = desk_with_scenario();
+    let with_step = |step: &str| {
+        let text = fs::read_to_string(desk.0.path().join("a.octo")).unwrap();
+        let mut scenario: serde_json::Value = serde_json::from_str(&text).unwrap();
+        scenario["step"] = serde_json::from_str(step).unwrap();
+        desk.put("step.octo", &scenario.to_string());
+        desk.prints("check step.octo")
+    };
+    let told = " steps (\"step\" is 9999: the last is taken)\n";
+    assert!(with_step("9999").ends_with(told), "{}", with_step("9999"));
+    assert!(with_step("3").ends_with(" steps\n") && with_step("\"last\"").ends_with(" steps\n"));
+}
+
+#[test]
+fn the_first_item_outside_is_told_by_its_line() {
+    let desk = desk_with_scenario();
+    for items in ["\"points\": [[0.5, 0.5],\n[1.5, 0]]", "\"cells\": [[1, 1],\n[16, 0]]"] {
+        let scenario = format!(
+            "{{\"octoscope\": 1, \"dimension\": 2, \"domain\": {{\"min\": [0, 0], \"side\": 1}},\n\
+             \"scene\": {{{items}}}, \"build\": {{\"depth\": 4}}}}"
+        );
+        desk.put("out.octo", &scenario);
+        let message = desk.refuses("trace out.octo");
+        let expected = "octoscope: line 3, column 1: this item lies outside the domain, ";
+        assert!(message.starts_with(expected), "{message}");
+    }
+}
+
+#[test]
+fn lists_of_cells_and_rays_are_no_scenarios_and_it_is_told_what_to_do() {
+    let desk = desk_with_scenario();
+    for (file, parts) in [
+        ("a.cells", ["has no depth", "visit --cells FILE --depth N"]),
+        ("a.rays", ["has no tree", "\"ray\""]),
+    ] {
+        let message = desk.refuses(&format!("trace {file}"));
+        assert!(parts.iter().all(|part| message.contains(part)), "{message}");
+        assert!(message.ends_with(&format!(": {file}\n")), "{message}");
+    }
+}
+
+#[test]
 fn check_tells_what_lists_of_cells_and_rays_hold() {
     let desk = desk_with_scenario();
     desk.put("b.cells", "# none\n");
@@ -130,7 +173,7 @@ fn trace_refuses_bad_input_with_what_would_be_right() {
         ("a.octo --lang fr", "en and de"),
         ("none.octo", "no such file"),
         ("cut.octo", "line "),
-        ("a.rays", "cannot be opened"),
+        ("a.rays", "has no tree"),
     ] {
         let message = desk.refuses(&format!("trace {arguments}"));
         assert!(message.contains(known), "{arguments}: {message}");

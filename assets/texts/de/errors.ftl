@@ -24,6 +24,8 @@ error-byte = Byte { $byte }
 
 error-empty = Die Datei ist leer; wählen Sie eine, die ein Bild, ein Netz oder Punkte enthält
 error-unknown-kind = Dateien dieser Art lassen sich nicht öffnen; wählen Sie ein Szenario, das auf .octo endet, eine Datei, die auf .png, .jpg, .obj, .stl, .ply, .xyz oder .csv endet, oder eine exportierte Abbildung, die auf .svg, .pdf, .png oder .tex endet
+error-list-of-cells = Eine Liste von Zellen hat keine Tiefe; schreiben Sie die Zellen in ein Szenario (.octo), als "cells" in "scene", mit einer "depth" in "build", oder schicken Sie Strahlen hindurch mit octoscope visit --cells DATEI --depth N --rays DATEI
+error-list-of-rays = Eine Liste von Strahlen hat keinen Baum; schicken Sie die Strahlen durch einen mit octoscope visit --cells DATEI --depth N --rays DATEI, oder schreiben Sie einen davon als "ray" in ein Szenario (.octo)
 error-no-scenario = In der Abbildung ist kein Szenario; wählen Sie eine, die Octoscope exportiert hat
 error-wrong-content = Der Name sagt { $expected }, darin ist aber { $found }; geben Sie der Datei die Endung dessen, was sie enthält
 error-malformed = Die Datei ist beschädigt oder nicht das, was ihr Name sagt, { $place } (auf Englisch: { $details })

@@ -24,6 +24,8 @@ error-byte = byte { $byte }
 
 error-empty = The file is empty; choose one that holds a picture, a mesh or points
 error-unknown-kind = Files of this kind cannot be opened; choose a scenario that ends in .octo, a file that ends in .png, .jpg, .obj, .stl, .ply, .xyz or .csv, or an exported figure that ends in .svg, .pdf, .png or .tex
+error-list-of-cells = A list of cells has no depth; write the cells into a scenario (.octo) as "cells" in its "scene", with a "depth" in its "build", or send rays through them by octoscope visit --cells FILE --depth N --rays FILE
+error-list-of-rays = A list of rays has no tree; send the rays through one by octoscope visit --cells FILE --depth N --rays FILE, or write one of them into a scenario (.octo) as "ray"
 error-no-scenario = There is no scenario inside the figure; choose one that Octoscope has exported
 error-wrong-content = The name says { $expected }, but the file holds { $found }; give it the ending of what it holds
 error-malformed = The file is damaged or not what its name says, { $place }: { $details }

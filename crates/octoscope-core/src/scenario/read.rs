@@ -10,7 +10,7 @@ use crate::geometry::{Aabb, Ray, RayError};
 use crate::locate::{Direction, DirectionError};
 use crate::query::Query;
 use crate::scene::{Content, Cube, Image, Sphere};
-use crate::tree::{DomainError, MAX_ROOT_LEVEL, Recipe};
+use crate::tree::{Code, Domain, DomainError, MAX_ROOT_LEVEL, Recipe};
 use serde::Deserialize;
 use thiserror::Error;
 
@@ -95,6 +95,19 @@ pub enum Fault {
     /// Domain and depth do not go together.
     #[error(transparent)]
     Domain(#[from] DomainError),
+    /// Points or cells outside the domain that the scenario gives.
+    #[error(
+        "this item lies outside the domain, the first of {count} that do; enlarge or move the \
+         domain, or leave them out"
+    )]
+    Outside {
+        /// Field of the items.
+        kind: &'static str,
+        /// How many.
+        count: usize,
+        /// Number of the first, from 0.
+        first: usize,
+    },
     /// An item with impossible numbers.
     #[error(
         "this item has a negative size or turned corners; give a radius from 0, and no corner \
@@ -142,7 +155,9 @@ impl Fault {
             Self::Direction(_) => "query.neighbour.direction".to_owned(),
             Self::Domain(DomainError::NotABox) => "domain".to_owned(),
             Self::Domain(DomainError::TooDeep(_) | DomainError::TooFine) => "build".to_owned(),
-            Self::Unusable { kind, item } => format!("scene.{kind}[{item}]"),
+            Self::Unusable { kind, item } | Self::Outside { kind, first: item, .. } => {
+                format!("scene.{kind}[{item}]")
+            }
         }
     }
 }
@@ -266,8 +281,30 @@ fn scenario<const D: usize>(file: File<D>) -> Result<Scenario<D>, Fault> {
     };
     scenario.step = file.step.map_or(scenario.step, |step| step.0);
     scenario.view = file.view;
-    scenario.grid()?;
+    let domain = scenario.grid()?;
+    if let Source::Inline(content) = &scenario.source {
+        none_outside(content, &domain)?;
+    }
     Ok(scenario)
+}
+
+/// Refuses points and cells outside, as [`build`](crate::tree::build) does.
+fn none_outside<const D: usize>(content: &Content<D>, domain: &Domain<D>) -> Result<(), Fault> {
+    let is_outside = |code: &Code<D>| code.iter().any(|&c| c >= domain.grid_size());
+    let outside: Vec<bool> = match content {
+        Content::Points(points) => {
+            points.iter().map(|&point| domain.encode_point(point).is_none()).collect()
+        }
+        Content::Cells(cells) => cells.iter().map(is_outside).collect(),
+        Content::Image(_) | Content::Spheres(_) | Content::Boxes(_) | Content::Triangles(_) => {
+            return Ok(());
+        }
+    };
+    let count = outside.iter().filter(|is_outside| **is_outside).count();
+    match outside.iter().position(|&is_outside| is_outside) {
+        Some(first) => Err(Fault::Outside { kind: field(content), count, first }),
+        None => Ok(()),
+    }
 }
 
 /// Level or depth `number`, which stands at `path`.
