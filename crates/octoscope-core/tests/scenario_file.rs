@@ -44,7 +44,7 @@ fn every_kind_of_content_reads_back() {
     ];
     for content in contents {
         let mut scenario = Scenario::of(Source::Inline(content.clone()), &content);
-        scenario.domain = Cube { min: [-1.0, 0.1, 2.5], side: 3.7 };
+        scenario.domain = Cube { min: [-1.0, -0.1, -1.5], side: 3.7 };
         reads_back(AnyScenario::Octree(scenario));
     }
     let pixels = vec![[0, 0, 0], [1, 2, 3], [255; 3], [254, 254, 254]];
