@@ -339,6 +339,7 @@ impl eframe::App for App {
     }
 
     fn save(&mut self, storage: &mut dyn eframe::Storage) {
+        self.finish_saving();
         self.keep_at_the_end(storage);
     }
 

@@ -11,14 +11,25 @@ use crate::{complaint, save, with_document};
 use eframe::egui::Context;
 use octoscope_core::progress::Progress;
 use octoscope_core::scenario::AnyScenario;
+use octoscope_figure::Show;
+use std::collections::VecDeque;
 use std::path::{Path, PathBuf};
 
 /// What is being saved. A large scenario takes long to print: another thread does it.
 #[derive(Default)]
 pub(super) struct Saving {
     now: Option<Begun>,
-    /// Where to save next: what is changed meanwhile is saved after it.
-    next: Option<PathBuf>,
+    /// What is to be saved after it, one for each file.
+    next: VecDeque<Draft>,
+}
+
+/// What is to be saved, as it was when this was asked for.
+struct Draft {
+    /// The document, with its file.
+    document: AnyDocument,
+    path: PathBuf,
+    step: usize,
+    show: Show,
 }
 
 struct Begun {
@@ -28,6 +39,8 @@ struct Begun {
     document: AnyDocument,
     path: PathBuf,
     context: Context,
+    /// Whether the user knows that it takes a while.
+    is_told: bool,
 }
 
 /// Whether a file may be replaced.
@@ -55,13 +68,19 @@ impl App {
 
     /// Begins to save, or, while something is being saved, does so after it.
     fn save_to(&mut self, context: &Context, path: PathBuf) {
-        if self.is_saving() {
-            self.saving.next = Some(path);
-            return;
-        }
         let mut document = self.document.clone();
         with_document!(&mut document, d => d.path = Some(path.clone()));
         let (step, show) = (self.view.playback.step, *self.show_of_document());
+        self.saving.next.retain(|draft| draft.path != path);
+        self.saving.next.push_back(Draft { document, path, step, show });
+        if !self.is_saving() {
+            self.save_next(context);
+        }
+    }
+
+    fn save_next(&mut self, context: &Context) {
+        let Some(draft) = self.saving.next.pop_front() else { return };
+        let Draft { document, path, step, show } = draft;
         let (of_job, to) = (document.clone(), path.clone());
         let work = move |_: &Progress| {
             let now = of_job.scenario_at(step);
@@ -73,17 +92,18 @@ impl App {
         let title = self.look.texts.format("status-saving", &[("name", name.into())]);
         let job = Job::start(title, context, work);
         let context = context.clone();
-        self.saving.now = Some(Begun { job, document, path, context });
+        self.saving.now = Some(Begun { job, document, path, context, is_told: false });
         self.poll_saving();
     }
 
     /// Takes what saving has come to, and begins what is to be saved after it.
     pub(super) fn poll_saving(&mut self) {
-        let Some(begun) = self.saving.now.take() else { return };
+        let Some(mut begun) = self.saving.now.take() else { return };
         match begun.job.poll() {
             Poll::Running => {
-                if begun.job.is_shown() && self.notice.text() != begun.job.title {
+                if begun.job.is_shown() && !begun.is_told {
                     self.notice.say(begun.job.title.clone());
+                    begun.is_told = true;
                 }
                 self.saving.now = Some(begun);
             }
@@ -104,7 +124,10 @@ impl App {
 
     /// `result` is what was saved, or why it was not; `None` if nobody knows.
     fn conclude_saving(&mut self, result: Option<anyhow::Result<AnyScenario>>, begun: Begun) {
-        let Begun { document, path, context, .. } = begun;
+        let Begun { document, path, context, job, .. } = begun;
+        if self.notice.text() == job.title {
+            self.notice.clear();
+        }
         match result {
             Some(Ok(scenario)) => {
                 let name = file_name(&path);
@@ -122,9 +145,7 @@ impl App {
             }
             None => self.view.dialog = Some(Dialog::Error(self.look.text("job-broken"))),
         }
-        if let Some(next) = self.saving.next.take() {
-            self.save_to(&context, next);
-        }
+        self.save_next(&context);
     }
 
     pub(super) fn take_answers(&mut self, context: &Context) {

@@ -231,6 +231,28 @@ fn what_is_changed_while_much_is_saved_is_saved_the_next_time() {
 }
 
 #[test]
+fn what_is_saved_is_what_was_there_when_it_was_asked_for() {
+    let folder = tempdir().unwrap();
+    let mut desk = with_many_points(folder.path());
+    let direction = desk.plane().scenario.ray.direction();
+    let tap = |desk: &mut Desk, modifiers, key| {
+        desk.key_press_modifiers(modifiers, key);
+        desk.step();
+    };
+    // The second one waits for the first, and the last change is not saved.
+    for _ in 0..2 {
+        tap(&mut desk, Modifiers::NONE, Key::R);
+        tap(&mut desk, Modifiers::COMMAND, Key::S);
+    }
+    tap(&mut desk, Modifiers::NONE, Key::R);
+    desk.state_mut().finish_work();
+    desk.step();
+    assert!(desk.state().is_changed());
+    let saved = Desk::with_file(folder.path().join("many.octo"));
+    assert_eq!(saved.plane().scenario.ray.direction(), direction);
+}
+
+#[test]
 fn a_window_that_is_closed_has_saved_what_it_was_to_save() {
     let folder = tempdir().unwrap();
     let mut desk = with_many_points(folder.path());

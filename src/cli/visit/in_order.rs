@@ -11,6 +11,10 @@ use std::thread;
 /// nothing beside it.
 pub const BLOCK: usize = 512;
 
+/// Blocks a thread after which all wait for the slowest, so that results that come early
+/// need not all be kept.
+const BLOCKS_A_ROUND: usize = 64;
+
 /// Does `work` on blocks of the items, by so many threads, and hands the results to
 /// `take`, in order and while the next ones are worked on.
 ///
@@ -25,11 +29,21 @@ pub fn in_order<T: Sync, R: Send>(
     if threads.get() == 1 {
         return items.chunks(BLOCK).try_for_each(|block| take(work(block)));
     }
+    let mut rounds = items.chunks(BLOCK * BLOCKS_A_ROUND * threads.get());
+    rounds.try_for_each(|items| one_round(items, threads, &work, &mut take))
+}
+
+fn one_round<T: Sync, R: Send>(
+    items: &[T],
+    threads: NonZeroUsize,
+    work: &(impl Fn(&[T]) -> R + Sync),
+    take: &mut impl FnMut(R) -> io::Result<()>,
+) -> io::Result<()> {
     let next = AtomicUsize::new(0);
     thread::scope(|scope| {
         let (sender, results) = sync_channel(threads.get());
         for _ in 0..threads.get() {
-            let (next, work, sender) = (&next, &work, sender.clone());
+            let (next, sender) = (&next, sender.clone());
             scope.spawn(move || {
                 let numbers = std::iter::repeat_with(|| next.fetch_add(1, Ordering::Relaxed));
                 let blocks = numbers.map_while(|n| Some((n, items.chunks(BLOCK).nth(n)?)));
@@ -60,7 +74,7 @@ mod tests {
 
     #[test]
     fn results_come_in_order_from_any_number_of_threads() {
-        for n in [0, 1, BLOCK, 20 * BLOCK + 1] {
+        for n in [0, 1, BLOCK, 200 * BLOCK + 1] {
             let items: Vec<usize> = (0..n).collect();
             for threads in [1, 2, 3, 7] {
                 let mut taken: Vec<usize> = Vec::new();

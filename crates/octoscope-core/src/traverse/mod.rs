@@ -36,8 +36,7 @@ pub use algorithm::{Algorithm, Method, MethodError, Options, StopAt, UnknownAlgo
 pub use batch::{Kernel, Leaf, visit_many};
 pub(crate) use beyond::{Exit, code_of_entry, target_of};
 pub(crate) use bsp::halves;
-pub(crate) use clip::slabs;
-pub use clip::{Clip, clip};
+pub use clip::{Clip, clip, slabs};
 pub(crate) use hero::sorted;
 pub(crate) use misprint::{Base, traverse as traverse_mirrored};
 pub(crate) use misprinted_rules::selection;

@@ -140,6 +140,7 @@ pub(super) fn occupied_cells<const D: usize>(
     progress.start(0);
     Ok(occupied)
 }
+
 /// Number of cells `levels` below one cell.
 fn cells_below<const D: usize>(levels: u8) -> u64 {
     1 << (u32::from(levels) * D as u32)

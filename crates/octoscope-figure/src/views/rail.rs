@@ -3,6 +3,7 @@
 use octoscope_core::explain::distinct;
 use octoscope_core::geometry::Ray;
 use octoscope_core::trace::{HalvingPlane, Moment};
+use octoscope_core::traverse::slabs;
 use octoscope_core::tree::{Code, NodeId, Tree};
 
 /// What the rail tells of.
@@ -92,13 +93,8 @@ impl<const D: usize> Rail<D> {
         if is_told {
             return self;
         }
-        let (bounds, origin, direction) = (tree.node_box(node), ray.origin(), ray.direction());
-        let met = |plane: [f64; D]| -> [f64; D] {
-            std::array::from_fn(|axis| (plane[axis] - origin[axis]) / direction[axis])
-        };
-        let [lower, upper] = [bounds.min, bounds.max].map(met);
-        let pick = |of: fn(f64, f64) -> f64| Some(std::array::from_fn(|e| of(lower[e], upper[e])));
-        Self { near: pick(f64::min), far: pick(f64::max), ..self }
+        let (near, far) = slabs(tree.domain(), ray, tree.level(node), tree.code(node));
+        Self { near: Some(near), far: Some(far), ..self }
     }
 
     /// Of a node of which only the interval is known in which the ray is in it.
@@ -238,9 +234,12 @@ mod tests {
         assert_eq!((rail.near, rail.far), (Some([0.5, 1.0]), Some([1.0, 1.5])));
         let told = Rail { mid: Some([0.0; 2]), ..interval };
         assert_eq!(told.with_planes(&tree, &ray), told);
-        let parallel = Ray::new([0.5, -1.0], [0.0, 1.0]).unwrap();
-        let rail = interval.with_planes(&tree, &parallel);
-        assert_eq!(rail.bar(0), Some([f64::NEG_INFINITY, f64::INFINITY]));
+        // A cell owns its lower side, not its upper one.
+        for (x, far) in [(0.5, f64::INFINITY), (0.0, f64::INFINITY), (1.0, f64::NEG_INFINITY)] {
+            let parallel = Ray::new([x, -1.0], [0.0, 1.0]).unwrap();
+            let rail = interval.with_planes(&tree, &parallel);
+            assert_eq!(rail.bar(0), Some([f64::NEG_INFINITY, far]), "{x}");
+        }
     }
 
     #[test]
