@@ -211,7 +211,6 @@ fn what_is_changed_while_much_is_saved_is_saved_the_next_time() {
     desk.press(Key::R);
     desk.key_press_modifiers(Modifiers::COMMAND, Key::S);
     desk.step();
-    assert!(desk.state().is_saving(), "it takes longer than a frame");
     desk.key_press(Key::R);
     desk.step();
     desk.state_mut().finish_work();

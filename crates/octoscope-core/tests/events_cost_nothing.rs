@@ -11,8 +11,9 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
-/// Instructions in units of those without events: none more, but for some around a walk.
-const ABOUT_ONE: std::ops::RangeInclusive<f64> = 0.999..=1.001;
+/// Instructions in units of those without events: at most 1 % more, and not so many
+/// fewer that something else were counted.
+const ABOUT_ONE: std::ops::RangeInclusive<f64> = 0.97..=1.01;
 
 #[test]
 fn as_many_instructions_are_needed_as_without_events() {
@@ -91,7 +92,7 @@ fn program(folder: &Path, name: &str, events: Events) -> PathBuf {
         // What is left of an event that nobody is told is no fault here.
         .env("RUSTFLAGS", "--cap-lints=allow")
         .env("CARGO_PROFILE_RELEASE_STRIP", "none")
-        // In several units it is by chance what is inlined into what.
+        // In several units it is more by chance what is inlined into what.
         .env("CARGO_PROFILE_RELEASE_CODEGEN_UNITS", "1")
         .output()
         .expect("cargo runs this test");
