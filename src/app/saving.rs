@@ -54,7 +54,7 @@ enum Replacing {
 
 impl App {
     /// Whether something is being saved.
-    pub fn is_saving(&self) -> bool {
+    pub(super) fn is_saving(&self) -> bool {
         self.saving.now.is_some()
     }
 

@@ -34,23 +34,25 @@ fn the_arrow_keys_choose_among_the_hits() {
     assert_eq!(desk.step_number(), 0, "the arrows do not step");
 }
 
-#[test]
-fn an_erratum_opens_its_counterexample() {
-    let mut desk = Desk::new();
-    search(&mut desk, "b-2");
+/// Opens what is found first, and waits until it is there.
+fn open(desk: &mut Desk, wanted: &str) {
+    search(desk, wanted);
     desk.press(Key::Enter);
     desk.state_mut().finish_work();
     desk.run();
+}
+
+#[test]
+fn an_erratum_opens_its_counterexample() {
+    let mut desk = Desk::new();
+    open(&mut desk, "b-2");
     assert!(desk.space().scenario.query.variants().has(Variant::B2));
 }
 
 #[test]
 fn a_reading_of_an_erratum_opens_its_own_counterexample() {
     let mut desk = Desk::new();
-    search(&mut desk, "24b");
-    desk.press(Key::Enter);
-    desk.state_mut().finish_work();
-    desk.run();
+    open(&mut desk, "24b");
     assert!(desk.plane().scenario.query.variants().has(Variant::B24b));
 }
 
