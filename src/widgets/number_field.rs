@@ -9,7 +9,7 @@ use eframe::egui::{
     text_edit::TextEditState,
     vec2,
 };
-use octoscope_core::explain::number;
+use octoscope_core::explain::signed_number as number;
 
 /// Room between a number and the border of its field.
 const PADDING: f32 = 8.0;

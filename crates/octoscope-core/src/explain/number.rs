@@ -1,8 +1,15 @@
 //! Numbers in words.
 
-/// Shortest decimal that reads back as `x`; ∞, -∞, -0 and NaN are written out,
-/// very large and very small numbers have an exponent.
+/// Shortest decimal that reads back as `x`; ∞, -∞ and NaN are written out, very large
+/// and very small numbers have an exponent. The sign of a zero is left out: where it is
+/// what one looks for, [`signed_number`] tells it.
 pub fn number(x: f64) -> String {
+    // −0 + 0 = 0.
+    signed_number(x + 0.0)
+}
+
+/// [`number`], but -0 for a zero with a sign.
+pub fn signed_number(x: f64) -> String {
     if x.is_nan() {
         return "NaN".to_owned();
     }
@@ -43,7 +50,9 @@ mod tests {
     #[test]
     fn numbers_are_short_and_read_back() {
         assert_eq!(number(0.1), "0.1");
-        assert_eq!(number(-0.0), "-0");
+        assert_eq!(number(-0.0), "0");
+        assert_eq!(signed_number(-0.0), "-0");
+        assert_eq!((approx(-0.0), distinct(&[-0.0, 1.0])[0].as_str()), ("0".to_owned(), "0"));
         assert_eq!(number(f64::NEG_INFINITY), "-∞");
         assert_eq!(number(1e-7), "1e-7");
         for x in [0.1 + 0.2, 1e300, -5e-324, 123456.75] {

@@ -198,7 +198,7 @@ impl<const D: usize> Drawing<'_, D> {
 
     /// Text of a parameter, wished with its middle below the mark.
     fn label(&self, axis: usize, t: f64, plane: &str, with_value: bool) -> Label {
-        let is_odd = !t.is_finite() || t == 0.0 && t.is_sign_negative();
+        let is_odd = !t.is_finite();
         let x = if t.is_nan() { 0.5 * (self.track[0] + self.track[1]) } else { self.x_of(t) };
         let value = if with_value { format!(" {}", self.rail.told(t)) } else { String::new() };
         let text = joined([parameter(axis, plane), value.into()]);

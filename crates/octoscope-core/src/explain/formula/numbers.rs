@@ -16,7 +16,7 @@ pub(super) fn told_apart<const N: usize>(values: [f64; N]) -> [Formula; N] {
 
 /// A number behind a sign: in brackets if it has a sign of its own.
 pub(super) fn operand(value: f64) -> Formula {
-    match value.is_sign_negative() && !value.is_nan() {
+    match value < 0.0 {
         true => number(value).fenced(Fence::Round),
         false => number(value),
     }

@@ -17,13 +17,13 @@ fn the_gem_is_told_by_what_it_compared() {
             "t_xm = NaN ist keine Zahl, sodass kein Vergleich mit 1.25, 0 oder 0.25 zutrifft: Das Gem nimmt beide Hälften, zuerst die untere x-Hälfte; die andere wartet auf dem Stapel.",
         ],
     );
-    // From the plane, away from it: −0 is not less than 0.
+    // From the plane, away from it: −0, told as 0, is not less than 0.
     check(
         [0.5, 0.25],
         [-1.0, 0.0],
         [
-            "t_xm = −0 is neither greater than 0.5 nor less than 0 or 0: the gem takes both halves, first the lower x half; the other one waits on the stack.",
-            "t_xm = −0 ist weder größer als 0.5 noch kleiner als 0 oder 0: Das Gem nimmt beide Hälften, zuerst die untere x-Hälfte; die andere wartet auf dem Stapel.",
+            "t_xm = 0 is neither greater than 0.5 nor less than 0 or 0: the gem takes both halves, first the lower x half; the other one waits on the stack.",
+            "t_xm = 0 ist weder größer als 0.5 noch kleiner als 0 oder 0: Das Gem nimmt beide Hälften, zuerst die untere x-Hälfte; die andere wartet auf dem Stapel.",
         ],
     );
     check(
