@@ -43,6 +43,7 @@ chart-step = after step { $step } of { $of }
 legend-ray = ray
 legend-ray-tip = t = 1
 legend-visited = visited leaves, in order
+legend-strayed = visited although wrong
 legend-current = current node
 legend-ancestor = its ancestors
 legend-taken = child that is taken

@@ -13,9 +13,10 @@ use crate::{Mark, Role, Shape, Show};
 use octoscope_core::event::{End, Event};
 use octoscope_core::geometry::{AXIS_NAMES, Aabb, Axes, Ray};
 use octoscope_core::query::Query;
-use octoscope_core::trace::{LeafOnRay, Moment};
+use octoscope_core::trace::{LeafOnRay, Moment, strayed};
 use octoscope_core::traverse::Variant;
 use octoscope_core::tree::{Child, NodeId, Tree, branch};
+use std::collections::HashSet;
 
 /// Marks of a query at a moment, the lowest first; O(length of the path), so
 /// that they can be made anew while the ray is dragged. `event` is the last
@@ -28,7 +29,8 @@ pub fn marks<const D: usize>(
     event: Option<&Event<D>>,
     show: &Show,
 ) -> Vec<Mark<D>> {
-    let scene = Scene { tree, ray, query, moment, event, show };
+    let strayed = strayed(tree, ray, query, moment);
+    let scene = Scene { tree, ray, query, moment, event, show, strayed };
     let mut marks = vec![node_mark(tree, NodeId::ROOT, Role::Root)];
     scene.visited(&mut marks);
     scene.ancestors(&mut marks);
@@ -55,6 +57,8 @@ struct Scene<'a, const D: usize> {
     moment: &'a Moment<D>,
     event: Option<&'a Event<D>>,
     show: &'a Show,
+    /// What is reported though it is not right.
+    strayed: HashSet<NodeId>,
 }
 
 impl<const D: usize> Scene<'_, D> {
@@ -65,7 +69,12 @@ impl<const D: usize> Scene<'_, D> {
         for (index, leaf) in self.moment.leaves.iter().enumerate() {
             let share =
                 ((leaf.enter - root[0].max(0.0)) / (root[1] - root[0].max(0.0))).clamp(0.0, 1.0);
-            marks.push(node_mark(self.tree, leaf.node, Role::Visited { share }));
+            let role = if self.strayed.contains(&leaf.node) {
+                Role::Strayed
+            } else {
+                Role::Visited { share }
+            };
+            marks.push(node_mark(self.tree, leaf.node, role));
             if self.show.order_numbers {
                 let label = Mark::new(self.number_in(leaf, misprinted), Role::OrderNumber);
                 marks.push(label.of_node(leaf.node).with_text((index + 1).to_string()));
@@ -83,13 +92,13 @@ impl<const D: usize> Scene<'_, D> {
     }
 
     /// Where the number of a visited leaf stands: along the ray. What a misprint reports
-    /// may be beside it, and has its number in the middle.
+    /// may be beside it, and has its number at the middle.
     fn number_in(&self, leaf: &LeafOnRay, misprinted: bool) -> Shape<D> {
         let chord = [leaf.enter, leaf.exit].map(|t| self.ray.at(t));
         let bounds = self.tree.node_box(leaf.node);
         let middle: [f64; D] = std::array::from_fn(|e| 0.5 * chord[0][e] + 0.5 * chord[1][e]);
         if misprinted && !bounds.owns(middle) {
-            return Shape::LabelIn { at: bounds.centre(), bounds };
+            return Shape::LabelAlong([bounds.centre(); 2]);
         }
         Shape::LabelAlong(chord)
     }
@@ -214,6 +223,7 @@ impl<const D: usize> Scene<'_, D> {
         let bounds = part.map_or_else(|| self.tree.node_box(node), |part| part.bounds(self.tree));
         let missed = matches!(self.event, Some(Event::Test { interval: None, .. }));
         let role = match (self.moment.found == Some(node), missed) {
+            (true, _) if self.strayed.contains(&node) => Role::Strayed,
             (true, _) => Role::Found,
             (false, true) => Role::Missed,
             (false, false) => Role::Current,

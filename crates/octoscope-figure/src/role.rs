@@ -52,6 +52,8 @@ pub enum Role {
         /// where it leaves.
         share: f64,
     },
+    /// A node that a misprint has reported although it is not right; crossed out.
+    Strayed,
     /// Number of a visited leaf in the order of the ray.
     OrderNumber,
     /// A leaf that the ray meets in one point, and the point.
@@ -229,7 +231,7 @@ impl Role {
 
     /// One role of every kind, in the order in which they cover each other,
     /// the lowest first.
-    pub const KINDS: [Self; 128] = [
+    pub const KINDS: [Self; 129] = [
         Self::Pixel([128; 3]),
         Self::FaintNode,
         Self::InnerNode,
@@ -241,6 +243,7 @@ impl Role {
         Self::MirroredNode,
         Self::Missed,
         Self::Visited { share: 0.5 },
+        Self::Strayed,
         Self::Root,
         Self::Ancestor { above: 3 },
         Self::Ancestor { above: 2 },
@@ -386,6 +389,7 @@ impl Role {
             Self::Taken => "taken",
             Self::Rejected => "rejected",
             Self::Visited { .. } => "visited",
+            Self::Strayed => "strayed",
             Self::OrderNumber => "order-number",
             Self::Touch => "touch",
             Self::Missed => "missed",

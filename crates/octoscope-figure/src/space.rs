@@ -180,12 +180,18 @@ impl<const D: usize> Canvas<'_, D> {
                             | Role::FaintNode
                             | Role::Pixel(_)
                             | Role::Visited { .. }
+                            | Role::Strayed
                     );
                     let part = if is_leaf && side < FINE { Part::Fine } else { Part::Whole };
                     if !is_leaf {
                         self.spare(&points);
                     }
+                    let cross = cross_out(mark.role, &points);
                     self.push(mark, bounds, part, Form::Polygon(points));
+                    let part = if part == Part::Fine { part } else { Part::Edge };
+                    for line in cross {
+                        self.push(mark, bounds, part, line);
+                    }
                     if is_apart(mark.role) {
                         self.name_apart(mark, above_space(mark.role), &[]);
                     }
@@ -319,6 +325,16 @@ fn is_above(role: Role) -> bool {
 /// Whether a role is but a hint beside the path, and must not cover it.
 fn is_hint(role: Role) -> bool {
     matches!(role, Role::Rejected | Role::MirroredNode)
+}
+
+/// Lines that cross an area out which is wrong; none of any other role.
+fn cross_out(role: Role, area: &[[f64; 2]]) -> Vec<Form> {
+    match *area {
+        [a, b, c, d] if role == Role::Strayed => {
+            [[a, c], [b, d]].map(|line| Form::Polyline(line.to_vec())).to_vec()
+        }
+        _ => Vec::new(),
+    }
 }
 
 /// Whether, in the plane, the area of a role lies below everything in it.

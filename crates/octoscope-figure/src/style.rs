@@ -170,6 +170,11 @@ impl Style {
                 let colour = ramp(theme, share);
                 Self { fill: Some(colour.faded(0.45)), ..line(colour.faded(0.6), 1.0) }
             }
+            Role::Strayed => Self {
+                fill: Some(p.rejected.faded(0.22)),
+                dash: Dash::Dashed,
+                ..line(p.rejected, 1.8).lettered(p.rejected, 12.0, Weight::Strong)
+            },
             Role::OrderNumber => Self {
                 fill: Some(p.background),
                 radius: 9.0,

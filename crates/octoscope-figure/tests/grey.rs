@@ -66,6 +66,7 @@ fn lines_are_told_apart_in_grey() {
         (Role::Current, Role::Visited { share: 0.5 }),
         (Role::Rejected, Role::Taken),
         (Role::Rejected, Role::Missed),
+        (Role::Strayed, Role::Visited { share: 0.5 }),
         (Role::MidPlane(0), Role::ExitPlane(0)),
         (Role::OwnedSide, Role::OpenSide),
         (Role::Transition(1), Role::TransitionTaken(1)),

@@ -235,7 +235,7 @@ fn planes<const D: usize>(tree: &Tree<D>, ray: &Ray<D>, node: NodeId) -> [(usize
 }
 
 /// Parameters between which the ray is in a node, or why it is not in it.
-fn met<const D: usize>(
+pub(super) fn met<const D: usize>(
     tree: &Tree<D>,
     ray: &Ray<D>,
     end: Option<f64>,
@@ -295,7 +295,11 @@ fn parent_plane<const D: usize>(
 }
 
 /// Why a node does not own a point, if it does not.
-fn elsewhere<const D: usize>(tree: &Tree<D>, at: &[f64; D], node: NodeId) -> Option<Reason> {
+pub(super) fn elsewhere<const D: usize>(
+    tree: &Tree<D>,
+    at: &[f64; D],
+    node: NodeId,
+) -> Option<Reason> {
     let bounds = tree.node_box(node);
     (0..D).find_map(|axis| {
         let place = at[axis];

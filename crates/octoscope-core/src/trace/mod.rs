@@ -7,6 +7,7 @@ mod moment;
 mod record;
 mod rounding;
 mod state;
+mod strayed;
 
 pub use counters::{Counter, Counters};
 pub use fate::{Crossing, Fate, ParentPlane, Reason, deciding_fate, fate};
@@ -17,3 +18,4 @@ pub use state::{
     Codes, Cuts, Detour, Difference, Exits, Extent, Frame, GridCell, HalvingPlane, LeafOnRay,
     RootClip, Target, Towards,
 };
+pub use strayed::strayed;

@@ -181,6 +181,11 @@ impl<const D: usize> Drawing<'_, D> {
             let disc = Form::Circle { centre: node.at, radius: DISC * half };
             push(disc, Role::OrderNumber);
         }
+        if state.is_strayed && item.node.is_leaf() {
+            let at = [x, y + half + 0.5 * NUMBER];
+            let sign = Form::Text { at, anchor: Anchor::Middle, text: "×".into() };
+            push(sign, Role::Strayed);
+        }
         if state.is_touched {
             push(Form::Circle { centre: node.at, radius: half + 2.5 }, Role::Touch);
         }
@@ -194,9 +199,13 @@ impl<const D: usize> Drawing<'_, D> {
     fn role(&self, n: usize, here: bool, is_found: bool) -> Option<Role> {
         let state = self.state(n);
         let missed = matches!(self.of.event, Some(Event::Test { interval: None, .. }));
-        let visited = Role::Visited { share: state.share };
+        let visited = match state.is_strayed {
+            true => Role::Strayed,
+            false => Role::Visited { share: state.share },
+        };
         if here {
             return Some(match (is_found, missed) {
+                (true, _) if state.is_strayed => Role::Strayed,
                 (true, _) => Role::Found,
                 (false, true) => Role::Missed,
                 (false, false) => Role::Current,
@@ -254,8 +263,11 @@ impl<const D: usize> Drawing<'_, D> {
     /// how many leaves it has.
     fn text_below(&self, n: usize) -> (String, Role) {
         match self.state(n).visited {
-            Some([first, last]) if first == last => (first.to_string(), Role::OrderNumber),
-            Some([first, last]) => (format!("{first}–{last}"), Role::OrderNumber),
+            Some([first, last]) => {
+                let wrong = if self.state(n).is_strayed { " ×" } else { "" };
+                let last = if first == last { String::new() } else { format!("–{last}") };
+                (format!("{first}{last}{wrong}"), Role::OrderNumber)
+            }
             None => (short(self.of.tree.n_leaves_in(self.items[n].node.id)), Role::Branch),
         }
     }

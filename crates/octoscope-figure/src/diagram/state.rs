@@ -4,7 +4,7 @@ use super::DiagramOf;
 use super::layout::Item;
 use octoscope_core::event::End;
 use octoscope_core::query::Query;
-use octoscope_core::trace::{Fate, Reason, fate};
+use octoscope_core::trace::{Fate, Reason, fate, strayed};
 use octoscope_core::tree::NodeId;
 use std::collections::HashMap;
 
@@ -20,6 +20,8 @@ pub(super) struct States {
 pub(super) struct State {
     /// First and last number of the visited leaves in it.
     pub visited: Option<[usize; 2]>,
+    /// Whether one of them, or what is found there, is not right.
+    pub is_strayed: bool,
     /// Share of the way along the ray at which the last of them begins.
     pub share: f64,
     /// Number of levels between it and the current node in it, 0 at that itself.
@@ -53,6 +55,11 @@ pub(super) fn states<const D: usize>(of: &DiagramOf<D>, items: &[Item]) -> State
         if let Some(item) = last {
             let share = ((leaf.enter - root[0]) / (root[1] - root[0])).clamp(0.0, 1.0);
             states[item].visit([n + 1; 2], share);
+        }
+    }
+    for node in strayed(tree, ray, query, moment) {
+        if let Some(item) = drawn(node) {
+            states[item].is_strayed = true;
         }
     }
     for n in (1..items.len()).rev() {

@@ -1,6 +1,6 @@
 //! Boxes and planes in space.
 
-use super::{Canvas, HINT, InSpace, above_space, is_above, is_apart, is_hint};
+use super::{Canvas, HINT, InSpace, above_space, cross_out, is_above, is_apart, is_hint};
 use crate::camera::corners;
 use crate::sides::sides_to_eye;
 use crate::{Drawn, Form, Mark, Part, Style, Theme};
@@ -18,8 +18,10 @@ impl<const D: usize> Canvas<'_, D> {
         let (mut behind, mut front) = (Vec::new(), Vec::new());
         if Style::of(Theme::Light, mark.role).fill.is_some() {
             for side in &seen {
-                let polygon = side.polygon.iter().map(|p| p.at).collect();
+                let polygon: Vec<_> = side.polygon.iter().map(|p| p.at).collect();
+                let cross = cross_out(mark.role, &polygon);
                 front.push((Part::Face(side.axis), Form::Polygon(polygon)));
+                front.extend(cross.into_iter().map(|line| (Part::Edge, line)));
             }
         }
         for axis in 0..D {

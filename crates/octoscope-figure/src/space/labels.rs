@@ -219,7 +219,9 @@ impl<const D: usize> Canvas<'_, D> {
             return HashMap::new();
         }
         let boxes = marks.iter().filter_map(|mark| match (mark.role, mark.shape) {
-            (Role::Visited { .. }, Shape::Box(bounds)) => Some((mark.node?, bounds)),
+            (Role::Visited { .. } | Role::Strayed, Shape::Box(bounds)) => {
+                Some((mark.node?, bounds))
+            }
             _ => None,
         });
         let areas = boxes.filter_map(|(node, bounds)| {

@@ -9,6 +9,7 @@ use octoscope_core::text::Texts;
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Swatch {
     Field,
+    Crossed,
     Ramp,
     Arrow,
     Disc,
@@ -17,10 +18,11 @@ enum Swatch {
 }
 
 /// Roles that are explained where they occur, by their class.
-const ENTRIES: [(&str, Role, Swatch); 18] = [
+const ENTRIES: [(&str, Role, Swatch); 19] = [
     ("ray", Role::Ray, Swatch::Arrow),
     ("ray-tip", Role::RayTip, Swatch::Diamond),
     ("visited", Role::Visited { share: 0.5 }, Swatch::Ramp),
+    ("strayed", Role::Strayed, Swatch::Crossed),
     ("current", Role::Current, Swatch::Field),
     ("ancestor", Role::Ancestor { above: 1 }, Swatch::Field),
     ("taken", Role::Taken, Swatch::Field),
@@ -76,6 +78,13 @@ fn draw(sheet: &mut Sheet, role: Role, swatch: Swatch, [x, y]: [f64; 2], width: 
     const HEIGHT: f64 = 11.0;
     match swatch {
         Swatch::Field => sheet.rect(role, [x + 2.0, y - 0.5 * HEIGHT], [width - 4.0, HEIGHT]),
+        Swatch::Crossed => {
+            let ([left, top], [right, bottom]) =
+                ([x + 2.0, y - 0.5 * HEIGHT], [x + width - 2.0, y + 0.5 * HEIGHT]);
+            sheet.rect(role, [left, top], [right - left, bottom - top]);
+            sheet.line(role, [[left, top], [right, bottom]]);
+            sheet.line(role, [[left, bottom], [right, top]]);
+        }
         Swatch::Ramp => {
             let part = (width - 4.0) / 3.0;
             for n in 0..3 {
