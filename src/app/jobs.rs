@@ -3,15 +3,18 @@
 use super::App;
 use crate::document::AnyDocument;
 use crate::job::{Job, Poll};
+use crate::look::Look;
 use crate::open::{open, open_built_in, open_scenario};
 use crate::save::Last;
 use crate::view::{Dialog, PanelKind};
 use crate::{complaint, with_document};
 use anyhow::anyhow;
 use eframe::egui::Context;
+use octoscope_core::explain::algorithm_name;
+use octoscope_core::locate::NeighbourMethod;
 use octoscope_core::paper::{counterexample, erratum_of, find_other};
 use octoscope_core::progress::{Cancelled, Progress};
-use octoscope_core::query::Query;
+use octoscope_core::query::{PointMethod, Query};
 use octoscope_core::traverse::Variant;
 use std::path::{Path, PathBuf};
 
@@ -20,6 +23,8 @@ use std::path::{Path, PathBuf};
 pub(super) enum Purpose {
     /// It is shown instead of the present document.
     Open,
+    /// It is shown instead, and it is said which rules it follows.
+    Counterexample,
     /// It is what was open last.
     Restore,
     /// Its tree is taken into the present document.
@@ -64,7 +69,7 @@ impl App {
         let work = move |progress: &Progress| {
             open_scenario(counterexample(variant), Path::new(""), progress)
         };
-        self.job = Some((Job::start(title, context, work), Purpose::Open));
+        self.job = Some((Job::start(title, context, work), Purpose::Counterexample));
     }
 
     /// Looks for another question on which the rules go wrong; each time for another.
@@ -247,10 +252,10 @@ impl App {
         };
         self.job = None;
         match (result, purpose) {
-            (Ok(document), Purpose::Open | Purpose::Restore) => {
+            (Ok(document), Purpose::Open | Purpose::Counterexample | Purpose::Restore) => {
                 let changed = self.is_changed().then(|| self.titled());
                 // A start is not undone, but for what was done meanwhile.
-                if purpose == Purpose::Open || changed.is_some() {
+                if purpose != Purpose::Restore || changed.is_some() {
                     self.settle_now();
                     self.history.record(self.shown());
                 }
@@ -259,10 +264,16 @@ impl App {
                 self.unrestored = None;
                 self.saved = self.document.as_opened();
                 self.notice.clear();
-                if let Some(title) = changed {
+                let kept = changed.map(|title| {
                     let title = title.trim_end_matches(" *").to_owned();
-                    let arguments = [("title", title.into())];
-                    self.notice.say(self.look.texts.format("status-kept", &arguments));
+                    self.look.texts.format("status-kept", &[("title", title.into())])
+                });
+                let rules = (purpose == Purpose::Counterexample).then(|| {
+                    with_document!(&self.document, d => rules_told(&d.scenario.query, &self.look))
+                });
+                if kept.is_some() || rules.is_some() {
+                    let all: Vec<String> = rules.into_iter().chain(kept).collect();
+                    self.notice.say(all.join("\n"));
                 }
                 self.go_to_start();
                 if with_document!(&self.document, d => is_misprinted(&d.scenario.query)) {
@@ -287,7 +298,10 @@ impl App {
                 self.settle_now();
                 self.document.ask_as(&aimed);
             }
-            (Err(error), Purpose::Open | Purpose::Rebuild | Purpose::Aim) => {
+            (
+                Err(error),
+                Purpose::Open | Purpose::Counterexample | Purpose::Rebuild | Purpose::Aim,
+            ) => {
                 if purpose == Purpose::Rebuild {
                     with_document!(&mut self.document, document => document.keep_tree());
                 }
@@ -301,8 +315,37 @@ impl App {
 }
 
 /// Whether a query follows a rule of the paper as it is printed.
-fn is_misprinted<const D: usize>(query: &Query<D>) -> bool {
+pub(super) fn is_misprinted<const D: usize>(query: &Query<D>) -> bool {
     query.variants_at_work().iter().any(|variant| erratum_of(variant).is_some())
+}
+
+/// Which algorithm is at work, and which of its rules in another form than the right one.
+fn rules_told<const D: usize>(query: &Query<D>, look: &Look) -> String {
+    let algorithm = match *query {
+        Query::Ray { algorithm, .. } => algorithm_name(algorithm, look.texts.language()),
+        Query::Point { method, .. } => {
+            let method = match method {
+                PointMethod::Codes => "point-codes",
+                PointMethod::Comparison => "point-comparison",
+            };
+            format!("{} {}", look.text("query-point"), look.text(method))
+        }
+        Query::Region { .. } => look.text("query-region"),
+        Query::Neighbour { method, .. } => {
+            let method = match method {
+                NeighbourMethod::Codes => "neighbour-codes",
+                NeighbourMethod::Tables => "neighbour-tables",
+            };
+            format!("{} {}", look.text("query-neighbour"), look.text(method))
+        }
+    };
+    let rule = |variant: Variant| match erratum_of(variant) {
+        Some(_) => look.texts.format("status-rule-printed", &[("rule", variant.id().into())]),
+        None => look.text(&format!("variant-{}", variant.id())),
+    };
+    let rules: Vec<String> = query.variants_at_work().iter().map(rule).collect();
+    let arguments = [("algorithm", algorithm.into()), ("rules", rules.join(", ").into())];
+    look.texts.format("status-rules", &arguments)
 }
 
 /// The last part of a path, for a message.

@@ -1,7 +1,9 @@
 //! Which keys are commands, and which commands can be obeyed now.
 
 use super::App;
+use super::jobs::is_misprinted;
 use crate::command::{COMMANDS, Command, belongs_to_focus};
+use crate::document::Found;
 use crate::space::Standpoint;
 use crate::with_document;
 use eframe::egui::{Context, Key, Popup};
@@ -64,9 +66,23 @@ impl App {
         let why = match (needs_ray, needs_space) {
             (true, _) => "status-no-ray",
             (_, true) => "status-only-in-space",
+            (false, false) if command == Command::FirstWrong => self.why_nothing_wrong(),
             (false, false) => return None,
         };
         Some(self.look.text(why))
+    }
+
+    /// Why there is no first wrong step.
+    fn why_nothing_wrong(&self) -> &'static str {
+        let (found, is_misprinted) = with_document!(&self.document, d => {
+            (d.verdict_so_far(), is_misprinted(&d.scenario.query))
+        });
+        match found {
+            _ if !is_misprinted => "status-no-misprint",
+            Found::Known(_) => "paper-agrees",
+            Found::Coming(_) => "paper-coming",
+            Found::Never => "paper-too-large",
+        }
     }
 
     pub(super) fn is_enabled(&self, command: Command) -> bool {
@@ -81,7 +97,7 @@ impl App {
             Command::StepBack | Command::PreviousLeaf | Command::First => {
                 step > 0 || self.view.playback.playing
             }
-            Command::FirstWrong => self.first_wrong_step().is_some(),
+            Command::FirstWrong => self.first_step_off().is_some(),
             Command::ReverseRay | Command::SnapRay | Command::NextDegenerate => {
                 self.is_about_a_ray()
             }

@@ -18,6 +18,15 @@ use octoscope_core::traverse::Algorithm;
 use octoscope_core::tree::Tree;
 use octoscope_figure::{Lens, Show, Theme};
 
+/// Where a misprint leads.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Off {
+    /// To a wrong result.
+    Astray,
+    /// To the right one, by a longer way.
+    RoundAbout,
+}
+
 impl App {
     /// Does what is asked for, if it can be done now.
     pub(super) fn obey(&mut self, context: &Context, command: Command) {
@@ -48,8 +57,11 @@ impl App {
                 self.go_to(with_document!(&self.document, d => d.trace.previous_leaf(step)));
             }
             Command::FirstWrong => {
-                if let Some(step) = self.first_wrong_step() {
+                if let Some((step, kind)) = self.first_step_off() {
                     self.go_to(step);
+                    if kind == Off::RoundAbout {
+                        self.notice.say(self.look.text("status-detour"));
+                    }
                 }
             }
             Command::Play => self.view.playback.toggle(length),
@@ -148,9 +160,11 @@ impl App {
         });
     }
 
-    /// Where a misprint leads astray first, as the timeline shows it.
-    pub(super) fn first_wrong_step(&self) -> Option<usize> {
-        with_document!(&self.document, d => d.known_verdict()?.first_wrong_step)
+    /// Where a misprint leads astray first, as the timeline shows it, or round about.
+    pub(super) fn first_step_off(&self) -> Option<(usize, Off)> {
+        let verdict = with_document!(&self.document, d => d.known_verdict())?;
+        let wrong = verdict.first_wrong_step.map(|step| (step, Off::Astray));
+        wrong.or_else(|| Some((verdict.detour?, Off::RoundAbout)))
     }
 
     pub(super) fn is_about_a_ray(&self) -> bool {

@@ -105,7 +105,7 @@ impl<const D: usize> Document<D> {
     /// where the tree is too large to ask every leaf, or the run was too long to be
     /// traced to its end.
     pub fn verdict(&mut self) -> Found<Verdict> {
-        if self.tree.n_leaves() > MOST_LEAVES || self.trace.is_cut() {
+        if self.is_judged_never() {
             return Found::Never;
         }
         self.verdict.ask();
@@ -124,6 +124,17 @@ impl<const D: usize> Document<D> {
             Found::Known(verdict) => verdict.first_wrong_step,
             Found::Coming(_) | Found::Never => None,
         }
+    }
+
+    /// What is known of the verdict on the present run by now.
+    pub fn verdict_so_far(&self) -> Found<Verdict> {
+        if self.is_judged_never() { Found::Never } else { self.verdict.found() }
+    }
+
+    /// Whether the tree is too large to ask every leaf, or the run was too long to be
+    /// traced to its end.
+    fn is_judged_never(&self) -> bool {
+        self.tree.n_leaves() > MOST_LEAVES || self.trace.is_cut()
     }
 
     /// The verdict on the present run, if it was asked for and is known.

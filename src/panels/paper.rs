@@ -82,23 +82,24 @@ fn judged<const D: usize>(
             return None;
         }
     };
-    match verdict.first_wrong_step {
-        None if verdict.is_detour() => {
+    let told = match (verdict.first_wrong_step, verdict.detour) {
+        (Some(step), _) => Some(look.texts.format("paper-wrong", &[("step", step.into())])),
+        (None, Some(step)) => {
             let [steps, right] = verdict.n_steps;
-            let arguments = [("steps", steps.into()), ("right", right.into())];
-            let text = look.texts.format("paper-longer", &arguments);
-            ui.label(RichText::new(text).strong().color(look.palette.ray));
+            let arguments =
+                [("steps", steps.into()), ("right", right.into()), ("step", step.into())];
+            Some(look.texts.format("paper-longer", &arguments))
         }
-        None => {
-            ui.label(look.text("paper-agrees"));
-        }
-        Some(step) => {
-            let text = look.texts.format("paper-wrong", &[("step", step.into())]);
-            ui.label(RichText::new(text).strong().color(look.palette.ray));
-            if ui.button(look.text("paper-go")).clicked() {
-                wish = Some(Wish::Step(step));
-            }
-        }
+        (None, None) => None,
+    };
+    let told = told.map_or(RichText::new(look.text("paper-agrees")), |told| {
+        RichText::new(told).strong().color(look.palette.ray)
+    });
+    ui.add(Label::new(told).wrap());
+    if let Some(step) = verdict.first_step_off()
+        && ui.button(look.text("paper-go")).clicked()
+    {
+        wish = Some(Wish::Step(step));
     }
     let other = match query {
         Query::Ray { .. } => "paper-other",
@@ -109,6 +110,7 @@ fn judged<const D: usize>(
     if ui.button(look.text(other)).clicked() {
         wish = Some(Wish::OtherQuestion);
     }
+    ui.add(Label::new(quiet(look, look.text("paper-marks"))).wrap());
     wish
 }
 

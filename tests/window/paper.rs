@@ -5,9 +5,11 @@ use eframe::egui::Key;
 use eframe::egui::accesskit::Role;
 use egui_kittest::kittest::Queryable;
 use octoscope::document::AnyDocument;
+use octoscope_core::geometry::Ray;
 use octoscope_core::paper::counterexample;
 use octoscope_core::query::Query;
 use octoscope_core::scenario::AnyScenario;
+use octoscope_core::text::Language;
 use octoscope_core::traverse::{Algorithm, Options, Variant, Variants};
 
 /// Follows the rule of a variant, as the menu of the rules does.
@@ -106,5 +108,49 @@ fn another_point_region_and_cell_are_found_as_well() {
         desk.run();
         assert_ne!(desk.plane().scenario.query, before);
         assert!(desk.texts().iter().any(|text| text.starts_with("Goes wrong at step ")));
+    }
+}
+
+#[test]
+fn the_key_leads_to_where_a_detour_begins_or_says_why_nothing_is_wrong() {
+    let mut desk = Desk::new();
+    desk.press(Key::W);
+    assert!(desk.says("Every rule is in its right form here"));
+
+    desk.open_scenario(&counterexample(Variant::B9));
+    desk.press(Key::Home);
+    desk.press(Key::W);
+    let step = desk.step_number();
+    assert!(desk.says(&format!("The detour begins at step {step}.")));
+    assert!(desk.says("comes to the right result by a detour, which begins here"));
+    assert!(desk.sentence().contains("B-9"), "{}", desk.sentence());
+
+    // B-3 does no harm to a ray that only meets child 0.
+    desk.open_scenario(&counterexample(Variant::B3));
+    let AnyDocument::Plane(document) = desk.state_mut().document_mut() else { panic!() };
+    document.scenario.ray = Ray::new([-1.0, 0.25], [1.0, -0.125]).unwrap();
+    desk.run();
+    desk.press(Key::W);
+    assert!(desk.says("On this input the printed rule does no harm."));
+}
+
+#[test]
+fn loading_a_counterexample_says_which_algorithm_and_rules_are_at_work() {
+    for (language, told) in [
+        (Language::English, "Algorithm: Parametric, by tables; rule B-3 as printed"),
+        (Language::German, "Verfahren: Parametrisch, mit Tabellen; Regel B-3 wie gedruckt"),
+    ] {
+        let mut desk = Desk::new();
+        follow(&mut desk, Algorithm::Parametric, Variant::B3);
+        desk.state_mut().view.language = language;
+        desk.run();
+        let button = match language {
+            Language::English => "Load the counterexample",
+            Language::German => "Gegenbeispiel laden",
+        };
+        desk.click(Role::Button, button);
+        desk.state_mut().finish_work();
+        desk.run();
+        assert!(desk.says(told), "{:?}", desk.texts());
     }
 }

@@ -35,7 +35,7 @@ pub fn find_other<const D: usize>(
 ) -> Option<Question<D>> {
     let judged = |(ray, query): &Question<D>| verdict(tree, ray, &record(tree, ray, query));
     let goes_wrong = |other: &Question<D>| *other != question && !judged(other).agrees();
-    let is_detour = |other: &Question<D>| *other != question && judged(other).is_detour();
+    let is_detour = |other: &Question<D>| *other != question && judged(other).detour.is_some();
     let mut detour = None;
     let mut random = Random::new(seed);
     progress.start(N_TRIES);

@@ -18,8 +18,10 @@ pub struct Verdict {
     /// Number of events up to and with the first one that is wrong, if the trace
     /// does not agree: that is another than the same walk makes by the right rules.
     pub first_wrong_step: Option<usize>,
-    /// Number of events of the trace, and of the same walk by the right rules: a rule may
-    /// lead to the right result by a longer way.
+    /// Number of events up to and with the first one that is not made by the right rules,
+    /// if the trace agrees all the same, but takes more steps.
+    pub detour: Option<usize>,
+    /// Number of events of the trace, and of the same walk by the right rules.
     pub n_steps: [usize; 2],
 }
 
@@ -29,9 +31,9 @@ impl Verdict {
         self.first_wrong_step.is_none()
     }
 
-    /// Whether the trace has come to it by more steps than the right rules take.
-    pub fn is_detour(&self) -> bool {
-        self.agrees() && self.n_steps[0] > self.n_steps[1]
+    /// Number of events up to and with the first one that leads astray, or round about.
+    pub fn first_step_off(&self) -> Option<usize> {
+        self.first_wrong_step.or(self.detour)
     }
 }
 
@@ -44,8 +46,7 @@ pub fn verdict<const D: usize>(tree: &Tree<D>, ray: &Ray<D>, trace: &Trace<D>) -
             let right = record(tree, ray, &trace.query.corrected());
             let (expected, found) = (results(&right.events), results(&trace.events));
             let first_wrong_step = (expected != found).then(|| step_apart(trace, &right.events));
-            let n_steps = [trace.events.len(), right.events.len()];
-            Verdict { expected, first_wrong_step, n_steps }
+            judged(trace, &right.events, expected, first_wrong_step)
         }
     }
 }
@@ -90,8 +91,20 @@ fn of_ray<const D: usize>(
     {
         expected.truncate(first + 1);
     }
+    judged(trace, &corrected, expected, first_wrong_step)
+}
+
+/// The verdict on a trace beside the run with `corrected` rules.
+fn judged<const D: usize>(
+    trace: &Trace<D>,
+    corrected: &[Event<D>],
+    expected: Vec<NodeId>,
+    first_wrong_step: Option<usize>,
+) -> Verdict {
     let n_steps = [trace.events.len(), corrected.len()];
-    Verdict { expected, first_wrong_step, n_steps }
+    let is_detour = first_wrong_step.is_none() && n_steps[0] > n_steps[1];
+    let detour = is_detour.then(|| step_apart(trace, corrected));
+    Verdict { expected, first_wrong_step, detour, n_steps }
 }
 
 /// Visited leaves, or the nodes that were found.
