@@ -222,7 +222,7 @@ impl<const D: usize> Tree<D> {
         for (number, kept) in (first_row..).zip(kept) {
             let place = self.places[number];
             let level = place.level.checked_sub(1).expect("a cell of level 0 cannot be split");
-            let mut row = Row::default();
+            let (mut base, mut inner, mut full) = (0, 0u8, 0u8);
             part.first_full.push(part.n_items.len() as u32);
             for (child, contents) in Child::<D>::all().zip(divide(place.level, kept)) {
                 let code = child.code_in(place.code, 1 << level);
@@ -230,21 +230,21 @@ impl<const D: usize> Tree<D> {
                 match judge(cell, contents, &mut part.items) {
                     Fate::Empty => {}
                     Fate::Full => {
-                        row.full |= 1 << child.0;
+                        full |= 1 << child.0;
                         part.n_items.push(part.items.len() as u32);
                     }
                     Fate::Inner(kept) => {
-                        if row.inner == 0 {
-                            row.base = part.places.len() as u32;
+                        if inner == 0 {
+                            base = part.places.len() as u32;
                         }
-                        row.inner |= 1 << child.0;
+                        inner |= 1 << child.0;
                         let id = NodeId(1 + ((number as u32) << D | u32::from(child.0)));
                         part.places.push(Place { id, level, code });
                         part.kept.push(kept);
                     }
                 }
             }
-            part.rows.push(row);
+            part.rows.push(Row::new(base, inner, full));
         }
         part
     }
@@ -253,8 +253,11 @@ impl<const D: usize> Tree<D> {
     fn append<K>(&mut self, part: Part<D, K>) -> Vec<K> {
         let [first_row, first_full, first_item] =
             [self.places.len(), self.first_item.len() - 1, self.items.len()].map(|n| n as u32);
-        let moved = |row: Row| if row.inner == 0 { row.base } else { first_row + row.base };
-        self.rows.extend(part.rows.into_iter().map(|row| Row { base: moved(row), ..row }));
+        let moved = |row: Row| match row.inner() {
+            0 => row,
+            inner => Row::new(first_row + row.base(), inner, row.full()),
+        };
+        self.rows.extend(part.rows.into_iter().map(moved));
         self.places.extend(part.places);
         self.first_full.extend(part.first_full.into_iter().map(|n| first_full + n));
         self.first_item.extend(part.n_items.into_iter().map(|n| first_item + n));

@@ -54,15 +54,37 @@ impl Node {
     }
 }
 
-/// What is walked of an inner node: 8 bytes.
+/// What is walked of an inner node, in one word: the row of its first inner child in
+/// the lowest 32 bits, above them the marks `inner` and `full`, one bit a child each.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(crate) struct Row {
+pub(crate) struct Row(pub u64);
+
+impl Row {
+    /// Where the marks begin.
+    pub const INNER: u32 = 32;
+    pub const FULL: u32 = 40;
+
+    pub fn new(base: u32, inner: u8, full: u8) -> Self {
+        Self(u64::from(base) | u64::from(inner) << Self::INNER | u64::from(full) << Self::FULL)
+    }
+
     /// Row of the first inner child.
-    pub base: u32,
+    #[inline]
+    pub fn base(self) -> u32 {
+        self.0 as u32
+    }
+
     /// Bit i: child i is an inner node.
-    pub inner: u8,
+    #[inline]
+    pub fn inner(self) -> u8 {
+        (self.0 >> Self::INNER) as u8
+    }
+
     /// Bit i: child i is a leaf with something in it.
-    pub full: u8,
+    #[inline]
+    pub fn full(self) -> u8 {
+        (self.0 >> Self::FULL) as u8
+    }
 }
 
 /// The children of an inner node.
@@ -76,7 +98,7 @@ impl<const D: usize> Siblings<D> {
     /// One of them.
     #[inline]
     pub fn node(self, child: Child<D>) -> Node {
-        let Row { base, inner, full } = self.row;
+        let (base, inner, full) = (self.row.base(), self.row.inner(), self.row.full());
         let bit = 1u8 << child.0;
         let row = base + (inner & (bit - 1)).count_ones();
         let leaf = EMPTY_LEAF - u32::from(full & bit != 0);
@@ -224,7 +246,7 @@ impl<const D: usize> Tree<D> {
             return &[];
         }
         let leaf = self.place_in_parent(id).map_or(0, |(row, child)| {
-            let before = self.rows[row].full & ((1 << child.0) - 1);
+            let before = self.rows[row].full() & ((1 << child.0) - 1);
             self.first_full[row] + before.count_ones()
         });
         let [from, to] = [leaf, leaf + 1].map(|n| self.first_item[n as usize] as usize);

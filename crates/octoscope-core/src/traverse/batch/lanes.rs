@@ -1,7 +1,9 @@
 //! The lanes.
 //!
 //! Every field is an array with one value a lane, and every line of a step a loop
-//! over the lanes without a jump, so that the compiler computes them with vectors.
+//! over the lanes without a jump, so that the compiler computes them with vectors. What
+//! it cannot (rows of the tree, lists of leaves) is loops of their own, in which nothing
+//! is computed: vectors and single values that take turns wait for each other.
 
 use super::super::algorithm::StopAt;
 use super::prepare::{Prepared, Start, prepare};
@@ -39,8 +41,10 @@ pub struct Lanes<'a, const D: usize, const N: usize> {
     /// Code of the current node, mirrored; as the bits of a double, see [`INTEGERS`].
     code: [[u64; N]; D],
     level: [u64; N],
-    /// Bit l: lane l is in a leaf.
-    leaves: u64,
+    /// 1: the lane is in a leaf.
+    leaf: [u64; N],
+    /// 1: the lane's ray has left the root or met the leaf at which it stops.
+    ended: [u64; N],
     /// When the current node is entered.
     entry: [f64; N],
     /// Rows of the inner nodes down to the current one, by their level.
@@ -55,14 +59,6 @@ pub struct Lanes<'a, const D: usize, const N: usize> {
     room: usize,
 }
 
-/// Lanes that have ended, one bit each.
-struct Ended {
-    /// Their rays have left the root.
-    out: u64,
-    /// Their rays have met the leaf at which they stop.
-    met_last: u64,
-}
-
 /// A double from 2^52 to 2^53 is an integer, which its lowest bits spell: so a code
 /// becomes a double, and a double a code, without being converted.
 const INTEGERS: f64 = (1u64 << 52) as f64;
@@ -72,6 +68,14 @@ const INTEGERS: f64 = (1u64 << 52) as f64;
 fn bit_length(integer: u64) -> u64 {
     let double = f64::from_bits(integer | INTEGERS.to_bits()) - INTEGERS;
     (double.to_bits() >> 52).wrapping_sub(1022)
+}
+
+/// Number of 1 bits among the lowest 7, where all others are 0.
+#[inline(always)]
+fn n_ones(bits: u64) -> u64 {
+    let pairs = bits - (bits >> 1 & 0x55);
+    let fours = (pairs & 0x33) + (pairs >> 2 & 0x33);
+    (fours + (fours >> 4)) & 0xf
 }
 
 impl<'a, const D: usize, const N: usize> Lanes<'a, D, N> {
@@ -93,7 +97,8 @@ impl<'a, const D: usize, const N: usize> Lanes<'a, D, N> {
             mirror: [0; N],
             code: [[0; N]; D],
             level: [0; N],
-            leaves: 0,
+            leaf: [0; N],
+            ended: [0; N],
             entry: [0.0; N],
             stack: [[0; N]; LEVELS],
             found: vec![Leaf::default(); part * N],
@@ -121,12 +126,10 @@ impl<'a, const D: usize, const N: usize> Lanes<'a, D, N> {
             self.fill(lane, take);
         }
         while self.n_active > 0 {
-            let Ended { out, met_last } = self.step();
-            if out | met_last != 0 {
+            if self.step() {
                 for lane in 0..N {
-                    let [out, met_last] = [out, met_last].map(|mask| mask >> lane & 1 == 1);
-                    if out | met_last {
-                        self.end(lane, out, take);
+                    if self.ended[lane] == 1 {
+                        self.end(lane, take);
                     }
                 }
             }
@@ -135,12 +138,13 @@ impl<'a, const D: usize, const N: usize> Lanes<'a, D, N> {
 
     /// Hands on what the ray of a lane has met, and gives the lane another one.
     #[inline(always)]
-    fn end(&mut self, lane: usize, is_out: bool, take: &mut impl FnMut(usize, &[Leaf])) {
+    fn end(&mut self, lane: usize, take: &mut impl FnMut(usize, &[Leaf])) {
         if self.ray[lane] == IDLE {
             return self.rest(lane);
         }
         // Outside the root there is no leaf, whatever the last step has taken for one.
-        let none = is_out && self.leaves >> lane & 1 == 1;
+        let is_out = self.level[lane] >= u64::from(self.tree.domain().root_level());
+        let none = is_out && self.leaf[lane] == 1;
         let to = self.place[lane] - usize::from(none);
         take(self.ray[lane], &self.found[lane * self.part..to]);
         self.n_active -= 1;
@@ -176,7 +180,7 @@ impl<'a, const D: usize, const N: usize> Lanes<'a, D, N> {
     fn rest(&mut self, lane: usize) {
         let (slope, start) = ([1.0; D], [0.0; D]);
         self.begin(lane, &Prepared { slope, start, error: -1.0, entry: 0.0, mirror: 0 });
-        self.leaves |= 1 << lane;
+        self.leaf[lane] = 1;
     }
 
     /// Puts a ray into the root.
@@ -192,14 +196,14 @@ impl<'a, const D: usize, const N: usize> Lanes<'a, D, N> {
         self.entry[lane] = prepared.entry;
         let root_level = u64::from(self.tree.domain().root_level());
         self.level[lane] = root_level;
-        self.leaves &= !(1 << lane);
+        self.leaf[lane] = 0;
         self.stack[root_level as usize % LEVELS][lane] = 0;
         self.place[lane] = lane * self.part;
     }
 
-    /// One step of every lane; returns which of them have ended.
+    /// One step of every lane; returns whether any of them has ended.
     #[inline(always)]
-    fn step(&mut self) -> Ended {
+    fn step(&mut self) -> bool {
         if self.room == 0 {
             self.make_room();
         }
@@ -209,7 +213,7 @@ impl<'a, const D: usize, const N: usize> Lanes<'a, D, N> {
         let mut is_leaf = [0; N];
         let mut ahead = [0; N];
         for l in 0..N {
-            is_leaf[l] = self.leaves >> l & 1;
+            is_leaf[l] = self.leaf[l];
             ahead[l] = 1 << (self.level[l] + is_leaf[l] - 1);
         }
         let mut next = [[0; N]; D];
@@ -237,8 +241,8 @@ impl<'a, const D: usize, const N: usize> Lanes<'a, D, N> {
         let mut any_open = 0;
         let mut closest = [0.0; N];
         for l in 0..N {
-            let (mut first, mut second) = (f64::INFINITY, f64::INFINITY);
-            for e in 0..D {
+            let (mut first, mut second) = ((t[0][l] - now[l]).abs(), f64::INFINITY);
+            for e in 1..D {
                 let gap = (t[e][l] - now[l]).abs();
                 let later = if gap > first { gap } else { first };
                 first = if gap < first { gap } else { first };
@@ -260,10 +264,8 @@ impl<'a, const D: usize, const N: usize> Lanes<'a, D, N> {
         // Next: beyond the passed planes; the highest bit that changes tells the level
         // of the node below which the next one is.
         let mut changed = [0; N];
-        for e in 0..D {
-            for l in 0..N {
-                changed[l] |= step[e][l] ^ self.code[e][l];
-            }
+        for l in 0..N {
+            changed[l] = (0..D).fold(0, |bits, e| bits | step[e][l] ^ self.code[e][l]);
         }
         let root_level = u64::from(self.tree.domain().root_level());
         let mut parent_level = [0; N];
@@ -284,33 +286,40 @@ impl<'a, const D: usize, const N: usize> Lanes<'a, D, N> {
             }
         }
         for l in 0..N {
-            child[l] ^= self.mirror[l];
+            child[l] = (child[l] ^ self.mirror[l]) & ((1 << D) - 1);
         }
 
-        // The child: of the node itself, or of one that was kept on the way down. It
-        // is an inner node, which is kept, or a leaf, which is met.
-        let (mut leaves, mut met_last, mut out) = (0, 0, 0);
+        // The child: of the node itself, or of one that was kept on the way down. All
+        // rows are fetched first, so that waiting for one is waiting for all.
+        let mut row = [0; N];
+        let mut word = [0; N];
         for l in 0..N {
-            let level = parent_level[l] as usize;
-            let row = self.stack[level % LEVELS][l];
-            let Row { base, inner, full } = self.rows[row as usize];
-            let [inner, full] = [inner, full].map(u32::from);
-            let child = child[l] as u32;
-            let before = inner & ((1 << child) - 1);
-            self.stack[(level - 1) % LEVELS][l] = base + before.count_ones();
-            let is_leaf = !inner >> child & 1;
-            let is_full = full >> child & 1;
-            self.found[self.place[l]] = Leaf(row << D | child | is_full << 31);
-            self.place[l] += is_leaf as usize;
-            leaves |= u64::from(is_leaf) << l;
-            met_last |= u64::from(is_full) << l;
-            out |= is_out[l] << l;
+            row[l] = u64::from(self.stack[parent_level[l] as usize % LEVELS][l]);
+            word[l] = self.rows[row[l] as usize].0;
         }
-        self.leaves = leaves;
-        if self.stop_at == StopAt::End {
-            met_last = 0;
+        let stops = u64::from(self.stop_at == StopAt::FirstFull);
+        let mut below = [0; N];
+        let mut met = [0; N];
+        let mut any_ended = 0;
+        for l in 0..N {
+            let inner = word[l] >> Row::INNER;
+            below[l] = word[l] + n_ones(inner & ((1 << child[l]) - 1));
+            let is_full = word[l] >> (u64::from(Row::FULL) + child[l]) & 1;
+            met[l] = row[l] << D | child[l] | is_full << 31;
+            self.leaf[l] = !inner >> child[l] & 1;
+            self.ended[l] = is_out[l] | is_full & stops;
+            any_ended |= self.ended[l];
         }
-        Ended { out, met_last }
+
+        // It is an inner node, which is kept, or a leaf, which is met.
+        for l in 0..N {
+            self.stack[(parent_level[l] as usize - 1) % LEVELS][l] = below[l] as u32;
+            self.found[self.place[l]] = Leaf(met[l] as u32);
+        }
+        for l in 0..N {
+            self.place[l] += self.leaf[l] as usize;
+        }
+        any_ended != 0
     }
 
     /// Makes the lists of the lanes long enough for at least one more step.
@@ -348,7 +357,7 @@ impl<'a, const D: usize, const N: usize> Lanes<'a, D, N> {
             let place = Place {
                 level: self.level[l] as u8,
                 mirrored: per_axis(|e| self.code[e][l] as u32),
-                is_leaf: self.leaves >> l & 1 == 1,
+                is_leaf: self.leaf[l] == 1,
             };
             let axes = settle(self.tree.domain(), &self.rays[self.ray[l]], place);
             for e in 0..D {
