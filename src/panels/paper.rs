@@ -3,9 +3,9 @@
 use crate::document::Found;
 use crate::look::Look;
 use crate::sidebar::Wish;
-use crate::widgets::printed_and_right;
+use crate::widgets::{printed_and_right, rich_label};
 use eframe::egui::{CollapsingHeader, Label, RichText, Ui};
-use octoscope_core::explain::misprint_formula;
+use octoscope_core::explain::{RichText as Words, misprint_formula};
 use octoscope_core::paper::{
     ERRATA, Erratum, Severity, Verdict, erratum_of, misprint_title, paper_texts,
 };
@@ -125,7 +125,9 @@ fn explained(ui: &mut Ui, look: &Look, erratum: &Erratum, variants: &[Variant]) 
             ui.add(Label::new(text).wrap());
         }
     }
-    ui.add(Label::new(told(look, erratum, "why")).wrap());
+    let why = Words::with_subscripts(&told(look, erratum, "why"));
+    let width = ui.available_width();
+    rich_label(ui, look, &why, 15.0, width);
 }
 
 /// All errata; a click unfolds one.

@@ -35,7 +35,7 @@ erratum-b-6-why = Gl. 13 allein ergibt −∞ + ∞ = NaN, kein Vergleich gilt, 
 erratum-b-7-title = Gespiegelter Startpunkt
 erratum-b-7-printed = p' = s − p
 erratum-b-7-right = p' = x_0 + x_1 − p
-erratum-b-7-why = Gespiegelt wird an der Ebene durch die Mitte der Wurzel. s − p ist nur dann dasselbe, wenn die Minimum-Ecke der Wurzel bei 0 liegt.
+erratum-b-7-why = Gespiegelt wird an der Ebene durch die Mitte der Wurzel. s − p mit der Seite s der Wurzel ist nur dann dasselbe, wenn ihre Minimum-Ecke bei 0 liegt.
 
 erratum-b-8-title = Wörter der Spiegelung
 erratum-b-8-printed = An der e-Achse gespiegelt; Bildbereich; unnummeriert
@@ -89,13 +89,13 @@ erratum-b-17-why = Die Tabellen stimmen. Achse für Achse führt der Weg auch du
 
 erratum-b-18-title = Welches Bit zuerst kommt
 erratum-b-18-printed = Codes im Format „least significant bit first“
-erratum-b-18-right = Gewöhnliche Binärzahlen; die höchste Verzweigung kommt zuerst
+erratum-b-18-right = Gewöhnliche Binärzahlen; das Bit der obersten Verzweigung wird zuerst benutzt
 erratum-b-18-why = Nur die Nummern der Bits beginnen rechts. 001000 von rechts gelesen ist 000100, eine andere Zelle.
 
 erratum-b-19-title = Bit einer Ebene
 erratum-b-19-printed = Auf Ebene k wird Bit k benutzt
 erratum-b-19-right = In einem Knoten der Ebene k wird Bit k − 1 jedes Codes benutzt
-erratum-b-19-why = Bit k gibt den Weg von Ebene k + 1 zu Ebene k an. Bit R jedes Codes ist 0, also ginge der erste Schritt immer nach links.
+erratum-b-19-why = Bit k gibt den Weg von Ebene k + 1 zu Ebene k an. Bit R jedes Codes ist 0, also ginge der erste Schritt immer in die untere Hälfte.
 
 erratum-b-20-title = Ebene 0 und die Zahl der Bits
 erratum-b-20-printed = Blätter bilden Ebene 0; so viele Bits wie Ebenen
@@ -105,7 +105,7 @@ erratum-b-20-why = Das oberste Bit eines Codes ist immer 0. Normiert wird das Ge
 erratum-b-21-title = Koordinate 1,0
 erratum-b-21-printed = Punkte in [0..1]
 erratum-b-21-right = Punkte in [0, 1)
-erratum-b-21-why = 1,0 hat den Code 100000. Alle benutzten Bits sind 0, also landet der Punkt stillschweigend in der Zelle ganz links.
+erratum-b-21-why = Bei sechs Ebenen hat 1,0 den Code 100000. Alle benutzten Bits sind 0, also landet der Punkt stillschweigend in der Zelle ganz links.
 
 erratum-b-22-title = Gesparte Vergleiche
 erratum-b-22-printed = Zwei je Ebene beim Quadtree, vier beim Octree

@@ -40,6 +40,7 @@ clip-short = Der Strahl endet, bevor er die Wurzel trifft, deren letzte nahe Ebe
 clip-no-length = Der Strahl verfehlt die Wurzel: Er endet bei { $end }, nicht später, als er beginnt.
 clip-printed = Nach der gedruckten Regel, { $rule }, wird die Wurzel getroffen, von t = { $enter } bis t = { $exit }.
 as-printed = { " " }So sagt es die gedruckte Regel, { $rule }.
+clip-no-number = { " " }Aber { $parameters } ist keine Zahl, sodass kein Vergleich damit zutrifft und nichts davon abhängt. So sagt es die gedruckte Regel, { $rule }.
 clip-printed-miss = Nach der gedruckten Regel, { $rule }, wird die Wurzel verfehlt, mit t_min = { $enter } und t_max = { $exit }.
 clip-parallel = Der Strahl verfehlt die Wurzel: Entlang { $axes } bewegt er sich nicht, und sein Startpunkt liegt dort außerhalb.
 
@@ -153,7 +154,7 @@ border-inside = Diese Codes liegen im Gebiet; dahinter ist also eine Zelle.
 border-outside = Entlang { $axes } liegt der Code außerhalb des Gebiets; dahinter ist also keine Zelle.
 border-point-outside = Entlang { $axes } liegt der Punkt außerhalb des Gebiets; dahinter ist also keine Zelle.
 difference = Die Codes unterscheiden sich zuerst in Bit { $bit }, also liegt der gemeinsame Vorfahr auf Ebene { $level }.
-difference-printed = Nach der gedruckten Regel, { $rule }, ist die Ebene { $level }, obwohl sich die Codes zuerst in Bit { $bit } unterscheiden.
+difference-printed = Nach der gedruckten Regel, { $rule }, hat der gemeinsame Vorfahr Ebene { $level }. Die Codes unterscheiden sich aber zuerst in Bit { $bit }, also hat er Ebene { $right }.
 difference-none = Die Codes sind gleich, also liegen beide Orte in einer kleinsten Zelle, auf Ebene 0.
 climb = Hinauf zum Elternknoten, { $node }; der gemeinsame Vorfahr liegt auf Ebene { $level }.
 climb-done = Hinauf zum Elternknoten, { $node }; dies ist der gemeinsame Vorfahr.

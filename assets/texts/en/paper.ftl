@@ -35,7 +35,7 @@ erratum-b-6-why = Eq. 13 alone gives −∞ + ∞ = NaN, no comparison holds, an
 erratum-b-7-title = Mirrored origin
 erratum-b-7-printed = p' = s − p
 erratum-b-7-right = p' = x_0 + x_1 − p
-erratum-b-7-why = The mirror is the plane through the root's centre. s − p is the same only if the root's minimum corner is at 0.
+erratum-b-7-why = The mirror is the plane through the root's centre. s − p, with the root's side s, is the same only if its minimum corner is at 0.
 
 erratum-b-8-title = Words of the mirroring
 erratum-b-8-printed = Mirrored at the e axis; image range; unnumbered
@@ -89,13 +89,13 @@ erratum-b-17-why = The tables are right. One axis at a time also walks through c
 
 erratum-b-18-title = Which bit comes first
 erratum-b-18-printed = Codes in the format “least significant bit first”
-erratum-b-18-right = Ordinary binary numbers; the most significant branch is taken first
+erratum-b-18-right = Ordinary binary numbers; the bit of the highest branch is used first
 erratum-b-18-why = Only the numbering of the bits begins at the right. 001000 read from the right is 000100, another cell.
 
 erratum-b-19-title = Bit of a level
 erratum-b-19-printed = On level k bit k is used
 erratum-b-19-right = In a node of level k bit k − 1 of every code is used
-erratum-b-19-why = Bit k tells the way from level k + 1 to level k. Bit R of every code is 0, so that the first step would always go left.
+erratum-b-19-why = Bit k tells the way from level k + 1 to level k. Bit R of every code is 0, so that the first step would always go to the lower half.
 
 erratum-b-20-title = Level 0 and the number of bits
 erratum-b-20-printed = Leaves form level 0; as many bits as levels
@@ -105,7 +105,7 @@ erratum-b-20-why = The top bit of a code is always 0. It is the domain that is n
 erratum-b-21-title = Coordinate 1.0
 erratum-b-21-printed = Points in [0..1]
 erratum-b-21-right = Points in [0, 1)
-erratum-b-21-why = 1.0 has the code 100000. All bits that are used are 0, so that the point silently ends in the leftmost cell.
+erratum-b-21-why = With six levels 1.0 has the code 100000. All bits that are used are 0, so that the point silently ends in the leftmost cell.
 
 erratum-b-22-title = Comparisons saved
 erratum-b-22-printed = Two a level in a quadtree, four in an octree

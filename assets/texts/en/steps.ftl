@@ -40,6 +40,7 @@ clip-short = The ray ends before it meets the root, whose last near plane has { 
 clip-no-length = The ray misses the root: it ends at { $end }, no later than it begins.
 clip-printed = By the printed rule, { $rule }, the root is hit, from t = { $enter } to t = { $exit }.
 as-printed = { " " }So says the printed rule, { $rule }.
+clip-no-number = { " " }But { $parameters } is no number, so that no comparison with it holds and it decides nothing. So says the printed rule, { $rule }.
 clip-printed-miss = By the printed rule, { $rule }, the root is missed, with t_min = { $enter } and t_max = { $exit }.
 clip-parallel = The ray misses the root: it does not move along { $axes }, and its origin lies outside there.
 
@@ -144,7 +145,7 @@ border-inside = These codes lie inside the domain, so there is a cell beyond.
 border-outside = Along { $axes } the code lies outside the domain, so there is no cell beyond.
 border-point-outside = Along { $axes } the point lies outside the domain, so there is no cell beyond.
 difference = The codes differ first in bit { $bit }, so the common ancestor has level { $level }.
-difference-printed = By the printed rule, { $rule }, the level is { $level }, although the codes differ first in bit { $bit }.
+difference-printed = By the printed rule, { $rule }, the common ancestor has level { $level }. But the codes differ first in bit { $bit }, so that it has level { $right }.
 difference-none = The codes are equal, so both places lie in one smallest cell, of level 0.
 climb = Up to the parent, { $node }; the common ancestor has level { $level }.
 climb-done = Up to the parent, { $node }: this is the common ancestor.

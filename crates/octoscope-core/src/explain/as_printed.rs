@@ -1,7 +1,7 @@
 //! Sentences on steps that follow a misprinted rule.
 
 use super::rich::strong;
-use super::words::{Words, approx, grid_place};
+use super::words::{Words, approx, equation, grid_place, point, t};
 use crate::event::Event;
 use crate::geometry::Axes;
 use crate::query::Query;
@@ -59,7 +59,8 @@ impl<const D: usize> Printed<'_, D> {
             Event::Clip { near, far, enter, exit, hit, mirror } => {
                 self.clip(enter, exit, hit).or_else(|| {
                     let planes: Vec<f64> = near.into_iter().chain(far).collect();
-                    self.after(&[without_number(&planes, &[B5]), mirrored(mirror)])
+                    self.no_number(near, far)
+                        .or_else(|| self.after(&[without_number(&planes, &[B5]), mirrored(mirror)]))
                 })
             }
             Event::Halve { mid, .. } => self
@@ -81,9 +82,12 @@ impl<const D: usize> Printed<'_, D> {
                 .or_else(|| self.after(&[&[B24a, B24b, B25Leftmost, B25Rightmost]])),
             Event::Follow { level, child, node, .. } => self.follow(level, child, node),
             // Only the code of an upper face is one by the printed rule.
-            Event::Encode { code, .. } => {
+            Event::Encode { point, code, .. } => {
                 let grid_size = self.words.tree.domain().grid_size();
-                if code.contains(&grid_size) { self.after(&[&[B21]]) } else { None }
+                if code.contains(&grid_size) {
+                    return self.encoded(point, code, B21);
+                }
+                [B18, B19].into_iter().find_map(|rule| self.encoded(point, code, rule))
             }
             Event::Target { to, axes, .. } => self.target(to, axes),
             Event::Test { .. }
@@ -147,6 +151,30 @@ impl<const D: usize> Printed<'_, D> {
         self.instead(key, &arguments)
     }
 
+    /// Planes whose parameters are no numbers are left out of all comparisons.
+    fn no_number(&self, near: [f64; D], far: [f64; D]) -> Option<Told> {
+        let rule = self.at_work(&[B5])?;
+        let planes = (0..D).flat_map(|e| [(e, "0", near[e]), (e, "1", far[e])]);
+        let unknown = planes.filter(|(.., t)| t.is_nan());
+        let unknown: Vec<String> =
+            unknown.map(|(e, plane, at)| equation(&t(e, plane), &approx(at))).collect();
+        if unknown.is_empty() {
+            return None;
+        }
+        let arguments = [("parameters", self.words.list(unknown)), ("rule", rule)];
+        Some(Told::After(self.words.say("clip-no-number", &arguments)))
+    }
+
+    /// The codes of a point with all bits that the rule reads.
+    fn encoded(&self, at: [f64; D], code: Code<D>, rule: Variant) -> Option<Told> {
+        let name = self.at_work(&[rule])?;
+        let arguments = [("point", point(at)), ("codes", self.words.whole_binary(code))];
+        let told = self.words.say("encode", &arguments);
+        // The other rules read the codes, they do not make them.
+        let source = (rule == B21).then(|| self.words.say("as-printed", &[("rule", name)]));
+        Some(Told::Instead(told + &source.unwrap_or_default()))
+    }
+
     fn first(&self, entry: f64, state: Child<D>) -> Option<Told> {
         let of_children: &[Variant] = if D == 2 { &[B3] } else { &[B2, B2Morton] };
         // The tables begin at the near planes in any case; by the one rule it makes a
@@ -205,8 +233,10 @@ impl<const D: usize> Printed<'_, D> {
         let rule = self.at_work(&[B24a, B24b, B25Leftmost, B25Rightmost])?;
         let highest = xor.iter().fold(0, |bits, code| bits | code).checked_ilog2();
         let bit = highest.filter(|bit| bit + 1 != u32::from(level))?;
-        let (bit, level) = (strong(&bit.to_string()), strong(&level.to_string()));
-        self.instead("difference-printed", &[("bit", bit), ("level", level), ("rule", rule)])
+        let [right, bit, level] =
+            [bit + 1, bit, level.into()].map(|number: u32| strong(&number.to_string()));
+        let arguments = [("bit", bit), ("level", level), ("right", right), ("rule", rule)];
+        self.instead("difference-printed", &arguments)
     }
 
     fn target(&self, to: [i64; D], axes: Axes<D>) -> Option<Told> {

@@ -1,5 +1,7 @@
 //! Text with colours of axes and subscripts.
 
+use crate::geometry::AXIS_NAMES;
+
 /// Piece of text of one look.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Span {
@@ -53,6 +55,27 @@ impl RichText {
             plain.push_str(&span.text);
         }
         plain
+    }
+
+    /// Reads a text as [`Self::plain`] writes it: the letter before a low line bears what
+    /// follows it as a subscript, in the colour of its axis if that begins with one.
+    pub fn with_subscripts(plain: &str) -> Self {
+        let mut parts = plain.split('_');
+        let mut spans = Self::from(parts.next().unwrap_or_default()).0;
+        for part in parts {
+            let length = part.find(|c: char| !c.is_ascii_alphanumeric()).unwrap_or(part.len());
+            let (sub, rest) = part.split_at(length);
+            let axis = AXIS_NAMES.iter().position(|name| sub.starts_with(name));
+            if let Some(before) = spans.last_mut()
+                && let Some(letter) = before.text.pop()
+            {
+                spans.push(Span { text: letter.to_string(), axis, ..Span::default() });
+            }
+            spans.push(Span { text: sub.to_owned(), axis, sub: true, ..Span::default() });
+            spans.push(Span { text: rest.to_owned(), ..Span::default() });
+        }
+        spans.retain(|span| !span.text.is_empty());
+        Self(spans)
     }
 
     /// Reads a text that was put together from marked-up pieces.
@@ -114,6 +137,25 @@ pub(super) fn shortened(short: &str, whole: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn subscripts_are_read_as_they_are_written() {
+        for text in ["", "t_xm", "t_ym < t_y1 always holds", "a = 4a_x + 2a_y, x_0 (q1)."] {
+            let read = RichText::with_subscripts(text);
+            assert_eq!(read.plain(), text);
+            assert!(read.0.iter().all(|span| !span.text.contains('_')));
+        }
+        let RichText(spans) = RichText::with_subscripts("4a_x + x_0");
+        let told = spans.iter().map(|span| (span.text.as_str(), span.sub, span.axis));
+        assert!(told.eq([
+            ("4", false, None),
+            ("a", false, Some(0)),
+            ("x", true, Some(0)),
+            (" + ", false, None),
+            ("x", false, None),
+            ("0", true, None),
+        ]));
+    }
 
     #[test]
     fn a_number_in_short_has_its_digits_behind_it() {

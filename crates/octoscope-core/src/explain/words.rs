@@ -81,6 +81,11 @@ impl<'a, const D: usize> Words<'a, D> {
     pub fn binary(&self, code: Code<D>) -> String {
         tuple(code.map(|c| binary(c, self.tree.domain().root_level())))
     }
+
+    /// A code in binary with the bit of the root's level, which is 0 in the domain.
+    pub fn whole_binary(&self, code: Code<D>) -> String {
+        tuple(code.map(|c| binary(c, self.tree.domain().root_level() + 1)))
+    }
 }
 
 /// A tuple in the colours of the axes.

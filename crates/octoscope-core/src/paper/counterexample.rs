@@ -10,7 +10,7 @@ use crate::tree::{Code, Fill, Merge, Recipe};
 
 /// Scenario that runs `variant` on its smallest counterexample. Only
 /// [`Variant::B9`], [`Variant::OneByOne`] and [`Variant::Averaged`] come to the
-/// right leaves all the same, on a longer way.
+/// right leaves all the same, the first two on a longer way.
 pub fn counterexample(variant: Variant) -> AnyScenario {
     use AnyScenario::{Octree, Quadtree};
     let along = |algorithm| (algorithm, variant);

@@ -186,15 +186,24 @@ fn steps_by_a_printed_rule_say_so() {
         ),
         (
             Variant::B24a,
-            "By the printed rule, B-24a, the level is 1, although the codes differ first in bit 1.",
+            "By the printed rule, B-24a, the common ancestor has level 1. But the codes differ first in bit 1, so that it has level 2.",
         ),
         (
             Variant::B24b,
-            "By the printed rule, B-24b, the level is 0, although the codes differ first in bit 1.",
+            "By the printed rule, B-24b, the common ancestor has level 0. But the codes differ first in bit 1, so that it has level 2.",
         ),
         (
             Variant::B25Leftmost,
-            "By the printed rule, B-25-leftmost, the level is 1, although the codes differ first in bit 1.",
+            "By the printed rule, B-25-leftmost, the common ancestor has level 1. But the codes differ first in bit 1, so that it has level 2.",
+        ),
+        (
+            Variant::B5,
+            "t_z0 = 1 < t_z1 = 2. But t_x1 = NaN is no number, so that no comparison with it holds and it decides nothing. So says the printed rule, B-5.",
+        ),
+        (Variant::B18, "The point (0.375, 0.375) has the location codes (001, 001) in binary."),
+        (
+            Variant::B21,
+            "The point (1, 0.25) has the location codes (10, 00) in binary. So says the printed rule, B-21.",
         ),
         (Variant::B28, "By the printed rule, B-28, the codes beyond it along x are (0, 0)."),
         (
