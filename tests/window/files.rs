@@ -208,14 +208,16 @@ fn with_many_points(folder: &Path) -> Desk {
 fn what_is_changed_while_much_is_saved_is_saved_the_next_time() {
     let folder = tempdir().unwrap();
     let mut desk = with_many_points(folder.path());
+    let saved = || Desk::with_file(folder.path().join("many.octo")).plane().scenario.ray;
     desk.press(Key::R);
+    let asked = desk.plane().scenario.ray;
     desk.key_press_modifiers(Modifiers::COMMAND, Key::S);
     desk.step();
     desk.key_press(Key::R);
     desk.step();
     desk.state_mut().finish_work();
     desk.step();
-    assert!(desk.says("Saved as many.octo"), "{:?}", desk.texts());
+    assert_eq!(saved(), asked);
     assert!(desk.state().is_changed());
 
     // Twice at once: one after the other, and the last one stays.
@@ -225,8 +227,7 @@ fn what_is_changed_while_much_is_saved_is_saved_the_next_time() {
     }
     desk.state_mut().finish_work();
     assert!(!desk.state().is_changed());
-    let saved = Desk::with_file(folder.path().join("many.octo"));
-    assert_eq!(saved.plane().scenario.ray, desk.plane().scenario.ray);
+    assert_eq!(saved(), desk.plane().scenario.ray);
 }
 
 #[test]

@@ -140,6 +140,8 @@ fn charts_and_tables_are_saved() {
         desk.run_steps(3);
         desk.get_by_role_and_label(Role::Button, "Export").click();
         desk.run_steps(3);
+        let context = desk.ctx.clone();
+        desk.state_mut().finish_export(&context);
         assert_eq!(desk.state().view.dialog, Some(Dialog::Lab));
         let text = std::fs::read_to_string(&path).unwrap();
         assert!(text.contains(start), "{ending}: {text}");
