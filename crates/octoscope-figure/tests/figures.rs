@@ -272,7 +272,7 @@ fn numbers_of_a_long_path_can_be_told_apart() {
 }
 
 /// Figure of a cube that is divided into 8 · 8 · 8 leaves.
-fn figure_of_a_cube(leaf: Split<()>) -> Figure {
+fn figure_of_a_cube(leaf: Split<Vec<()>>) -> Figure {
     let tree: Tree<3> = grow(Domain::unit(3), (), &Progress::default(), |cell, ()| {
         if cell.level == 0 { leaf.clone() } else { Split::Inner(vec![(); 8]) }
     })

@@ -10,7 +10,7 @@ use crate::geometry::{Aabb, Ray, RayError};
 use crate::locate::{Direction, DirectionError};
 use crate::query::Query;
 use crate::scene::{Content, Cube, Image, Sphere};
-use crate::tree::{Code, Domain, DomainError, MAX_ROOT_LEVEL, Recipe};
+use crate::tree::{DomainError, MAX_ROOT_LEVEL, Outside, Recipe, outside};
 use serde::Deserialize;
 use thiserror::Error;
 
@@ -282,29 +282,12 @@ fn scenario<const D: usize>(file: File<D>) -> Result<Scenario<D>, Fault> {
     scenario.step = file.step.map_or(scenario.step, |step| step.0);
     scenario.view = file.view;
     let domain = scenario.grid()?;
-    if let Source::Inline(content) = &scenario.source {
-        none_outside(content, &domain)?;
+    if let Source::Inline(content) = &scenario.source
+        && let Some(Outside { count, first }) = outside(content, &domain)
+    {
+        return Err(Fault::Outside { kind: field(content), count, first });
     }
     Ok(scenario)
-}
-
-/// Refuses points and cells outside, as [`build`](crate::tree::build) does.
-fn none_outside<const D: usize>(content: &Content<D>, domain: &Domain<D>) -> Result<(), Fault> {
-    let is_outside = |code: &Code<D>| code.iter().any(|&c| c >= domain.grid_size());
-    let outside: Vec<bool> = match content {
-        Content::Points(points) => {
-            points.iter().map(|&point| domain.encode_point(point).is_none()).collect()
-        }
-        Content::Cells(cells) => cells.iter().map(is_outside).collect(),
-        Content::Image(_) | Content::Spheres(_) | Content::Boxes(_) | Content::Triangles(_) => {
-            return Ok(());
-        }
-    };
-    let count = outside.iter().filter(|is_outside| **is_outside).count();
-    match outside.iter().position(|&is_outside| is_outside) {
-        Some(first) => Err(Fault::Outside { kind: field(content), count, first }),
-        None => Ok(()),
-    }
 }
 
 /// Level or depth `number`, which stands at `path`.

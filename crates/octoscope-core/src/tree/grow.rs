@@ -32,15 +32,16 @@ impl<const D: usize> Cell<'_, D> {
     }
 }
 
-/// What becomes of a cell with contents `C`.
+/// What becomes of a cell.
 #[derive(Clone, Debug)]
-pub enum Split<C> {
+pub enum Split<K, I = Vec<u32>> {
     /// It is an empty leaf.
     Empty,
     /// It is a full leaf with these items, which may be none.
-    Full(Vec<u32>),
-    /// It is an inner node; the contents of its 2^D children by index.
-    Inner(Vec<C>),
+    Full(I),
+    /// It is an inner node; the contents of its 2^D children by index, or what they are
+    /// made of.
+    Inner(K),
 }
 
 /// Tree over `domain` in which `split` decides over every cell, starting from
@@ -56,21 +57,21 @@ pub fn grow<const D: usize, C>(
     domain: Domain<D>,
     contents: C,
     progress: &Progress,
-    mut split: impl FnMut(Cell<D>, C) -> Split<C>,
+    mut split: impl FnMut(Cell<D>, C) -> Split<Vec<C>>,
 ) -> Result<Tree<D>, Cancelled> {
     let mut judge = |cell: Cell<D>, contents, items: &mut Vec<u32>| {
         if progress.check().is_err() {
-            return Fate::Empty;
+            return Split::Empty;
         }
         match split(cell, contents) {
-            Split::Empty => Fate::Empty,
+            Split::Empty => Split::Empty,
             Split::Full(full) => {
                 items.extend(full);
-                Fate::Full
+                Split::Full(())
             }
             Split::Inner(contents) => {
                 assert_eq!(contents.len(), Child::<D>::COUNT, "one part for each child");
-                Fate::Inner(contents)
+                Split::Inner(contents)
             }
         }
     };
@@ -88,22 +89,11 @@ pub fn grow<const D: usize, C>(
     Ok(tree)
 }
 
-/// What becomes of a cell, apart from its items; of an inner node something is kept of
-/// which the contents of its children are made.
-pub(super) enum Fate<K> {
-    /// It is an empty leaf.
-    Empty,
-    /// It is a full leaf.
-    Full,
-    /// It is an inner node.
-    Inner(K),
-}
-
 /// Like [`grow`], by so many threads; the tree is the same for any number. `judge`
 /// appends the items of a full leaf to the list that it is handed, and `divide` makes
 /// the contents of the children, by index, of what is kept of an inner node and its
-/// level. `account` hears of every block how many inner nodes were found below it, and
-/// may stop the work.
+/// level. `account` hears before every block that nothing was found, after it how many inner
+/// nodes were found below it, and may stop the work.
 ///
 /// # Errors
 /// That of `account`.
@@ -115,7 +105,7 @@ pub(super) fn grow_on<const D: usize, C, K: Clone + Send + Sync, I, E: Send>(
     domain: Domain<D>,
     contents: C,
     divide: impl Fn(u8, K) -> I + Sync,
-    judge: impl Fn(Cell<D>, C, &mut Vec<u32>) -> Fate<K> + Sync,
+    judge: impl Fn(Cell<D>, C, &mut Vec<u32>) -> Split<K, ()> + Sync,
     account: impl Fn(usize) -> Result<(), E> + Sync,
 ) -> Result<Tree<D>, E>
 where
@@ -134,6 +124,7 @@ where
         let mut below = Vec::new();
         for blocks in blocks.chunks(BLOCKS_A_THREAD * threads.get()) {
             let parts = in_order(threads, blocks.iter(), |&(row, kept)| {
+                account(0)?;
                 let part = tree.divide(row, kept.iter().cloned(), &divide, &mut &judge);
                 account(part.kept.len()).map(|()| part)
             });
@@ -173,7 +164,7 @@ impl<const D: usize> Tree<D> {
     fn of_root<C, K>(
         domain: Domain<D>,
         contents: C,
-        judge: &mut impl FnMut(Cell<D>, C, &mut Vec<u32>) -> Fate<K>,
+        judge: &mut impl FnMut(Cell<D>, C, &mut Vec<u32>) -> Split<K, ()>,
     ) -> (Self, Vec<K>) {
         let (level, code) = (domain.root_level(), [0; D]);
         let mut tree = Self {
@@ -188,13 +179,13 @@ impl<const D: usize> Tree<D> {
         };
         let cell = Cell { domain: &domain, level, code };
         let kept = match judge(cell, contents, &mut tree.items) {
-            Fate::Empty => None,
-            Fate::Full => {
+            Split::Empty => None,
+            Split::Full(()) => {
                 tree.root_full = true;
                 tree.first_item.push(tree.items.len() as u32);
                 None
             }
-            Fate::Inner(kept) => {
+            Split::Inner(kept) => {
                 tree.places.push(Place { id: NodeId::ROOT, level, code });
                 Some(kept)
             }
@@ -209,7 +200,7 @@ impl<const D: usize> Tree<D> {
         first_row: usize,
         kept: impl IntoIterator<Item = K>,
         divide: impl Fn(u8, K) -> I,
-        judge: &mut impl FnMut(Cell<D>, C, &mut Vec<u32>) -> Fate<K>,
+        judge: &mut impl FnMut(Cell<D>, C, &mut Vec<u32>) -> Split<K, ()>,
     ) -> Part<D, K> {
         let mut part = Part {
             rows: Vec::new(),
@@ -228,12 +219,12 @@ impl<const D: usize> Tree<D> {
                 let code = child.code_in(place.code, 1 << level);
                 let cell = Cell { domain: &self.domain, level, code };
                 match judge(cell, contents, &mut part.items) {
-                    Fate::Empty => {}
-                    Fate::Full => {
+                    Split::Empty => {}
+                    Split::Full(()) => {
                         full |= 1 << child.0;
                         part.n_items.push(part.items.len() as u32);
                     }
-                    Fate::Inner(kept) => {
+                    Split::Inner(kept) => {
                         if inner == 0 {
                             base = part.places.len() as u32;
                         }
@@ -270,6 +261,7 @@ impl<const D: usize> Tree<D> {
 mod tests {
     use super::*;
     use std::sync::Mutex;
+    use std::sync::atomic::{AtomicUsize, Ordering};
 
     /// Divides every cell that holds the origin, down to level 0.
     fn corner_tree() -> Tree<2> {
@@ -330,7 +322,7 @@ mod tests {
             let n_inner = Mutex::new(0);
             let divide = |_, ()| [(); 8];
             let judge = |cell: Cell<3>, (), _: &mut _| {
-                if cell.level > 0 { Fate::Inner(()) } else { Fate::Full }
+                if cell.level > 0 { Split::Inner(()) } else { Split::Full(()) }
             };
             let grown = grow_on(threads, Domain::unit(5), (), divide, judge, |n| {
                 let mut n_inner = n_inner.lock().unwrap();
@@ -340,6 +332,28 @@ mod tests {
             // 1 + 8 + 64 + 512 + 4096.
             let expected = if most > 4681 { Ok(8 * 4681 + 1) } else { Err("too many") };
             assert_eq!(grown.map(|tree| tree.n_nodes()), expected);
+        }
+    }
+
+    #[test]
+    fn who_cancels_waits_for_one_block_a_thread() {
+        for n_threads in [1, 3] {
+            let (progress, n_judged) = (Progress::default(), AtomicUsize::new(0));
+            let judge = |cell: Cell<3>, (), _: &mut _| {
+                if cell.level > 0 {
+                    return Split::Inner(());
+                }
+                progress.cancel();
+                n_judged.fetch_add(1, Ordering::Relaxed);
+                Split::Full(())
+            };
+            let threads = NonZeroUsize::new(n_threads).unwrap();
+            let divide = |_, ()| [(); 8];
+            let domain = Domain::unit(6);
+            let grown = grow_on(threads, domain, (), divide, judge, |_| progress.check());
+            assert_eq!(grown, Err(Cancelled));
+            // Of 2^18 cells.
+            assert!((1..=n_threads * BLOCK * 8).contains(&n_judged.into_inner()));
         }
     }
 }

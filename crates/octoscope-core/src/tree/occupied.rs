@@ -1,16 +1,15 @@
 //! Cells that content occupies, as a sorted list.
 
+use super::build::Growth;
+use super::keys::path_key;
 use super::overlap::{
     lies_in_ball, lies_in_box, lies_in_triangle, meets_ball, meets_box, meets_surface,
     meets_triangle,
 };
-use super::recipe::path_key;
 use super::threads::in_order;
-use super::{BuildError, Child, Code, Domain, Fill, MAX_NODES, Merge, Recipe};
+use super::{BuildError, Child, Code, Fill, Merge};
 use crate::geometry::Aabb;
-use crate::progress::Progress;
 use crate::scene::Content;
-use std::num::NonZeroUsize;
 use std::ops::Range;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
@@ -98,16 +97,14 @@ const UNITS_BELOW: u8 = 3;
 /// Blocks that the primitives of `content` occupy. Parts outside the domain
 /// occupy nothing.
 pub(super) fn occupied_cells<const D: usize>(
-    threads: NonZeroUsize,
     content: &Content<D>,
-    domain: &Domain<D>,
-    recipe: &Recipe,
-    progress: &Progress,
+    growth: &Growth<D>,
 ) -> Result<Occupied, BuildError> {
+    let &Growth { threads, domain, progress, .. } = growth;
     let root_level = domain.root_level();
     let unit_level = root_level.saturating_sub(UNITS_BELOW);
     progress.start(cells_below::<D>(root_level - unit_level));
-    let walk = Walk { content, domain, recipe, progress, n_found: Default::default() };
+    let walk = Walk { content, growth, n_found: Default::default() };
 
     // The units, in their order, with the primitives that may meet them.
     let mut units: Vec<(Code<D>, Vec<u32>)> = vec![([0; D], (0..content.len() as u32).collect())];
@@ -152,9 +149,7 @@ const MAX_ITEMS: usize = 1 << 28;
 /// Descent to the occupied cells.
 struct Walk<'a, const D: usize> {
     content: &'a Content<D>,
-    domain: &'a Domain<D>,
-    recipe: &'a Recipe,
-    progress: &'a Progress,
+    growth: &'a Growth<'a, D>,
     /// Number of blocks and of items that were found so far, by all threads.
     n_found: [AtomicUsize; 2],
 }
@@ -170,7 +165,7 @@ struct Unit {
 impl<const D: usize> Walk<'_, D> {
     /// Those of `candidates` that meet a cell.
     fn narrowed(&self, level: u8, code: Code<D>, candidates: &[u32]) -> Vec<u32> {
-        let cell = self.domain.cell_box(level, code);
+        let cell = self.growth.domain.cell_box(level, code);
         candidates.iter().copied().filter(|&item| self.meets(&cell, item as usize)).collect()
     }
 
@@ -184,8 +179,8 @@ impl<const D: usize> Walk<'_, D> {
         from: usize,
         unit: &mut Unit,
     ) -> Result<(), BuildError> {
-        self.progress.check()?;
-        let cell = self.domain.cell_box(level, code);
+        self.growth.progress.check()?;
+        let cell = self.growth.domain.cell_box(level, code);
         let to = candidates.len();
         for i in from..to {
             if self.meets(&cell, candidates[i] as usize) {
@@ -197,7 +192,7 @@ impl<const D: usize> Walk<'_, D> {
         if inside.is_empty() {
             return Ok(());
         }
-        if level == 0 || self.recipe.merge == Merge::Whole && whole() {
+        if level == 0 || self.growth.recipe.merge == Merge::Whole && whole() {
             unit.occupied.push(path_key(code), cells_below::<D>(level), inside);
             self.tell(unit, [1024, 1 << 16])?;
         } else {
@@ -220,12 +215,12 @@ impl<const D: usize> Walk<'_, D> {
         unit.n_told = n;
         let [n_blocks, n_items] =
             [0, 1].map(|k| self.n_found[k].fetch_add(new[k], Ordering::Relaxed) + new[k]);
-        let is_too_much = n_blocks > MAX_NODES || n_items > MAX_ITEMS;
+        let is_too_much = n_blocks > self.growth.max_nodes || n_items > MAX_ITEMS;
         if is_too_much { Err(BuildError::TooManyNodes) } else { Ok(()) }
     }
 
     fn meets(&self, cell: &Aabb<D>, item: usize) -> bool {
-        match (self.content, self.recipe.fill) {
+        match (self.content, self.growth.recipe.fill) {
             (Content::Spheres(spheres), Fill::Surface) => meets_surface(cell, &spheres[item]),
             (Content::Spheres(spheres), Fill::Solid) => meets_ball(cell, &spheres[item]),
             (Content::Boxes(boxes), _) => meets_box(cell, &boxes[item]),
@@ -235,7 +230,7 @@ impl<const D: usize> Walk<'_, D> {
     }
 
     fn covers(&self, item: usize, cell: &Aabb<D>) -> bool {
-        match (self.content, self.recipe.fill) {
+        match (self.content, self.growth.recipe.fill) {
             (Content::Spheres(_), Fill::Surface) => false,
             (Content::Spheres(spheres), Fill::Solid) => lies_in_ball(cell, &spheres[item]),
             (Content::Boxes(boxes), _) => lies_in_box(cell, &boxes[item]),

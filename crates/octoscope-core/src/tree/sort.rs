@@ -16,12 +16,14 @@ type Item = (u64, u32);
 /// Sorts items by their keys; items with equal keys stay in their order.
 ///
 /// Blocks are sorted by the highest bits alone, then what they have of the same values
-/// is brought together and sorted by the rest: O(n), by so many threads.
+/// is brought together and sorted by the rest: O(n), by so many threads. Where one value
+/// has more than the share of a thread, all of them go on with it.
 pub fn sort_by_key(threads: NonZeroUsize, items: &mut [Item]) {
+    let share = items.len() / threads;
+    let Some(highest) = digits(differing_bits(items)).last() else { return };
     if items.len() <= BLOCK {
         return sort_block(items);
     }
-    let highest = digits(differing_bits(items)).last().unwrap_or(Digit { shift: 0, bits: 1 });
     let blocks = in_order(threads, items.chunks(BLOCK), |block| {
         let mut sorted = vec![(0, 0); block.len()];
         let starts = sort_by_digit(block, &mut sorted, highest);
@@ -34,23 +36,31 @@ pub fn sort_by_key(threads: NonZeroUsize, items: &mut [Item]) {
     let mut room = items;
     let mut parts = Vec::new();
     let (mut first, mut n) = (0, 0);
-    for value in 0..1 << highest.bits {
+    let end = 1 << highest.bits;
+    for value in 0..end {
         n += n_of(value);
-        if n >= BLOCK || value + 1 == 1 << highest.bits {
+        if n >= BLOCK || value + 1 == end || n_of(value + 1) > share {
             let (part, rest) = std::mem::take(&mut room).split_at_mut(n);
             parts.push((first..value + 1, part));
             (room, first, n) = (rest, value + 1, 0);
         }
     }
-    in_order(threads, parts.into_iter(), |(values, part): (Range<usize>, &mut [Item])| {
+    let large = in_order(threads, parts.into_iter(), |(values, part): (Range<usize>, &mut [_])| {
         let mut n = 0;
         for (block, starts) in &blocks {
             let some = &block[starts[values.start] as usize..starts[values.end] as usize];
             part[n..n + some.len()].copy_from_slice(some);
             n += some.len();
         }
+        if values.len() == 1 && n > share {
+            return Some(part);
+        }
         sort_block(part);
+        None
     });
+    for part in large.into_iter().flatten() {
+        sort_by_key(threads, part);
+    }
 }
 
 /// Some bits of a key.
@@ -143,6 +153,26 @@ mod tests {
                 sort_by_key(NonZeroUsize::new(threads).unwrap(), &mut items);
                 assert_eq!(items, expected);
             }
+        }
+    }
+
+    /// Most keys have their highest bits in common, most of those the next ones too.
+    #[test]
+    fn keys_that_lie_close_together_are_sorted_as_well() {
+        let mut random = Random::new(2);
+        let mut key = || match random.below(8) {
+            0 => random.bits() >> 8,
+            1 => 1 << 55 | random.bits() >> 30,
+            2 => 1 << 55 | 3,
+            _ => 1 << 55 | random.bits() >> 50,
+        };
+        let items: Vec<(u64, u32)> = (0..300_000).map(|number| (key(), number)).collect();
+        let mut expected = items.clone();
+        expected.sort();
+        for threads in [1, 2, 5] {
+            let mut items = items.clone();
+            sort_by_key(NonZeroUsize::new(threads).unwrap(), &mut items);
+            assert_eq!(items, expected);
         }
     }
 }
