@@ -25,6 +25,8 @@ const LEAST_NARROW_VIEW: f32 = 240.0;
 /// Width of the question's side, margins included.
 const QUESTION: f32 = 280.0;
 
+/// The same in a lecture: the coarsest projectors have less.
+const LECTURE_WIDE: f32 = 700.0;
 /// What a panel wishes the window to do.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Wish {
@@ -67,21 +69,24 @@ pub fn ui<const D: usize>(
         });
     }
     let panels = view.panels(&document.scenario.query);
-    // The rail is low: there formulas have the whole width, and the picture is higher.
-    let across = lecture && panels == [PanelKind::Rail];
-    if across {
-        below(ui, look, document, view, FormulaRows::One);
-    }
+    let place = match (lecture, panels.as_slice()) {
+        (true, [panel]) if is_low(*panel) => Place::BelowPanel,
+        (true, _) | (false, _) => Place::BelowPicture,
+    };
     // In a narrow window there is one side for both; what was asked for comes first.
     let question_first = narrow && shown;
     let question_below = narrow && !lecture && view.question.is_none();
     if question_first || question_below || !panels.is_empty() {
         let width_key = view.arrangement().width_key();
-        let key = ("explanation", view.preset, narrow, room < WIDE, width_key);
-        let right = Panel::right(key).frame(frame).default_size(width(view.preset, room));
+        let width = width(view.preset, &panels, room);
+        let key = ("explanation", view.preset, narrow, width as u32, width_key);
+        let right = Panel::right(key).frame(frame).default_size(width);
         let least_view = if narrow { LEAST_NARROW_VIEW } else { LEAST_VIEW };
         let most = (ui.available_width() - least_view).clamp(260.0, 760.0);
         right.size_range(Rangef::new(260.0, most)).show(ui, |ui| {
+            if place == Place::BelowPanel {
+                formulas_in(ui, look, document, view, place);
+            }
             scrolled(ui, |ui| {
                 if question_first {
                     scene = question(ui, look, document, view, notice);
@@ -95,8 +100,8 @@ pub fn ui<const D: usize>(
             });
         });
     }
-    if !across {
-        below(ui, look, document, view, FormulaRows::Two);
+    if place == Place::BelowPicture {
+        formulas_in(ui, look, document, view, place);
     }
     let middle = Frame::new().fill(look.palette.background);
     CentralPanel::default().frame(middle).show(ui, |ui| {
@@ -105,20 +110,49 @@ pub fn ui<const D: usize>(
     scene.map(Wish::Scene).or(wish)
 }
 
-/// The formulas of the step, if they are shown: in as much room in every step.
-fn below<const D: usize>(
+/// Where the formulas of the step are.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Place {
+    BelowPicture,
+    /// Beside the picture, which is so much higher.
+    BelowPanel,
+}
+
+/// Whether a panel of a lecture leaves room for formulas below it.
+fn is_low(panel: PanelKind) -> bool {
+    use PanelKind::{
+        Automaton, Children, Codes, Compare, Counters, Cuts, Grid, Halves, Links, Listing, Map,
+        Neighbour, Paper, Rail, Region, Stack, Tables, Tree, Variables, WayDown, WhyNot,
+    };
+    match panel {
+        Rail | Codes | WayDown | Links | Halves | Grid => true,
+        Cuts | Children | Tables | Region | Neighbour | Paper | Automaton | Listing | Variables
+        | Stack | Counters | Compare | Tree | WhyNot | Map => false,
+    }
+}
+
+/// The formulas of the step, if they are shown and have room, at the lower edge: in as
+/// much room in every step.
+fn formulas_in<const D: usize>(
     ui: &mut Ui,
     look: &Look,
     document: &Document<D>,
     view: &View,
-    rows: FormulaRows,
+    place: Place,
 ) {
-    let Some(height) = formula::height(ui.available_height(), rows).filter(|_| view.formulas)
-    else {
-        return;
+    let room = ui.available_height();
+    let height = match (place, view.preset) {
+        (Place::BelowPanel, _) => formula::height_below_panel(room),
+        (Place::BelowPicture, Preset::Lecture) => formula::height(room, FormulaRows::One),
+        (Place::BelowPicture, _) => formula::height(room, FormulaRows::Two),
     };
-    let margin = Margin { left: 16, right: 16, top: 6, bottom: 6 };
-    let frame = Frame::new().fill(look.palette.background).inner_margin(margin);
+    let Some(height) = height.filter(|_| view.formulas) else { return };
+    let (fill, side) = match place {
+        Place::BelowPicture => (look.palette.background, 16),
+        // The margin there is that of the panel.
+        Place::BelowPanel => (look.palette.panel, 0),
+    };
+    let frame = Frame::new().fill(fill).inner_margin(Margin::symmetric(side, 6));
     let panel = Panel::bottom("formula").frame(frame).resizable(false).exact_size(height + 12.0);
     panel.show(ui, |ui| {
         let told = formulas(
@@ -134,9 +168,11 @@ fn below<const D: usize>(
 }
 
 /// First width of the explanation in a window of so many points.
-fn width(preset: Preset, room: f32) -> f32 {
+fn width(preset: Preset, panels: &[PanelKind], room: f32) -> f32 {
     match preset {
         Preset::Debug if room >= WIDE => 616.0,
+        Preset::Lecture if room < LECTURE_WIDE && panels == [PanelKind::Rail] => 288.0,
+        Preset::Lecture if room < LECTURE_WIDE => 304.0,
         Preset::Lecture => 320.0,
         Preset::Compare | Preset::Map if room >= WIDE => 440.0,
         Preset::Bits

@@ -8,7 +8,7 @@ use crate::panels::{dialogs, menu, notice_line, sentence, timeline};
 use crate::sidebar::{self, Wish};
 use crate::view::View;
 use crate::with_document;
-use eframe::egui::{Frame, Margin, Panel, Ui, vec2};
+use eframe::egui::{Align, Frame, Layout, Margin, Panel, Ui, vec2};
 use octoscope_core::explain::sentence as sentence_of;
 
 impl App {
@@ -17,14 +17,19 @@ impl App {
         let step = self.view.playback.step;
         let bar = |fill| Frame::new().fill(fill).inner_margin(Margin::symmetric(12, 6));
         let palette = self.look.palette;
-        let title = self.titled();
-        Panel::top("menu").frame(bar(palette.panel)).show(ui, |ui| {
-            let language = self.view.language;
-            menu::ui(ui, &self.look, &title, language, |c| self.entry(c), commands);
-        });
-        let bottom = Frame::new().fill(palette.background).inner_margin(Margin::symmetric(20, 12));
-        Panel::bottom("sentence").frame(bottom).show(ui, |ui| {
-            let height = if self.view.preset.scale() > 1.0 { 62.0 } else { 60.0 };
+        let hall = self.look.is_for_hall();
+        // Students have nothing to choose: the menus are folded, and the picture is higher.
+        if !hall {
+            let title = self.titled();
+            Panel::top("menu").frame(bar(palette.panel)).show(ui, |ui| {
+                let language = self.view.language;
+                menu::ui(ui, &self.look, &title, language, |c| self.entry(c), commands);
+            });
+        }
+        let margin = if hall { Margin::symmetric(16, 6) } else { Margin::symmetric(20, 12) };
+        let bottom = Frame::new().fill(palette.background).inner_margin(margin);
+        Panel::bottom(("sentence", hall)).frame(bottom).show(ui, |ui| {
+            let height = 60.0;
             ui.allocate_ui(vec2(ui.available_width(), height), |ui| {
                 ui.set_min_height(height);
                 let text = with_document!(&self.document, d => {
@@ -32,16 +37,22 @@ impl App {
                 });
                 sentence::ui(ui, &self.look, text, step);
             });
-            with_document!(&mut self.document, d => {
-                let marked = timeline::Marked {
-                    first_wrong: d.first_wrong_step(),
-                    rounded: &d.rounded,
-                    lit: self.view.hover.lit(&d.tree),
-                };
-                let pointed = timeline::ui(
-                    ui, &self.look, &d.trace, marked, &mut self.view.playback, commands,
-                );
-                pointed.into_iter().for_each(|node| self.view.hover.offer(node));
+            let row = vec2(ui.available_width(), timeline::HEIGHT);
+            ui.allocate_ui_with_layout(row, Layout::left_to_right(Align::Center), |ui| {
+                if hall {
+                    menu::folded(ui, &self.look, |c| self.entry(c), commands);
+                }
+                with_document!(&mut self.document, d => {
+                    let marked = timeline::Marked {
+                        first_wrong: d.first_wrong_step(),
+                        rounded: &d.rounded,
+                        lit: self.view.hover.lit(&d.tree),
+                    };
+                    let pointed = timeline::ui(
+                        ui, &self.look, &d.trace, marked, &mut self.view.playback, commands,
+                    );
+                    pointed.into_iter().for_each(|node| self.view.hover.offer(node));
+                });
             });
         });
         let layers = self.layers.as_mut();

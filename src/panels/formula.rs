@@ -20,16 +20,23 @@ pub fn height(picture: f32, rows: FormulaRows) -> Option<f32> {
     (picture >= LEAST).then(|| (formula_height(rows) as f32).min(SHARE * picture))
 }
 
+/// Height of formulas below a panel in a column of this height: what the first step of
+/// an octree needs; `None` where there is no room.
+pub fn height_below_panel(column: f32) -> Option<f32> {
+    const ROOM: f32 = 148.0;
+    (column >= 2.0 * ROOM).then_some(ROOM)
+}
+
 /// Formulas of a step in all the room there is, in the largest type that fits.
 pub fn ui(ui: &mut Ui, look: &Look, statements: &[Statement], notation: Notation) {
     let room = ui.available_size();
     let (rect, response) = ui.allocate_exact_size(room, Sense::hover());
-    if statements.is_empty() {
-        return;
-    }
     let name = spoken(statements, look.texts.language());
     response.widget_info(|| WidgetInfo::labeled(Role::Label, true, name.as_str()));
     ui.ctx().accesskit_node_builder(response.id, |node| node.set_author_id("formula"));
+    if statements.is_empty() {
+        return;
+    }
     let most = Page { width: f64::from(room.x), height: f64::from(room.y) };
     let figure = formula_figure(statements, most, f64::from(look.least_type));
     // In the middle, on whole pixels: bars stay crisp.

@@ -4,6 +4,7 @@ use crate::command::{COMMANDS, Command, Menu};
 use crate::look::Look;
 use crate::shortcut;
 use crate::widgets::tick;
+use eframe::egui::containers::menu::MenuButton;
 use eframe::egui::{
     Align, Atom, Atoms, Button, Layout, MenuBar, RichText, ScrollArea, Sense, Shape, Stroke, Ui,
     WidgetInfo, accesskit::Role, vec2,
@@ -34,29 +35,7 @@ pub fn ui(
     commands: &mut Vec<Command>,
 ) {
     MenuBar::new().ui(ui, |ui| {
-        for menu in Menu::ALL {
-            ui.menu_button(look.text(menu.id()), |ui| {
-                let height = ui.ctx().content_rect().height() - 64.0;
-                // The bar stands beside the keys.
-                ui.spacing_mut().scroll.floating_allocated_width = 8.0;
-                let scroll = ScrollArea::vertical().max_height(height).min_scrolled_height(height);
-                scroll.show(ui, |ui| {
-                    for &inner in menu.inner() {
-                        ui.menu_button(look.text(inner.id()), |ui| {
-                            // In a low window, or in large type, a long menu is scrolled.
-                            let scroll = ScrollArea::vertical().max_height(height);
-                            scroll.min_scrolled_height(height).show(ui, |ui| {
-                                rows(ui, look, inner, &entry, commands);
-                            });
-                        });
-                    }
-                    if !menu.inner().is_empty() {
-                        ui.separator();
-                    }
-                    rows(ui, look, menu, &entry, commands);
-                });
-            });
-        }
+        menus(ui, look, &entry, commands);
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             if theme_button(ui, look) {
                 commands.push(Command::NextTheme);
@@ -80,6 +59,55 @@ pub fn ui(
             );
         });
     });
+}
+
+/// The same menus in one, below a button of three lines: a lecture has no room for more.
+pub fn folded(
+    ui: &mut Ui,
+    look: &Look,
+    entry: impl Fn(Command) -> Entry,
+    commands: &mut Vec<Command>,
+) {
+    let name = look.text("menu-all");
+    let button = Button::new("").frame(false).min_size(vec2(34.0, 34.0));
+    let (response, _) =
+        MenuButton::from_button(button).ui(ui, |ui| menus(ui, look, &entry, commands));
+    response.widget_info(|| WidgetInfo::labeled(Role::Button, true, name.as_str()));
+    let lit = response.hovered() || response.has_focus();
+    let color = if lit { look.palette.accent } else { look.palette.ink };
+    let middle = response.rect.center();
+    for y in [-6.0, 0.0, 6.0] {
+        let line = [middle + vec2(-9.0, y), middle + vec2(9.0, y)];
+        ui.painter().line_segment(line, Stroke::new(2.0, color));
+    }
+    response.on_hover_text(name);
+}
+
+/// All menus, side by side or one below the other.
+fn menus(ui: &mut Ui, look: &Look, entry: &impl Fn(Command) -> Entry, commands: &mut Vec<Command>) {
+    for menu in Menu::ALL {
+        ui.menu_button(look.text(menu.id()), |ui| {
+            let height = ui.ctx().content_rect().height() - 64.0;
+            // The bar stands beside the keys.
+            ui.spacing_mut().scroll.floating_allocated_width = 8.0;
+            let scroll = ScrollArea::vertical().max_height(height).min_scrolled_height(height);
+            scroll.show(ui, |ui| {
+                for &inner in menu.inner() {
+                    ui.menu_button(look.text(inner.id()), |ui| {
+                        // In a low window, or in large type, a long menu is scrolled.
+                        let scroll = ScrollArea::vertical().max_height(height);
+                        scroll.min_scrolled_height(height).show(ui, |ui| {
+                            rows(ui, look, inner, entry, commands);
+                        });
+                    });
+                }
+                if !menu.inner().is_empty() {
+                    ui.separator();
+                }
+                rows(ui, look, menu, entry, commands);
+            });
+        });
+    }
 }
 
 fn rows(

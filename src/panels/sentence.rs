@@ -8,8 +8,8 @@ use octoscope_core::explain::{RichText, Span};
 /// With less room than this, in points, the type is smaller.
 const NARROW: f32 = 640.0;
 /// Heights of type in a hall, the largest that fits.
-const SIZES: [f32; 5] = [22.0, 20.0, 18.0, 17.0, SMALLEST];
-const SMALLEST: f32 = 16.0;
+const SIZES: [f32; 7] = [22.0, 20.0, 18.0, 17.0, 16.0, 15.0, SMALLEST];
+const SMALLEST: f32 = 14.0;
 
 /// The sentence of `step`, in large type, before the first step with the key
 /// that begins; a screen reader is told when it changes. Pointing at it shows the

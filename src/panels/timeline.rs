@@ -13,6 +13,9 @@ use octoscope_core::event::Event;
 use octoscope_core::trace::Trace;
 use octoscope_core::tree::NodeId;
 
+/// Height of the row, in points.
+pub const HEIGHT: f32 = 36.0;
+
 /// What is marked on the ruler.
 #[derive(Clone, Copy, Debug)]
 pub struct Marked<'a> {
@@ -24,7 +27,7 @@ pub struct Marked<'a> {
     pub lit: Option<NodeId>,
 }
 
-/// Buttons and ruler; dragging the ruler moves the playhead. Returns the node of the
+/// Buttons and ruler, from left to right in a row of [`HEIGHT`]; dragging the ruler moves the playhead. Returns the node of the
 /// event that is pointed at.
 pub fn ui<const D: usize>(
     ui: &mut Ui,
@@ -35,44 +38,49 @@ pub fn ui<const D: usize>(
     commands: &mut Vec<Command>,
 ) -> Option<NodeId> {
     let length = trace.events.len();
-    let mut pointed = None;
-    ui.horizontal(|ui| {
-        let play = if playback.playing { Icon::Pause } else { Icon::Play };
-        for (icon, command) in [
-            (Icon::First, Command::First),
-            (Icon::Back, Command::StepBack),
-            (play, Command::Play),
-            (Icon::Forward, Command::StepForward),
-            (Icon::Last, Command::Last),
-        ] {
-            if button(ui, look, icon, command).clicked() {
-                commands.push(command);
-            }
+    let play = if playback.playing { Icon::Pause } else { Icon::Play };
+    for (icon, command) in [
+        (Icon::First, Command::First),
+        (Icon::Back, Command::StepBack),
+        (play, Command::Play),
+        (Icon::Forward, Command::StepForward),
+        (Icon::Last, Command::Last),
+    ] {
+        if button(ui, look, icon, command).clicked() {
+            commands.push(command);
         }
-        let slower = ui.small_button("−").on_hover_text(look.text("command-slower"));
-        slower.widget_info(|| WidgetInfo::labeled(Role::Button, true, look.text("command-slower")));
-        let speed = format!("{} ×", playback.speed / Playback::default().speed);
-        ui.label(RichText::new(speed).size(14.0)).on_hover_text(look.text("timeline-speed"));
-        let faster = ui.small_button("+").on_hover_text(look.text("command-faster"));
-        faster.widget_info(|| WidgetInfo::labeled(Role::Button, true, look.text("command-faster")));
-        if slower.clicked() {
-            commands.push(Command::Slower);
-        }
-        if faster.clicked() {
-            commands.push(Command::Faster);
-        }
-        let more = if trace.is_cut() { " …" } else { "" };
-        let count = format!("{} / {length}{more}", playback.step);
-        let font = FontId::new(16.0, look.strong_family());
-        let galley = ui.painter().layout_no_wrap(count.clone(), font, look.palette.ink);
-        let width = ui.available_width() - galley.size().x.max(84.0) - 16.0;
-        pointed = ruler(ui, look, trace, marked, playback, width.max(60.0));
-        let label = ui.label(RichText::new(count).size(16.0).strong());
-        if trace.is_cut() {
-            label.on_hover_text(look.text("timeline-cut"));
-        }
-    });
+    }
+    // In a hall the ruler needs the room; the keys are there, too.
+    if !look.is_for_hall() {
+        speed(ui, look, playback, commands);
+    }
+    let more = if trace.is_cut() { " …" } else { "" };
+    let count = format!("{} / {length}{more}", playback.step);
+    let font = FontId::new(16.0, look.strong_family());
+    let galley = ui.painter().layout_no_wrap(count.clone(), font, look.palette.ink);
+    let width = ui.available_width() - galley.size().x.max(84.0) - 16.0;
+    let pointed = ruler(ui, look, trace, marked, playback, width.max(60.0));
+    let label = ui.label(RichText::new(count).size(16.0).strong());
+    if trace.is_cut() {
+        label.on_hover_text(look.text("timeline-cut"));
+    }
     pointed
+}
+
+/// How fast it plays, between what makes it slower and faster.
+fn speed(ui: &mut Ui, look: &Look, playback: &Playback, commands: &mut Vec<Command>) {
+    let slower = ui.small_button("−").on_hover_text(look.text("command-slower"));
+    slower.widget_info(|| WidgetInfo::labeled(Role::Button, true, look.text("command-slower")));
+    let speed = format!("{} ×", playback.speed / Playback::default().speed);
+    ui.label(RichText::new(speed).size(14.0)).on_hover_text(look.text("timeline-speed"));
+    let faster = ui.small_button("+").on_hover_text(look.text("command-faster"));
+    faster.widget_info(|| WidgetInfo::labeled(Role::Button, true, look.text("command-faster")));
+    if slower.clicked() {
+        commands.push(Command::Slower);
+    }
+    if faster.clicked() {
+        commands.push(Command::Faster);
+    }
 }
 
 fn ruler<const D: usize>(
@@ -85,7 +93,7 @@ fn ruler<const D: usize>(
 ) -> Option<NodeId> {
     let Marked { first_wrong, rounded, lit } = marked;
     let length = trace.events.len();
-    let (rect, response) = ui.allocate_exact_size(vec2(width, 36.0), Sense::click_and_drag());
+    let (rect, response) = ui.allocate_exact_size(vec2(width, HEIGHT), Sense::click_and_drag());
     let track = rect.shrink2(vec2(8.0, 4.0));
     if let Some(pointer) = acted_at(&response) {
         let step = remap_clamp(pointer.x, track.x_range(), 0.0..=length as f32);

@@ -86,6 +86,11 @@ pub fn ui<const D: usize>(
     wish
 }
 
+/// Height of a row of the rail in a lecture.
+fn lecture_row<const D: usize>() -> f32 {
+    if D == 2 { 57.0 } else { 38.0 }
+}
+
 /// Quiet words beside the title of a panel.
 fn note<const D: usize>(
     look: &Look,
@@ -142,12 +147,7 @@ fn body<const D: usize>(
         PanelKind::Region => region::ui(ui, look, &tree, moment),
         PanelKind::Neighbour => neighbour::ui(ui, look, &tree, moment),
         PanelKind::Rail => {
-            // A lecture has no other panel.
-            let row = match (view.preset == Preset::Lecture, D) {
-                (true, 2) => 72.0,
-                (true, _) => 48.0,
-                (false, _) => 40.0,
-            };
+            let row = if view.preset == Preset::Lecture { lecture_row::<D>() } else { 40.0 };
             let pointed = t_rail::ui(ui, look, &trace, &document.shown(moment), row);
             if let Some(step) = pointed.step {
                 view.playback.playing = false;

@@ -30,8 +30,11 @@ pub fn printed_and_right(ui: &mut Ui, look: &Look, misprint: &Misprint) {
     };
     let half = 0.5 * (width - GAP);
     let natural = set(f32::INFINITY);
-    let is_wide = natural.iter().any(|figure| figure.page.width as f32 > 1.5 * half);
-    let figures = set(if is_wide { width } else { half });
+    let side_by_side = set(half);
+    // Rather one below the other than in much smaller type, or broken.
+    let is_wide = natural.iter().any(|figure| figure.page.width as f32 > 1.5 * half)
+        || side_by_side.iter().any(|figure| figure.drawn.len() > 1);
+    let figures = if is_wide { set(width) } else { side_by_side };
     let one = |ui: &mut Ui, n: usize| {
         let (key, formula) = both[n];
         ui.vertical(|ui| {

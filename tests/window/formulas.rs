@@ -62,11 +62,14 @@ fn the_formula_speaks_the_language_of_the_window() {
     assert!(said.starts_with("t xm gleich (x m minus p x) durch d x; "), "{said}");
 }
 
-/// What stands beside the picture, with its place.
+/// What stands beside the picture but formulas, with its place.
 fn beside(desk: &Desk) -> Vec<(String, Rect)> {
     let view = desk.get_by_role_and_label(Role::Canvas, "Space view").rect();
     let nodes = desk.nodes();
-    let placed = nodes.iter().filter(|n| n.accesskit_node().bounding_box().is_some());
+    let placed = nodes.iter().filter(|n| {
+        let node = n.accesskit_node();
+        node.bounding_box().is_some() && node.author_id() != Some("formula")
+    });
     let said = placed.map(|n| (spoken(n), n.rect()));
     said.filter(|(_, rect)| rect.right() <= view.left() || rect.left() >= view.right()).collect()
 }
@@ -78,7 +81,7 @@ fn formulas_take_their_room_from_the_picture_alone() {
         desk.press(preset);
         let with = beside(&desk);
         desk.press(Key::E);
-        assert!(with.len() > 10, "{with:?}");
+        assert!(with.len() > 6, "{with:?}");
         assert_eq!(beside(&desk), with);
     }
 }
@@ -95,7 +98,9 @@ fn nothing_moves_while_stepping() {
             desk.tap(Key::ArrowRight);
             assert_eq!(view(&desk), first);
             if let Some((_, rect)) = formula(&desk) {
-                assert!(rect.top() >= first.bottom() && rect.height() > 60.0, "{rect:?}");
+                // In a lecture it is beside the picture.
+                let is_off = rect.top() >= first.bottom() || rect.left() >= first.right();
+                assert!(is_off && rect.height() > 60.0, "{rect:?}");
                 n_formulas += 1;
             }
         }

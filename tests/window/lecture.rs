@@ -56,19 +56,26 @@ fn each_text(shape: &Shape, see: &mut impl FnMut(&TextShape)) {
 }
 
 impl Desk {
-    /// How far what explains the step goes on below its room; 0 if it does not.
+    /// How far what explains the step goes on below its room, which ends above the
+    /// sentence, or above formulas in the same column; 0 if it does not.
     fn overflow(&self) -> f32 {
         let name = texts(self.state().view.language).get("space-name");
         let space = self.get_by_role_and_label(Role::Canvas, &name).rect();
         let nodes = self.nodes();
-        let is_sentence = |node: &&Node<'_>| node.accesskit_node().author_id() == Some("sentence");
+        let named = |id: &str| {
+            let is_named = |node: &&Node<'_>| node.accesskit_node().author_id() == Some(id);
+            nodes.iter().find(is_named).map(|node| node.rect())
+        };
         // Margins of both.
-        let room = nodes.iter().find(is_sentence).unwrap().rect().top() - 12.0 - 8.0;
+        let above_sentence = named("sentence").unwrap().top() - 6.0 - 8.0;
+        let formula = named("formula").filter(|rect| rect.left() >= space.right());
+        let room = formula.map_or(above_sentence, |rect| rect.top() - 6.0);
         let placed = nodes.iter().filter(|node| node.accesskit_node().bounding_box().is_some());
         let is_beside = |rect: &Rect| rect.left() >= space.right() && rect.top() >= space.top();
         let said = placed.filter(|node| !spoken(node).is_empty()).map(|node| node.rect());
         // The sentence and the timeline begin at the left.
-        let beside = said.filter(|rect| is_beside(rect) && rect.top() < room);
+        let beside = said.filter(|rect| is_beside(rect) && Some(*rect) != formula);
+        let beside = beside.filter(|rect| rect.top() < above_sentence);
         (beside.map(|rect| rect.bottom()).fold(0.0, f32::max) - room).max(0.0)
     }
 }

@@ -260,6 +260,14 @@ fn over_the_window() -> Vec<State> {
             desk.press(Key::End);
         }));
     }
+    for variant in [Variant::B3, Variant::B7, Variant::B9, Variant::B24a] {
+        states.push(State::new(format!("paper-{}-lecture", variant.id()), move |desk| {
+            desk.open_scenario(&counterexample(variant));
+            desk.state_mut().view.preset = Preset::Lecture;
+            desk.run();
+            desk.go_to(&At::Share(0.5));
+        }));
+    }
     for tab in Tab::ALL {
         let name = format!("lab-{tab:?}").to_lowercase();
         states.push(State::new(name, move |desk| show_lab(desk, tab, Quantity::Comparisons)));

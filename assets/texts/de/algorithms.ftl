@@ -35,7 +35,7 @@ way-down-count = { $n ->
 }
 way-down-level = Ebene { $level }
 way-down-root = Wurzel
-way-down-exit = Austrittspunkt
+way-down-exit = Austritt
 way-down-pushed = verschoben nach
 way-down-target = Codes dahinter
 

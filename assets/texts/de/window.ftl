@@ -1,5 +1,6 @@
 # Texte des Fensters, auf Deutsch.
 
+menu-all = Menü
 menu-file = Datei
 menu-edit = Bearbeiten
 menu-view = Ansicht

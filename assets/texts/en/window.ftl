@@ -1,5 +1,6 @@
 # Texts of the window, in English.
 
+menu-all = Menu
 menu-file = File
 menu-edit = Edit
 menu-view = View

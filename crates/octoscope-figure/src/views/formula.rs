@@ -1,5 +1,6 @@
 //! The formulas of a step: with symbols, and below with its numbers.
 
+use super::formula_breaks::{formula_lines, without_bars};
 use super::sheet::Sheet;
 use super::subject::Subject;
 use crate::formula::{FormulaType, SetFormula};
@@ -24,28 +25,44 @@ const WIDE: Spacing = Spacing { leading: 10.0, gap: 28.0, row_gap: 14.0 };
 const TIGHT: Spacing = Spacing { leading: 4.0, gap: 12.0, row_gap: 8.0 };
 
 /// Statements side by side on a page of at most this size, in the largest type that
-/// fits, symbols above numbers; closer together before the type becomes smaller. The
-/// page is as high as what is on it. No type is
-/// smaller than `least` page units: rather the numbers are left out, then the last
-/// statements.
+/// fits, symbols above numbers; closer together before the type becomes smaller, and
+/// broken over lines, then with fractions in a line, where no type is small enough. The page is as high as what is on
+/// it. No type is smaller than `least` page units: rather the numbers are left out, then
+/// the last statements.
 pub fn formula_figure(statements: &[Statement], most: Page, least: f64) -> Figure {
     let smallest = FormulaType::most_for(least);
     let is_fitting = |figure: &Figure| {
         figure.page.height <= most.height + 1e-9 && figure.page.width <= most.width + 1e-9
     };
-    let set_in = |statements: &[Statement]| {
+    let set_in = |statements: &[Statement], lines: Lines| {
         let types = (0..=SMALLEST.min(smallest)).map(|step| FormulaType { step, most: smallest });
         let mut pages = types.flat_map(|of| [WIDE, TIGHT].map(|spacing| (of, spacing)));
         pages.find_map(|(of, spacing)| {
-            Some(set(statements, most.width, of, spacing)).filter(is_fitting)
+            Some(set(statements, most.width, of, (spacing, lines))).filter(is_fitting)
         })
     };
     let bare = |statement: &Statement| Statement { numbers: None, ..statement.clone() };
     let symbols: Vec<Statement> = statements.iter().map(bare).collect();
-    let fewer = || (1..=symbols.len()).rev().find_map(|n| set_in(&symbols[..n]));
+    let either = |statements: &[Statement]| {
+        [Lines::Whole, Lines::Broken, Lines::Low]
+            .into_iter()
+            .find_map(|lines| set_in(statements, lines))
+    };
+    let fewer = || (1..=symbols.len()).rev().find_map(|n| either(&symbols[..n]));
     let smaller = FormulaType { step: SMALLEST.min(smallest), most: smallest };
-    let found = set_in(statements).or_else(|| if least > 0.0 { fewer() } else { None });
-    found.unwrap_or_else(|| set(statements, most.width, smaller, TIGHT))
+    let found = either(statements).or_else(|| if least > 0.0 { fewer() } else { None });
+    found.unwrap_or_else(|| set(statements, most.width, smaller, (TIGHT, Lines::Broken)))
+}
+
+/// How formulas are set, the most beautiful first.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Lines {
+    /// Each in a line.
+    Whole,
+    /// Broken where they are wider than the page.
+    Broken,
+    /// Broken, and fractions in a line.
+    Low,
 }
 
 /// A formula in a line of at most this width, in type of at least `least` page units.
@@ -78,61 +95,99 @@ pub fn formula_height(rows: FormulaRows) -> f64 {
         FormulaRows::Two => 2,
     };
     let of = FormulaType { step: 1, most: 2 };
-    // No two of them are side by side; minus signs and primes need a little more.
-    set(&all[..n_rows], 0.0, of, TIGHT).page.height + 5.0
+    // No two of them are side by side; a little more, for two rows without fractions.
+    set(&all[..n_rows], 0.0, of, (TIGHT, Lines::Whole)).page.height + 11.0
 }
 
 /// A row of statements with the room that it takes.
 #[derive(Default)]
 struct Row {
-    columns: Vec<[Option<(SetFormula, Formula)>; 2]>,
+    columns: Vec<Column>,
     width: f64,
 }
 
-fn set(statements: &[Statement], most: f64, of: FormulaType, spacing: Spacing) -> Figure {
+/// The lines of a statement: of its symbols, and below of its numbers.
+struct Column {
+    lines: Vec<Line>,
+    width: f64,
+}
+
+/// A formula, or what goes on of one.
+struct Line {
+    set: SetFormula,
+    formula: Formula,
+    indent: f64,
+}
+
+/// How far what goes on of a formula is moved in, in the largest type.
+const INDENT: f64 = 12.0;
+
+impl Column {
+    fn of(statement: &Statement, most: f64, of: FormulaType, breaks: Lines) -> Self {
+        let mut lines = Vec::new();
+        for formula in [Some(&statement.symbols), statement.numbers.as_ref()].into_iter().flatten()
+        {
+            let parts = match breaks {
+                Lines::Whole => vec![formula.clone()],
+                Lines::Broken => formula_lines(formula, of, most - INDENT),
+                Lines::Low => formula_lines(&without_bars(formula), of, most - INDENT),
+            };
+            lines.extend(parts.into_iter().enumerate().map(|(n, formula)| Line {
+                set: SetFormula::of(&formula, of),
+                formula,
+                indent: if n == 0 { 0.0 } else { INDENT },
+            }));
+        }
+        let width = lines.iter().map(|line| line.indent + line.set.width).fold(0.0, f64::max);
+        Self { lines, width }
+    }
+}
+
+fn set(
+    statements: &[Statement],
+    most: f64,
+    of: FormulaType,
+    (spacing, breaks): (Spacing, Lines),
+) -> Figure {
     let step = of.step;
     let gap = spacing.gap * 0.9_f64.powi(i32::from(step));
     let mut rows = vec![Row::default()];
-    for Statement { symbols, numbers } in statements {
-        let set = |formula: &Formula| (SetFormula::of(formula, of), formula.clone());
-        let column = [Some(set(symbols)), numbers.as_ref().map(set)];
-        let width = column.iter().flatten().map(|(set, _)| set.width).fold(0.0, f64::max);
+    for statement in statements {
+        let column = Column::of(statement, most, of, breaks);
         let last = rows.len() - 1;
-        let is_full = !rows[last].columns.is_empty() && rows[last].width + gap + width > most;
+        let is_full =
+            !rows[last].columns.is_empty() && rows[last].width + gap + column.width > most;
         if is_full {
             rows.push(Row::default());
         }
         let last = rows.len() - 1;
         let row = &mut rows[last];
-        row.width += if row.columns.is_empty() { width } else { gap + width };
+        row.width += if row.columns.is_empty() { column.width } else { gap + column.width };
         row.columns.push(column);
     }
     let mut sheet = Sheet::default();
     let mut top = 0.0;
     for (index, row) in rows.iter().enumerate() {
         top += if index == 0 { 0.0 } else { spacing.row_gap };
-        for line in 0..2 {
-            let parts = || row.columns.iter().filter_map(|column| column[line].as_ref());
+        let n_lines = row.columns.iter().map(|column| column.lines.len()).max().unwrap_or(0);
+        for n in 0..n_lines {
+            let parts = || row.columns.iter().filter_map(|column| column.lines.get(n));
             let reach = |reach: fn(&SetFormula) -> f64| {
-                parts().map(|(set, _)| reach(set)).fold(0.0, f64::max)
+                parts().map(|line| reach(&line.set)).fold(0.0, f64::max)
             };
             let (above, below) = (reach(|set| set.above), reach(|set| set.below));
-            if above + below == 0.0 {
-                continue;
-            }
-            top += if line == 0 { 0.0 } else { spacing.leading };
+            top += if n == 0 { 0.0 } else { spacing.leading };
             let mut x = 0.0;
             for column in &row.columns {
-                if let Some((_, formula)) = &column[line] {
+                if let Some(Line { formula, indent, .. }) = column.lines.get(n) {
                     let form = Form::Formula {
-                        at: [x, top + above],
+                        at: [x + indent, top + above],
                         of,
                         formula: Box::new(formula.clone()),
                     };
                     sheet.push(Role::Formula(step), Part::Whole, form);
                 }
-                let width = column.iter().flatten().map(|(set, _)| set.width).fold(0.0, f64::max);
-                x += width + gap;
+                x += column.width + gap;
             }
             top += above + below;
         }

@@ -10,6 +10,7 @@ mod chart;
 mod codes;
 mod exercise;
 mod formula;
+mod formula_breaks;
 mod kind;
 pub mod lab;
 mod legend;
