@@ -1,11 +1,15 @@
 //! All commands of the window, with their names, menus and keys: one table,
 //! from which menus, tooltips and shortcuts follow.
 
+mod menu;
+
 use crate::show_change::{ShowChange, ShownPart};
 use crate::space::Standpoint;
 use crate::view::PanelKind;
 use eframe::egui::{Key, KeyboardShortcut, Modifiers};
 use octoscope_core::gallery::Degenerate;
+
+pub use menu::Menu;
 
 /// Something that the user can ask for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -104,65 +108,6 @@ pub enum Command {
     Keys,
     /// Show what this program is.
     About,
-}
-
-/// Menu of the menu bar.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Menu {
-    /// Files.
-    File,
-    /// Undo and redo.
-    Edit,
-    /// Presets, themes, sizes.
-    View,
-    /// All panels; inside the menu before it.
-    Panels,
-    /// What the picture shows; inside the same menu.
-    Show,
-    /// The ray.
-    Ray,
-    /// Degenerate rays, inside the menu of the ray.
-    Gallery,
-    /// The playhead.
-    Step,
-    /// Help.
-    Help,
-}
-
-impl Menu {
-    /// The menus of the menu bar from left to right.
-    pub const ALL: [Self; 6] =
-        [Self::File, Self::Edit, Self::View, Self::Ray, Self::Step, Self::Help];
-
-    /// Key of the menu's title in the language files.
-    pub fn id(self) -> &'static str {
-        match self {
-            Self::File => "menu-file",
-            Self::Edit => "menu-edit",
-            Self::View => "menu-view",
-            Self::Panels => "menu-panels",
-            Self::Show => "menu-show",
-            Self::Ray => "menu-ray",
-            Self::Gallery => "menu-gallery",
-            Self::Step => "menu-step",
-            Self::Help => "menu-help",
-        }
-    }
-
-    /// The menus that open at the head of this one.
-    pub fn inner(self) -> &'static [Self] {
-        match self {
-            Self::View => &[Self::Panels, Self::Show],
-            Self::Ray => &[Self::Gallery],
-            Self::File
-            | Self::Edit
-            | Self::Panels
-            | Self::Show
-            | Self::Gallery
-            | Self::Step
-            | Self::Help => &[],
-        }
-    }
 }
 
 /// One row of the table of commands.

@@ -2,6 +2,8 @@
 
 mod any;
 mod judged;
+mod opened;
+mod tracing;
 
 use crate::comparison::Run;
 use crate::history::Shared;
@@ -9,7 +11,7 @@ use crate::traced::{MOST_EVENTS, Traced};
 use octoscope_core::event::Event;
 use octoscope_core::geometry::Ray;
 use octoscope_core::paper::Verdict;
-use octoscope_core::progress::{Cancelled, Progress};
+use octoscope_core::progress::Progress;
 use octoscope_core::query::Query;
 use octoscope_core::scenario::{Scenario, Source};
 use octoscope_core::scene::{Content, Cube, leaf_colours};
@@ -118,74 +120,6 @@ impl<const D: usize> Document<D> {
         Ok(Self { path: self.path, folder: self.folder, opened: self.opened, ..rebuilt })
     }
 
-    /// The scenario as it was opened: with its source, but an earlier question.
-    pub fn opened(&self) -> &Scenario<D> {
-        &self.opened
-    }
-
-    /// The scenario as it is now.
-    pub fn whole_scenario(&self) -> Scenario<D> {
-        let Question { domain, recipe, ray, query } = self.scenario;
-        Scenario { domain, recipe, ray, query, ..(*self.opened).clone() }
-    }
-
-    /// Takes `opened`, an earlier question of the same source, for the scenario as
-    /// it was opened; the playhead begins where that of this document does.
-    fn opened_as(&mut self, opened: Scenario<D>) {
-        self.opened = Arc::new(Scenario { step: self.opened.step, ..opened });
-    }
-
-    /// Asks what was asked when the scenario was opened.
-    fn ask_as_opened(&mut self) {
-        let Scenario { domain, recipe, ray, query, .. } = *self.opened;
-        self.scenario = Question { domain, recipe, ray, query };
-    }
-
-    /// Asks for the query of `other`, along its ray, in the present tree.
-    fn ask_as(&mut self, other: &Self) {
-        (self.scenario.ray, self.scenario.query) = (other.scenario.ray, other.scenario.query);
-    }
-
-    /// Whether both are states of one opened scenario.
-    fn is_of_same_opened(&self, other: &Self) -> bool {
-        Arc::ptr_eq(&self.opened, &other.opened)
-    }
-
-    /// Takes the file of `other` over, if both are states of one opened scenario:
-    /// where it is saved to is undone by nothing.
-    fn keep_file(&mut self, other: &Self) {
-        if self.is_of_same_opened(other) {
-            self.path.clone_from(&other.path);
-        }
-    }
-
-    /// The question that no longer counts as changed: that of `saved`, if it is of the
-    /// same opened scenario, else the opened one.
-    fn unchanged(&self, saved: &Self) -> Scenario<D> {
-        if self.is_of_same_opened(saved) { saved.whole_scenario() } else { (*self.opened).clone() }
-    }
-
-    /// Whether both ask the same question of the same source.
-    fn is_same_state(&self, other: &Self) -> bool {
-        self.scenario == other.scenario
-            && (self.is_of_same_opened(other) || self.opened == other.opened)
-    }
-
-    /// Whether the question is another one than in `saved`, if that is of the same
-    /// opened scenario; else, than it was when it was opened.
-    pub fn differs_from(&self, saved: &Self) -> bool {
-        if self.is_of_same_opened(saved) {
-            return self.scenario != saved.scenario;
-        }
-        self.differs_from_opened()
-    }
-
-    /// Whether the question is another one than when the scenario was opened.
-    pub fn differs_from_opened(&self) -> bool {
-        let Scenario { domain, recipe, ray, query, .. } = *self.opened;
-        self.scenario != Question { domain, recipe, ray, query }
-    }
-
     /// Address and size in bytes of what states may share.
     fn shared(&self) -> Vec<Shared> {
         let events = self.trace.events.len() * size_of::<Event<D>>();
@@ -206,58 +140,6 @@ impl<const D: usize> Document<D> {
         self.built != (self.scenario.domain, self.scenario.recipe)
     }
 
-    /// Whether the trace is not yet that of the ray and the query.
-    pub fn needs_tracing(&self) -> bool {
-        self.traced != (self.scenario.ray, self.scenario.query)
-    }
-
-    /// The ray of the trace.
-    pub fn traced_ray(&self) -> &Ray<D> {
-        &self.traced.0
-    }
-
-    /// Runs the query again if it or the ray has changed and this is quick. Returns
-    /// where the playhead, now at `step`, belongs.
-    pub fn refresh(&mut self, step: usize) -> usize {
-        let (ray, query) = (self.scenario.ray, self.scenario.query);
-        if !self.needs_tracing() {
-            return step;
-        }
-        match Traced::quickly(&self.tree, ray, query) {
-            Some(traced) => self.take(traced, step),
-            None => step,
-        }
-    }
-
-    /// Runs the query of now as far as the window keeps it, however long it takes.
-    ///
-    /// # Errors
-    /// Stops with [`Cancelled`] when `progress` is cancelled.
-    pub fn trace_anew(&mut self, progress: &Progress) -> Result<(), Cancelled> {
-        let (ray, query) = (self.scenario.ray, self.scenario.query);
-        let traced = Traced::within(MOST_EVENTS, &self.tree, ray, query, progress)?;
-        self.take(traced, 0);
-        Ok(())
-    }
-
-    /// Runs the query of now and keeps the whole trace, however long it is.
-    pub fn trace_whole(&mut self) {
-        self.trace_whole_within(&Progress::default()).expect("nobody cancels it");
-    }
-
-    /// The same, until `progress` is cancelled.
-    ///
-    /// # Errors
-    /// Stops with [`Cancelled`] then; the document stays as it was.
-    pub fn trace_whole_within(&mut self, progress: &Progress) -> Result<(), Cancelled> {
-        let (ray, query) = (self.scenario.ray, self.scenario.query);
-        if self.needs_tracing() || self.trace.is_cut() {
-            let whole = Traced::within(usize::MAX, &self.tree, ray, query, progress)?;
-            self.take(whole, 0);
-        }
-        Ok(())
-    }
-
     /// What the pictures of the run show at `moment`: the ray and the query that were
     /// traced, also while those of now are not traced yet.
     pub fn shown<'a>(&'a self, moment: &'a Moment<D>) -> DiagramOf<'a, D> {
@@ -268,63 +150,6 @@ impl<const D: usize> Document<D> {
             moment,
             event: moment.step.checked_sub(1).and_then(|index| self.trace.events.get(index)),
         }
-    }
-
-    /// Takes over the trace of `other`, made meanwhile from an earlier state of this
-    /// document; not if that had another tree. Returns where the playhead, now at
-    /// `step`, belongs.
-    pub fn take_trace(&mut self, other: &Self, step: usize) -> usize {
-        if !Arc::ptr_eq(&self.tree, &other.tree) {
-            return step;
-        }
-        self.take(other.as_traced(), step)
-    }
-
-    fn as_traced(&self) -> Traced<D> {
-        let (ray, query) = self.traced;
-        let (trace, rounded) = (Arc::clone(&self.trace), Arc::clone(&self.rounded));
-        Traced { ray, query, trace, total: self.total.clone(), rounded }
-    }
-
-    /// Takes a trace in the present tree. Returns where the playhead, now at `step`,
-    /// belongs: at the end it stays at the end, another point, region or neighbour
-    /// shows its answer at once, and a ray that is gone back to the step where it
-    /// was left.
-    fn take(&mut self, traced: Traced<D>, step: usize) -> usize {
-        let Traced { ray, query, trace, total, rounded } = traced;
-        let is_of_ray = |query: &Query<D>| matches!(query, Query::Ray { .. });
-        if is_of_ray(&self.traced.1) && !is_of_ray(&query) {
-            self.left_ray = Some((self.traced.1, step));
-        }
-        let was_at_end = step > 0 && step >= self.trace.events.len();
-        let asked_anew = self.traced.1 != query && !is_of_ray(&query);
-        self.trace = trace;
-        self.total = total;
-        self.rounded = rounded;
-        self.comparison.outdate();
-        self.verdict.outdate();
-        self.traced = (ray, query);
-        match self.resumed.take().filter(|(resumed, _)| *resumed == query) {
-            Some((_, left_at)) => left_at,
-            None if was_at_end || asked_anew => self.trace.events.len(),
-            None => step,
-        }
-    }
-
-    /// Goes back from another query to the one along the ray that was left for it,
-    /// and to the step of it.
-    pub fn back_to_ray(&mut self) {
-        let (query, step) = self.left_ray.take().unwrap_or_default();
-        self.scenario.query = query;
-        self.resumed = Some((query, step));
-    }
-
-    /// Goes back to the ray and the query of the trace there is, because the one
-    /// that is wanted was given up.
-    pub fn keep_trace(&mut self) {
-        (self.scenario.ray, self.scenario.query) = self.traced;
-        // A way back that was not gone is found once more.
-        self.left_ray = self.resumed.take().or(self.left_ray);
     }
 
     /// Takes over the tree of `rebuilt`, made meanwhile from an earlier state of
@@ -391,7 +216,7 @@ mod tests {
     use crate::open::open_built_in;
     use crate::with_document;
     use octoscope_core::scenario::{AnyScenario, BUILT_IN, built_in};
-    use octoscope_core::traverse::{Algorithm, Variants};
+    use octoscope_core::traverse::Variants;
 
     #[test]
     fn a_tree_that_cannot_be_built_is_not_wanted_any_more() {
@@ -423,32 +248,6 @@ mod tests {
     }
 
     #[test]
-    fn a_long_trace_is_cut_off_and_is_whole_where_it_is_asked_for() {
-        let Some(AnyScenario::Quadtree(mut scenario)) = built_in("quadtree-82") else { panic!() };
-        scenario.recipe.depth = 16;
-        if let Query::Ray { algorithm, .. } = &mut scenario.query {
-            *algorithm = Algorithm::Dda;
-        }
-        let content = Arc::new(scenario.source.content().unwrap());
-        let mut document = Document::new(scenario, content, &Progress::default()).unwrap();
-        assert!(document.trace.is_cut());
-        document.trace_whole();
-        assert!(!document.trace.is_cut() && document.trace.events.len() > MOST_EVENTS);
-    }
-
-    #[test]
-    fn a_whole_trace_can_be_given_up() {
-        let Some(AnyScenario::Quadtree(scenario)) = built_in("quadtree-82") else { panic!() };
-        let content = Arc::new(scenario.source.content().unwrap());
-        let mut document = Document::new(scenario, content, &Progress::default()).unwrap();
-        document.reverse_ray();
-        let progress = Progress::default();
-        progress.cancel();
-        assert_eq!(document.trace_whole_within(&progress), Err(Cancelled));
-        assert!(document.needs_tracing());
-    }
-
-    #[test]
     fn a_run_is_shown_with_its_own_ray_and_query() {
         let Some(AnyScenario::Quadtree(scenario)) = built_in("quadtree-82") else { panic!() };
         let content = Arc::new(scenario.source.content().unwrap());
@@ -461,18 +260,5 @@ mod tests {
         let shown = document.shown(&moment);
         assert_eq!((*shown.ray, *shown.query), (ray, query));
         assert_eq!(shown.event, document.trace.events.get(2));
-    }
-
-    #[test]
-    fn the_whole_scenario_is_the_opened_one_with_the_question_of_now() {
-        let Some(AnyScenario::Quadtree(opened)) = built_in(BUILT_IN[0].id) else { panic!() };
-        let content = Arc::new(opened.source.content().unwrap());
-        let mut document = Document::new(opened.clone(), content, &Progress::default()).unwrap();
-        assert_eq!(document.whole_scenario(), opened);
-        document.scenario.recipe.depth = 3;
-        let document = document.rebuilt(&Progress::default()).unwrap();
-        assert_eq!(document.whole_scenario().recipe.depth, 3);
-        assert_eq!(document.whole_scenario().source, opened.source);
-        assert_eq!(document.tree.domain().root_level(), 3);
     }
 }

@@ -27,6 +27,7 @@ mod notices;
 mod panels;
 mod paper;
 mod pictures;
+mod pictures_of_algorithms;
 mod queries;
 mod ray;
 mod show;
