@@ -155,3 +155,44 @@ fn what_is_drawn_of_a_million_leaves_is_what_is_drawn_of_a_thousand() {
     let unfolded: Vec<NodeId> = (1..=40).map(NodeId).collect();
     assert!(large.diagram(3, &unfolded, PAGE).nodes.len() <= 41 * 4 + 1 + 10 * 4);
 }
+
+#[test]
+fn no_branch_crosses_what_is_written_below_a_folded_node() {
+    let run = run::<3>(4);
+    let page = Page { width: 900.0, height: 290.0 };
+    let mut n_below = 0;
+    for step in 0..=run.trace.events.len() {
+        let diagram = run.diagram(step, &[], page);
+        let folded = |node| matches!(node, NodeKind::Folded { .. });
+        let mut below = Vec::new();
+        for drawn in &diagram.figure.drawn {
+            let Form::Text { at, text, .. } = &drawn.form else { continue };
+            let node = diagram.nodes.iter().find(|node| Some(node.node) == drawn.node);
+            if node.is_some_and(|node| folded(node.kind) && at[1] > node.at[1]) {
+                // Digits are wider and higher than this.
+                below.push((*at, [2.5 * text.plain().chars().count() as f64, 3.5]));
+            }
+        }
+        n_below += below.len();
+        for drawn in &diagram.figure.drawn {
+            let Form::Polyline(line) = &drawn.form else { continue };
+            if drawn.role == Role::Level {
+                continue;
+            }
+            for ends in line.windows(2) {
+                // Points close enough together that none steps over a text.
+                let mut on_line = (0..=200).map(|n| {
+                    let share = f64::from(n) / 200.0;
+                    [0, 1].map(|e| ends[0][e] + share * (ends[1][e] - ends[0][e]))
+                });
+                let crosses = on_line.any(|point| {
+                    below
+                        .iter()
+                        .any(|(at, reach)| (0..2).all(|e| (point[e] - at[e]).abs() < reach[e]))
+                });
+                assert!(!crosses, "step {step}: {line:?}");
+            }
+        }
+    }
+    assert!(n_below > 100, "{n_below}");
+}

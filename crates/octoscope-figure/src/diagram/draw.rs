@@ -1,5 +1,6 @@
 //! A laid out diagram as a figure.
 
+use super::below::Below;
 use super::layout::Item;
 use super::state::{State, States};
 use super::{DiagramNode, DiagramOf, NodeKind};
@@ -25,11 +26,9 @@ pub(super) struct Drawing<'a, const D: usize> {
 /// Share of a visited leaf that the disc for its number takes.
 const DISC: f64 = 0.9;
 /// Room above a node for its number.
-const NUMBER: f64 = 13.0;
-/// Distance of levels below which there is no room for a line below a node.
-const ROOM_BELOW: f64 = 42.0;
+pub(super) const NUMBER: f64 = 13.0;
 /// More than this beyond the page is not drawn.
-const BEYOND: f64 = 40.0;
+pub(super) const BEYOND: f64 = 40.0;
 
 impl<const D: usize> Drawing<'_, D> {
     /// The nodes on the page, each with the index of its item.
@@ -61,10 +60,13 @@ impl<const D: usize> Drawing<'_, D> {
     pub fn figure(&self, nodes: &[(usize, DiagramNode)], hovered: Option<NodeId>) -> Figure {
         let mut figure = Figure { page: self.page, drawn: Vec::new() };
         self.draw_levels(&mut figure);
+        let mut below: Vec<Below> = nodes.iter().filter_map(|(n, _)| self.below(*n)).collect();
+        let fans = self.fans(&below);
+        below.retain(|text| !self.is_crossed(text, &fans));
         // What matters lies above the rest.
         for lit in [false, true] {
             for n in (1..self.items.len()).filter(|&n| self.state(n).is_lit() == lit) {
-                self.draw_branch(&mut figure, n);
+                self.draw_branch(&mut figure, n, &fans);
             }
         }
         for (n, node) in nodes {
@@ -78,15 +80,16 @@ impl<const D: usize> Drawing<'_, D> {
         for (n, node) in nodes {
             self.write(&mut figure, *n, node);
         }
+        below.into_iter().for_each(|below| below.write(&mut figure));
         figure
     }
 
-    fn state(&self, n: usize) -> &State {
+    pub(super) fn state(&self, n: usize) -> &State {
         &self.states.of_items[n]
     }
 
     /// Half the side of a node's form.
-    fn half(&self, n: usize) -> f64 {
+    pub(super) fn half(&self, n: usize) -> f64 {
         let (item, state) = (&self.items[n], self.state(n));
         let current = state.above_current == Some(0) && !self.is_folded(n);
         let wanted = match (item.node.is_leaf(), item.is_unfolded) {
@@ -99,7 +102,7 @@ impl<const D: usize> Drawing<'_, D> {
         f64::min(wanted, wanted / 20.0 * self.spacing)
     }
 
-    fn is_folded(&self, n: usize) -> bool {
+    pub(super) fn is_folded(&self, n: usize) -> bool {
         !self.items[n].node.is_leaf() && !self.items[n].is_unfolded
     }
 
@@ -124,33 +127,6 @@ impl<const D: usize> Drawing<'_, D> {
                 figure.drawn.push(Drawn { form, role: Role::Level, part, node: None });
             }
         }
-    }
-
-    fn draw_branch(&self, figure: &mut Figure, n: usize) {
-        let Some(parent) = self.items[n].parent else { return };
-        let (from, to) = (self.placed[parent], self.placed[n]);
-        let room = if self.has_number(n) { NUMBER } else { 0.0 };
-        let end = [to[0], to[1] - self.half(n) - room];
-        // From the border of the parent, which is not covered.
-        let way = [end[0] - from[0], end[1] - from[1]];
-        let length = way[0].hypot(way[1]).max(1e-9);
-        let start = std::array::from_fn(|e| from[e] + way[e] / length * self.half(parent));
-        let page = [self.page.width, self.page.height];
-        let is_beyond = |e: usize| {
-            (start[e].max(end[e]) < -BEYOND) || (f64::min(start[e], end[e]) > page[e] + BEYOND)
-        };
-        if is_beyond(0) || is_beyond(1) {
-            return;
-        }
-        let state = self.state(n);
-        let (role, part) = match (state.above_current.is_some(), state.visited.is_some()) {
-            (true, _) => (Role::Path, Part::Edge),
-            (false, true) => (Role::Path, Part::Fine),
-            (false, false) if state.is_rejected => (Role::Rejected, Part::Edge),
-            (false, false) => (Role::Branch, Part::Edge),
-        };
-        let form = Form::Polyline(vec![start, end]);
-        figure.drawn.push(Drawn { form, role, part, node: Some(self.items[n].node.id) });
     }
 
     fn draw_node(&self, figure: &mut Figure, n: usize, node: &DiagramNode) {
@@ -221,7 +197,7 @@ impl<const D: usize> Drawing<'_, D> {
     }
 
     /// Whether the number of a child stands above it.
-    fn has_number(&self, n: usize) -> bool {
+    pub(super) fn has_number(&self, n: usize) -> bool {
         let has_parent = self.items[n].parent.is_some();
         has_parent && self.spacing >= 9.0 && self.levels >= 30.0
     }
@@ -254,55 +230,8 @@ impl<const D: usize> Drawing<'_, D> {
                     push(node.at, text, Role::OrderNumber);
                 }
             }
-            (NodeKind::Folded { .. }, _) => self.write_below(figure, n, node),
-            (NodeKind::Leaf | NodeKind::Unfolded, _) => {}
+            (NodeKind::Folded { .. } | NodeKind::Leaf | NodeKind::Unfolded, _) => {}
         }
-    }
-
-    /// What is written below a folded node: the numbers of its visited leaves, or
-    /// how many leaves it has.
-    fn text_below(&self, n: usize) -> (String, Role) {
-        match self.state(n).visited {
-            Some([first, last]) => {
-                let wrong = if self.state(n).is_strayed { " ×" } else { "" };
-                let last = if first == last { String::new() } else { format!("–{last}") };
-                (format!("{first}{last}{wrong}"), Role::OrderNumber)
-            }
-            None => (short(self.of.tree.n_leaves_in(self.items[n].node.id)), Role::Branch),
-        }
-    }
-
-    /// Writes below a folded node; every other one lower, where they have no room
-    /// beside each other.
-    fn write_below(&self, figure: &mut Figure, n: usize, node: &DiagramNode) {
-        const LINE: f64 = 10.0;
-        if self.levels < ROOM_BELOW {
-            return;
-        }
-        let (text, role) = self.text_below(n);
-        let [wide, high] = text_reach(role, &text);
-        let is_in_the_way = |&other: &usize| {
-            let apart = (self.placed[other][0] - node.at[0]).abs();
-            let same = self.items[other].depth == self.items[n].depth;
-            if other == n || !same || !self.is_folded(other) || apart > 2.0 * self.spacing {
-                return false;
-            }
-            let (text, role) = self.text_below(other);
-            apart < wide + text_reach(role, &text)[0] + 3.0
-        };
-        let is_tight = (0..self.items.len()).any(|other| is_in_the_way(&other));
-        let is_odd = self.of.tree.child_index(node.node).is_some_and(|child| child.0 % 2 == 1);
-        let lower = if is_tight && is_odd { LINE } else { 0.0 };
-        let at = [node.at[0], node.at[1] + node.half + high + 1.5 + lower];
-        let [left, right] = [at[0] - wide, at[0] + wide];
-        let [above, below] = [at[1] - high + 1.0, at[1] + high - 1.0];
-        let behind = vec![[left, above], [right, above], [right, below], [left, below]];
-        figure.drawn.push(ground(Form::Polygon(behind), node.node));
-        figure.drawn.push(drawn(
-            Form::Text { at, anchor: Anchor::Middle, text: text.into() },
-            role,
-            node.node,
-        ));
     }
 
     /// The node under the pointer, or the one on the page in which it lies.
@@ -319,32 +248,11 @@ impl<const D: usize> Drawing<'_, D> {
     }
 }
 
-fn drawn(form: Form, role: Role, node: NodeId) -> Drawn {
+pub(super) fn drawn(form: Form, role: Role, node: NodeId) -> Drawn {
     Drawn { form, role, part: Part::Whole, node: Some(node) }
 }
 
 /// Background that hides branches.
-fn ground(form: Form, node: NodeId) -> Drawn {
+pub(super) fn ground(form: Form, node: NodeId) -> Drawn {
     Drawn { form, role: Role::Node, part: Part::Face(0), node: Some(node) }
-}
-
-/// A number of leaves in four characters: 64, 4096, 65k, 1.2M.
-fn short(n: usize) -> String {
-    match n {
-        0..10_000 => n.to_string(),
-        10_000..1_000_000 => format!("{}k", n / 1000),
-        1_000_000..10_000_000 => format!("{:.1}M", (n / 100_000) as f64 / 10.0),
-        _ => format!("{}M", n / 1_000_000),
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::short;
-
-    #[test]
-    fn numbers_of_leaves_are_short() {
-        let numbers = [1, 9_999, 10_000, 262_144, 1_048_576, 16_777_216];
-        assert_eq!(numbers.map(short), ["1", "9999", "10k", "262k", "1.0M", "16M"]);
-    }
 }

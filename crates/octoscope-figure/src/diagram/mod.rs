@@ -4,6 +4,8 @@
 //! Only the path to the current node, what has been visited last and what the
 //! user unfolds are laid out, so that the tree may have millions of nodes.
 
+mod below;
+mod branches;
 mod draw;
 mod layout;
 mod state;

@@ -1,0 +1,102 @@
+//! What is written below folded nodes: how many leaves lie in them.
+
+use super::draw::{Drawing, drawn, ground};
+use crate::figure::text_reach;
+use crate::{Anchor, Figure, Form, Role};
+use octoscope_core::tree::NodeId;
+
+/// Distance of levels below which there is no room for a line below a node.
+const ROOM_BELOW: f64 = 42.0;
+/// How much lower every other line stands where they have no room beside each other.
+const LINE: f64 = 10.0;
+
+/// A line below a folded node.
+pub(super) struct Below {
+    pub text: String,
+    pub role: Role,
+    pub node: NodeId,
+    /// Number of levels below the root.
+    pub depth: usize,
+    /// Its middle, and half its width and height.
+    pub at: [f64; 2],
+    pub reach: [f64; 2],
+}
+
+impl Below {
+    /// Least and largest corner of what it covers.
+    pub fn area(&self) -> [[f64; 2]; 2] {
+        let ([x, y], [wide, high]) = (self.at, self.reach);
+        [[x - wide, y - high + 1.0], [x + wide, y + high - 1.0]]
+    }
+
+    /// Writes it on ground of its own.
+    pub fn write(self, figure: &mut Figure) {
+        let [[left, above], [right, below]] = self.area();
+        let behind = vec![[left, above], [right, above], [right, below], [left, below]];
+        figure.drawn.push(ground(Form::Polygon(behind), self.node));
+        let Self { text, role, node, at, .. } = self;
+        let form = Form::Text { at, anchor: Anchor::Middle, text: text.into() };
+        figure.drawn.push(drawn(form, role, node));
+    }
+}
+
+impl<const D: usize> Drawing<'_, D> {
+    /// What is written below a node, if it is folded; every other one lower, where they
+    /// have no room beside each other.
+    pub(super) fn below(&self, n: usize) -> Option<Below> {
+        if self.levels < ROOM_BELOW || !self.is_folded(n) {
+            return None;
+        }
+        let (place, node) = (self.placed[n], self.items[n].node.id);
+        let (text, role) = self.text_below(n);
+        let [wide, high] = text_reach(role, &text);
+        let is_in_the_way = |&other: &usize| {
+            let apart = (self.placed[other][0] - place[0]).abs();
+            let same = self.items[other].depth == self.items[n].depth;
+            if other == n || !same || !self.is_folded(other) || apart > 2.0 * self.spacing {
+                return false;
+            }
+            let (text, role) = self.text_below(other);
+            apart < wide + text_reach(role, &text)[0] + 3.0
+        };
+        let is_tight = (0..self.items.len()).any(|other| is_in_the_way(&other));
+        let is_odd = self.of.tree.child_index(node).is_some_and(|child| child.0 % 2 == 1);
+        let lower = if is_tight && is_odd { LINE } else { 0.0 };
+        let at = [place[0], place[1] + self.half(n) + high + 1.5 + lower];
+        let depth = self.items[n].depth;
+        Some(Below { text, role, node, depth, at, reach: [wide, high] })
+    }
+
+    /// The numbers of the visited leaves in a folded node, or how many leaves it has.
+    fn text_below(&self, n: usize) -> (String, Role) {
+        match self.state(n).visited {
+            Some([first, last]) => {
+                let wrong = if self.state(n).is_strayed { " ×" } else { "" };
+                let last = if first == last { String::new() } else { format!("–{last}") };
+                (format!("{first}{last}{wrong}"), Role::OrderNumber)
+            }
+            None => (short(self.of.tree.n_leaves_in(self.items[n].node.id)), Role::Branch),
+        }
+    }
+}
+
+/// A number of leaves in four characters: 64, 4096, 65k, 1.2M.
+fn short(n: usize) -> String {
+    match n {
+        0..10_000 => n.to_string(),
+        10_000..1_000_000 => format!("{}k", n / 1000),
+        1_000_000..10_000_000 => format!("{:.1}M", (n / 100_000) as f64 / 10.0),
+        _ => format!("{}M", n / 1_000_000),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::short;
+
+    #[test]
+    fn numbers_of_leaves_are_short() {
+        let numbers = [1, 9_999, 10_000, 262_144, 1_048_576, 16_777_216];
+        assert_eq!(numbers.map(short), ["1", "9999", "10k", "262k", "1.0M", "16M"]);
+    }
+}
