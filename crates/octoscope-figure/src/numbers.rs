@@ -196,7 +196,8 @@ fn distance(a: [f64; 2], b: [f64; 2]) -> f64 {
     (a[0] - b[0]).hypot(a[1] - b[1])
 }
 
-fn distance_to_segment(at: [f64; 2], segment: [[f64; 2]; 2]) -> f64 {
+/// Distance of a point from a line between two points.
+pub(crate) fn distance_to_segment(at: [f64; 2], segment: [[f64; 2]; 2]) -> f64 {
     let [from, to] = segment;
     let length = distance(from, to);
     if length < 1e-9 {

@@ -27,6 +27,7 @@ pub fn space_figure<const D: usize>(marks: &[Mark<D>], camera: &Camera<D>, page:
         page,
         chord,
         middle: middle.map_or([0.5 * page.width, 0.5 * page.height], |middle| middle.at),
+        axes: marks.iter().filter_map(|mark| axis_on_page(mark, camera, page)).collect(),
         is_apart: marks.iter().any(|mark| is_apart(mark.role)),
         last: marks.iter().find_map(|mark| match (mark.role, mark.shape) {
             (Role::RayTip, Shape::Tip(ends)) => last_point(ends, root.as_ref()),
@@ -61,6 +62,20 @@ pub fn space_figure<const D: usize>(marks: &[Mark<D>], camera: &Camera<D>, page:
     figure.drawn.extend(painted(in_space, &arrows, root.as_ref(), camera, page));
     figure.drawn.extend(above.into_iter().map(|(_, drawn)| drawn));
     figure
+}
+
+/// The line of an axis in space.
+fn axis_on_page<const D: usize>(
+    mark: &Mark<D>,
+    camera: &Camera<D>,
+    page: Page,
+) -> Option<(usize, [[f64; 2]; 2])> {
+    match (mark.role, mark.shape) {
+        (Role::AxisLabel(axis), Shape::Segment(ends)) => {
+            Some((axis, camera.visible_segment(page, ends)?))
+        }
+        _ => None,
+    }
 }
 
 /// Length on the page of the part of the ray in the current node, +∞ without one.
@@ -139,6 +154,8 @@ struct Canvas<'a, const D: usize> {
     middle: [f64; 2],
     /// The last point on the ray.
     last: Option<[f64; D]>,
+    /// Axes that are drawn in space, with their numbers.
+    axes: Vec<(usize, [[f64; 2]; 2])>,
     /// Whether children are moved apart: they would hide the ray.
     is_apart: bool,
     drawn: Vec<(f64, Drawn)>,

@@ -3,7 +3,7 @@
 use super::{Canvas, LEGIBLE, above_space, distance};
 use crate::camera::{clipped, corners};
 use crate::figure::text_reach;
-use crate::numbers::{Number, Stand, stands};
+use crate::numbers::{Number, Stand, distance_to_segment, stands};
 use crate::{Anchor, Form, Mark, Part, Projected, Role, Shape, Style, Theme};
 use octoscope_core::geometry::Aabb;
 use octoscope_core::tree::NodeId;
@@ -130,10 +130,21 @@ impl<const D: usize> Canvas<'_, D> {
             let before = reach[0].max(before * length);
             std::array::from_fn(|e| to[e] - before * along[e] + away * across[e])
         });
-        let places: Vec<_> = places.into_iter().filter(|at| self.is_on_page(*at, reach)).collect();
-        if let Some(at) = self.clearest(places, reach) {
+        let on_page = places.into_iter().filter(|at| self.is_on_page(*at, reach));
+        // Where two axes end in one corner, their names would be taken for each other's.
+        let (beside_others, apart): (Vec<_>, Vec<_>) =
+            on_page.partition(|at| self.is_at_another_axis(mark.role, *at));
+        let at = self.clearest(apart, reach).or_else(|| self.clearest(beside_others, reach));
+        if let Some(at) = at {
             self.text(mark, at, text);
         }
+    }
+
+    /// Whether a name stands as near to another axis as to its own.
+    fn is_at_another_axis(&self, role: Role, at: [f64; 2]) -> bool {
+        const NEAR: f64 = 20.0;
+        let others = self.axes.iter().filter(|(axis, _)| role != Role::AxisLabel(*axis));
+        others.into_iter().any(|(_, line)| distance_to_segment(at, *line) < NEAR)
     }
 
     fn is_on_page(&self, at: [f64; 2], reach: [f64; 2]) -> bool {
