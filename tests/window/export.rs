@@ -159,7 +159,7 @@ fn moments_and_exercises_are_chosen_in_the_dialog() {
     let mut desk = Desk::new();
     desk.state_mut().view.export.view = FigureView::Storyboard;
     desk.press_with(Modifiers::COMMAND, Key::E);
-    assert!(!desk.says("from, to"), "a storyboard has its own steps");
+    assert!(!desk.says("from … to"), "a storyboard has its own steps");
     desk.click(Role::Button, "at leaves");
     desk.type_into("at most", "4");
     assert!(shown_command(&desk).contains("--steps=leaves:4"), "{}", shown_command(&desk));
@@ -174,7 +174,7 @@ fn moments_and_exercises_are_chosen_in_the_dialog() {
 
     desk.state_mut().view.export.view = FigureView::Worksheet;
     desk.run();
-    desk.click(Role::Button, "another for every number");
+    desk.click(Role::Button, "another per number");
     desk.type_into("number", "17");
     desk.click(Role::CheckBox, "with its solution");
     let command = shown_command(&desk);

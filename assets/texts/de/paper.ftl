@@ -13,9 +13,9 @@ reading-b-2 = wie gedruckt
 reading-b-2-morton = Zustände als x + 2y + 4z gelesen
 
 erratum-b-3-title = Auswahl der Kinder in der Ebene
-erratum-b-3-printed = q1 in beiden Zweigen; q3, wenn t_ym < t_y1; nichts für t_xm = t_ym
-erratum-b-3-right = q2, wenn t_xm < t_ym; dann q3, wenn t_ym < t_x1; q0 und q3, wenn t_xm = t_ym
-erratum-b-3-why = Im zweiten Zweig ist q1 die falsche Zelle, denn der Strahl ist entlang y in der unteren Hälfte, und t_ym < t_y1 gilt immer, also wird q3 immer gemeldet. Ein Strahl durch die Mitte erhält gar kein Kind.
+erratum-b-3-printed = q_1 in beiden Zweigen; q_3, wenn t_ym < t_y1; nichts für t_xm = t_ym
+erratum-b-3-right = q_2, wenn t_xm < t_ym; dann q_3, wenn t_ym < t_x1; q_0 und q_3, wenn t_xm = t_ym
+erratum-b-3-why = Im zweiten Zweig ist q_1 die falsche Zelle, denn der Strahl ist entlang y in der unteren Hälfte, und t_ym < t_y1 gilt immer, also wird q_3 immer gemeldet. Ein Strahl durch die Mitte erhält gar kein Kind.
 
 erratum-b-4-title = Parameter der Mittelebene
 erratum-b-4-printed = t_xm = (t_x0 + t_x) / 2, für jedes Kind berechnet

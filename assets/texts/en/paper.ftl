@@ -13,9 +13,9 @@ reading-b-2 = as printed
 reading-b-2-morton = states read as x + 2y + 4z
 
 erratum-b-3-title = Selection of children in the plane
-erratum-b-3-printed = q1 in both branches; q3 if t_ym < t_y1; nothing for t_xm = t_ym
-erratum-b-3-right = q2 if t_xm < t_ym; then q3 if t_ym < t_x1; q0 and q3 if t_xm = t_ym
-erratum-b-3-why = In the second branch q1 is the wrong cell, as the ray is in the lower half along y, and t_ym < t_y1 always holds, so q3 is always reported. A ray through the centre gets no child at all.
+erratum-b-3-printed = q_1 in both branches; q_3 if t_ym < t_y1; nothing for t_xm = t_ym
+erratum-b-3-right = q_2 if t_xm < t_ym; then q_3 if t_ym < t_x1; q_0 and q_3 if t_xm = t_ym
+erratum-b-3-why = In the second branch q_1 is the wrong cell, as the ray is in the lower half along y, and t_ym < t_y1 always holds, so q_3 is always reported. A ray through the centre gets no child at all.
 
 erratum-b-4-title = Parameter of the mid plane
 erratum-b-4-printed = t_xm = (t_x0 + t_x) / 2, computed for each child
