@@ -5,12 +5,16 @@
 //!
 //!     cargo bench -p octoscope-core --bench building [-- THREADS]
 
+#[allow(dead_code, reason = "the other benches need the rest")]
+mod workload;
+
 use octoscope_core::progress::Progress;
 use octoscope_core::random::Random;
-use octoscope_core::scene::{Content, made};
+use octoscope_core::scene::Content;
 use octoscope_core::tree::{Domain, Merge, Recipe, Tree, build_on};
 use std::num::NonZeroUsize;
 use std::time::Instant;
+use workload::Scene;
 
 const N: u32 = 1_000_000;
 const N_ROUNDS: usize = 11;
@@ -26,15 +30,24 @@ fn main() {
     let whole = |depth| Recipe { depth, ..Recipe::default() };
     let kept = |depth| Recipe { depth, merge: Merge::Kept, ..Recipe::default() };
     println!(
-        "{:<30} {:>7} {:>9} {:>9} {:>9} {:>7} {:>7}",
+        "{:<32} {:>7} {:>9} {:>9} {:>9} {:>7} {:>7}",
         "", "threads", "M items/s", "best", "ms", "ratio", "best"
     );
     report("points, buckets of 8, depth 8", &Content::Points(points.clone()), buckets);
     report("cells, merged, depth 8", &cells(8), whole(8));
     report("cells, kept, depth 8", &cells(8), kept(8));
     report("cells, kept, depth 10", &cells(10), kept(10));
-    report("cloud of spheres, depth 8", &made::cloud(0xC10D, 1890), whole(8));
-    report("4096 spheres, depth 8", &made::sphere_grid(4), whole(8));
+    // Seven of eight in a cube with a side of 1/512.
+    let close = |&point: &[f64; 3]| match random.below(8) {
+        0 => point,
+        _ => point.map(|x| 0.25 + x / 512.0),
+    };
+    let close = Content::Points(points.iter().map(close).collect());
+    report("points close together, depth 20", &close, Recipe { depth: 20, ..buckets });
+    report("1890 spheres, depth 8", &Scene::Cloud.content(), whole(8));
+    report("4096 spheres, depth 8", &Scene::Grid(4).content(), whole(8));
+    report("1890 boxes, depth 8", &Scene::Boxes.content(), whole(8));
+    report("triangles, depth 8", &Scene::Triangles.content(), whole(8));
 }
 
 fn report(name: &str, content: &Content<3>, recipe: Recipe) {
@@ -54,7 +67,7 @@ fn report(name: &str, content: &Content<3>, recipe: Recipe) {
         let rate = |seconds: f64| content.len() as f64 / seconds / 1e6;
         let [median_of_one, best_of_one] = *first.get_or_insert([median, best]);
         println!(
-            "{name:<30} {threads:>7} {:>9.3} {:>9.3} {:>9.1} {:>7.2} {:>7.2}",
+            "{name:<32} {threads:>7} {:>9.3} {:>9.3} {:>9.1} {:>7.2} {:>7.2}",
             rate(median),
             rate(best),
             median * 1e3,

@@ -22,7 +22,7 @@ use std::hint::black_box;
 use workload::{Rays, Scene};
 
 /// Trees of the tables, the rays through them and the wanted end.
-const TABLES: [(Scene, u8, Rays, StopAt); 10] = [
+const TABLES: [(Scene, u8, Rays, StopAt); 14] = [
     (Scene::Grid(3), 6, Rays::Outside, StopAt::End),
     (Scene::Cloud, 8, Rays::Outside, StopAt::End),
     (Scene::Grid(5), 8, Rays::Outside, StopAt::End),
@@ -33,6 +33,10 @@ const TABLES: [(Scene, u8, Rays, StopAt); 10] = [
     (Scene::Cloud, 10, Rays::Outside, StopAt::FirstFull),
     (Scene::Cloud, 8, Rays::Inside, StopAt::FirstFull),
     (Scene::Cloud, 8, Rays::Camera, StopAt::FirstFull),
+    (Scene::Boxes, 8, Rays::Outside, StopAt::End),
+    (Scene::Boxes, 8, Rays::Outside, StopAt::FirstFull),
+    (Scene::Triangles, 8, Rays::Outside, StopAt::End),
+    (Scene::Triangles, 8, Rays::Outside, StopAt::FirstFull),
 ];
 
 /// The algorithms that keep to steps through the tree and report nothing else.

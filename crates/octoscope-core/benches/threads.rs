@@ -21,12 +21,14 @@ use std::time::Instant;
 use workload::{Rays, Scene};
 
 /// Trees and the rays through them.
-const TABLE: [(Scene, u8, Rays); 5] = [
+const TABLE: [(Scene, u8, Rays); 7] = [
     (Scene::Grid(3), 6, Rays::Outside),
     (Scene::Cloud, 8, Rays::Outside),
     (Scene::Cloud, 8, Rays::Inside),
     (Scene::Cloud, 8, Rays::Camera),
     (Scene::Grid(5), 8, Rays::Outside),
+    (Scene::Boxes, 8, Rays::Outside),
+    (Scene::Triangles, 8, Rays::Outside),
 ];
 const N_RAYS: usize = 20_000;
 const N_ROUNDS: usize = 9;
@@ -35,7 +37,7 @@ fn main() {
     let asked = std::env::args().skip(1).find_map(|word| word.parse().ok());
     let all = asked.or(thread::available_parallelism().ok()).unwrap_or(NonZeroUsize::MIN);
     println!(
-        "{:<36} {:>7} {:>9} {:>9} {:>7} {:>7}",
+        "{:<38} {:>7} {:>9} {:>9} {:>7} {:>7}",
         "enum", "threads", "Mrays/s", "best", "ratio", "best"
     );
     for (scene, depth, rays) in TABLE {
@@ -66,7 +68,7 @@ fn report(name: &str, threads: [NonZeroUsize; 2], time: impl Fn(NonZeroUsize) ->
     for (threads, [median, best]) in threads.into_iter().zip([one, all]) {
         let rate = |seconds: f64| N_RAYS as f64 / seconds / 1e6;
         println!(
-            "{name:<36} {threads:>7} {:>9.3} {:>9.3} {:>7.2} {:>7.2}",
+            "{name:<38} {threads:>7} {:>9.3} {:>9.3} {:>7.2} {:>7.2}",
             rate(median),
             rate(best),
             one[0] / median,

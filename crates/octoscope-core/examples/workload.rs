@@ -14,12 +14,14 @@ use workload::{Rays, Scene};
 #[path = "../benches/workload/mod.rs"]
 mod workload;
 
-const TREES: [(Scene, u8); 5] = [
+const TREES: [(Scene, u8); 7] = [
     (Scene::Grid(3), 6),
     (Scene::Grid(4), 8),
     (Scene::Grid(5), 8),
     (Scene::Cloud, 8),
     (Scene::Cloud, 10),
+    (Scene::Boxes, 8),
+    (Scene::Triangles, 8),
 ];
 
 fn main() -> Result<(), Box<dyn Error>> {

@@ -4,10 +4,10 @@
 //! The world is the unit cube and every number a multiple of 2^-20, so that the
 //! inputs are exact in single and in double precision.
 
-use octoscope_core::geometry::Ray;
+use octoscope_core::geometry::{Aabb, Ray};
 use octoscope_core::progress::Progress;
 use octoscope_core::random::Random;
-use octoscope_core::scene::{Content, made};
+use octoscope_core::scene::{Content, Sphere, made};
 use octoscope_core::tree::{Domain, Merge, Recipe, Tree, build};
 use std::f64::consts::TAU;
 
@@ -20,6 +20,10 @@ pub enum Scene {
     Grid(u32),
     /// 1890 random spheres.
     Cloud,
+    /// The boxes around them, solid.
+    Boxes,
+    /// 4320 cylinders and spheres of triangles.
+    Triangles,
 }
 
 /// Where the rays come from.
@@ -39,23 +43,27 @@ impl Scene {
         match self {
             Self::Grid(n) => format!("S{n}"),
             Self::Cloud => "cloud".to_owned(),
+            Self::Boxes => "boxes".to_owned(),
+            Self::Triangles => "triangles".to_owned(),
         }
     }
 
-    /// The spheres.
+    /// The spheres, boxes or triangles.
     pub fn content(self) -> Content<3> {
         match self {
             Self::Grid(n) => made::sphere_grid(n),
             Self::Cloud => made::cloud(0xC10D, 1890),
+            Self::Boxes => Content::Boxes(boxes(&made::cloud(0xC10D, 1890))),
+            Self::Triangles => made::cylinders_and_spheres(0xC1, 4320),
         }
     }
 
-    /// The tree of the cells whose closed box meets a sphere's surface, each of them
-    /// a leaf of level 0.
+    /// The tree of the cells whose closed box meets a sphere's surface, a box or a
+    /// triangle, each of them a leaf of level 0.
     pub fn tree(self, depth: u8) -> Tree<3> {
         let recipe = Recipe { depth, merge: Merge::Kept, ..Recipe::default() };
         build(&self.content(), Domain::unit(depth), &recipe, &Progress::default())
-            .expect("the scene fits into the unit cube")
+            .expect("nothing is wrong with the scene")
     }
 }
 
@@ -87,6 +95,13 @@ impl Rays {
             Self::Camera => camera(),
         }
     }
+}
+
+/// The boxes around spheres.
+fn boxes(content: &Content<3>) -> Vec<Aabb<3>> {
+    let Content::Spheres(spheres) = content else { return Vec::new() };
+    let corner = |s: &Sphere<3>, sign: f64| s.centre.map(|c| c + sign * s.radius);
+    spheres.iter().map(|s| Aabb { min: corner(s, -1.0), max: corner(s, 1.0) }).collect()
 }
 
 /// From a point before one corner of the cube towards its middle.
