@@ -12,11 +12,11 @@ mod workload;
 use octoscope_core::geometry::Ray;
 use octoscope_core::measure::Tally;
 use octoscope_core::query::Query;
+use octoscope_core::threads::in_parts;
 use octoscope_core::traverse::{Algorithm, Kernel, StopAt, visit_many};
 use octoscope_core::tree::Tree;
 use std::hint::black_box;
 use std::num::NonZeroUsize;
-use std::thread;
 use std::time::Instant;
 use workload::{Rays, Scene};
 
@@ -35,7 +35,7 @@ const N_ROUNDS: usize = 9;
 
 fn main() {
     let asked = std::env::args().skip(1).find_map(|word| word.parse().ok());
-    let all = asked.or(thread::available_parallelism().ok()).unwrap_or(NonZeroUsize::MIN);
+    let all = asked.or(std::thread::available_parallelism().ok()).unwrap_or(NonZeroUsize::MIN);
     println!(
         "{:<38} {:>7} {:>9} {:>9} {:>7} {:>7}",
         "enum", "threads", "Mrays/s", "best", "ratio", "best"
@@ -85,14 +85,7 @@ fn time(
     run: fn(&Tree<3>, &[Ray<3>]),
 ) -> f64 {
     let start = Instant::now();
-    thread::scope(|scope| {
-        let mut parts = rays.chunks(rays.len().div_ceil(threads.get()));
-        let own = parts.next().unwrap_or_default();
-        for part in parts {
-            scope.spawn(move || run(tree, part));
-        }
-        run(tree, own);
-    });
+    in_parts(threads, rays, |rays| run(tree, rays));
     start.elapsed().as_secs_f64()
 }
 

@@ -8,7 +8,7 @@
 //! what is timed, traced, counted and checked is the same code, seen through
 //! another [`event::Observer`].
 //!
-//! The crate knows no file, clock, window or thread of its own.
+//! The crate knows no file, clock or window, and threads only in [`threads`].
 
 pub mod event;
 pub mod explain;
@@ -24,6 +24,7 @@ pub mod random;
 pub mod scenario;
 pub mod scene;
 pub mod text;
+pub mod threads;
 pub mod trace;
 pub mod traverse;
 pub mod tree;

@@ -2,7 +2,7 @@
 
 use super::in_order::in_order;
 use super::line::{Met, push_line};
-use super::summary::{Summary, tally};
+use super::summary::{Summary, tally, times};
 use octoscope_core::geometry::Ray;
 use octoscope_core::measure::Tally;
 use octoscope_core::traverse::{Kernel, Leaf, StopAt, visit_many};
@@ -10,8 +10,6 @@ use octoscope_core::tree::Tree;
 use std::hint::black_box;
 use std::io;
 use std::num::NonZeroUsize;
-use std::thread;
-use std::time::{Duration, Instant};
 
 /// Name of the kernel, where others have that of their algorithm.
 pub const BATCH: &str = "batch";
@@ -65,34 +63,13 @@ pub fn measure<const D: usize>(
         summary.add(block);
         Ok(())
     })?;
-    summary.times = (0..repeat.get()).map(|_| time(tree, rays, stop_at, threads)).collect();
-    summary.times.sort_unstable();
-    Ok(summary)
-}
-
-/// Time of one run over all rays.
-fn time<const D: usize>(
-    tree: &Tree<D>,
-    rays: &[Ray<D>],
-    stop_at: StopAt,
-    threads: NonZeroUsize,
-) -> Duration {
-    let run = |rays: &[Ray<D>]| {
+    summary.times = times(rays, threads, repeat, |rays| {
         let mut tally = Tally::default();
         visit_many(tree, rays, stop_at, Kernel::Vector, |_, leaves| {
             tally.leaves += leaves.len() as u64;
             tally.occupied += leaves.iter().map(|leaf| u64::from(leaf.is_full())).sum::<u64>();
         });
         black_box(tally);
-    };
-    let start = Instant::now();
-    thread::scope(|scope| {
-        let mut parts = rays.chunks(rays.len().div_ceil(threads.get()).max(1));
-        let own = parts.next().unwrap_or_default();
-        for part in parts {
-            scope.spawn(move || run(part));
-        }
-        run(own);
     });
-    start.elapsed()
+    Ok(summary)
 }

@@ -5,13 +5,12 @@ use super::in_order::in_order;
 use super::line::{Met, met, push_line};
 use octoscope_core::geometry::Ray;
 use octoscope_core::measure::{FNV_BASIS, Tally, fnv_1a};
-use octoscope_core::query::Query;
+use octoscope_core::threads::in_parts;
 use octoscope_core::traverse::Method;
 use octoscope_core::tree::Tree;
 use std::hint::black_box;
 use std::io;
 use std::num::NonZeroUsize;
-use std::thread;
 use std::time::{Duration, Instant};
 
 /// Row of the table.
@@ -71,8 +70,13 @@ pub fn measure<const D: usize>(
         Ok(())
     })?;
     let query = asked.along(method);
-    summary.times = (0..repeat.get()).map(|_| time(tree, rays, &query, threads)).collect();
-    summary.times.sort_unstable();
+    summary.times = times(rays, threads, repeat, |rays| {
+        let mut tally = Tally::default();
+        for ray in rays {
+            black_box(query.run(tree, ray, &mut tally));
+        }
+        black_box(tally);
+    });
     Ok(summary)
 }
 
@@ -127,31 +131,22 @@ fn quotient(a: f64, b: f64, decimals: usize) -> String {
     if a > 0.0 && b > 0.0 { format!("{:.decimals$}", a / b) } else { "-".to_owned() }
 }
 
-/// Time of one run over all rays.
-fn time<const D: usize>(
-    tree: &Tree<D>,
+/// Times of so many runs over all rays, which are divided among the threads; the
+/// shortest first.
+pub fn times<const D: usize>(
     rays: &[Ray<D>],
-    query: &Query<D>,
     threads: NonZeroUsize,
-) -> Duration {
-    let run = |rays: &[Ray<D>]| {
-        let mut tally = Tally::default();
-        for ray in rays {
-            black_box(query.run(tree, ray, &mut tally));
-        }
-        black_box(tally);
+    repeat: NonZeroUsize,
+    run: impl Fn(&[Ray<D>]) + Sync,
+) -> Vec<Duration> {
+    let time = || {
+        let start = Instant::now();
+        in_parts(threads, rays, &run);
+        start.elapsed()
     };
-    let start = Instant::now();
-    if threads.get() == 1 {
-        run(rays);
-    } else {
-        thread::scope(|scope| {
-            for part in rays.chunks(rays.len().div_ceil(threads.get()).max(1)) {
-                scope.spawn(move || run(part));
-            }
-        });
-    }
-    start.elapsed()
+    let mut times: Vec<Duration> = (0..repeat.get()).map(|_| time()).collect();
+    times.sort_unstable();
+    times
 }
 
 /// Counts the visited ones of these leaves.

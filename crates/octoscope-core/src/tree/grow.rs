@@ -2,10 +2,10 @@
 
 use super::layout::{Place, Row};
 use super::net::Net;
-use super::threads::in_order;
 use super::{Child, Code, Domain, NodeId, Tree};
 use crate::geometry::Aabb;
 use crate::progress::{Cancelled, Progress};
+use crate::threads::in_order;
 use std::collections::VecDeque;
 use std::num::NonZeroUsize;
 

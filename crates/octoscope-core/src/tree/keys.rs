@@ -1,8 +1,8 @@
 //! Points and cells as keys: where they lie in the order of the children.
 
-use super::threads::{all_threads, in_order};
 use super::{Child, Code, Domain, morton};
 use crate::scene::Content;
+use crate::threads::{all_threads, in_order};
 use std::num::NonZeroUsize;
 use std::ops::Range;
 

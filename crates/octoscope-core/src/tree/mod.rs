@@ -15,7 +15,6 @@ mod part;
 mod picture;
 mod recipe;
 mod sort;
-mod threads;
 
 pub use build::{BuildError, build, build_on};
 pub use child::Child;

@@ -6,10 +6,10 @@ use super::overlap::{
     lies_in_ball, lies_in_box, lies_in_triangle, meets_ball, meets_box, meets_surface,
     meets_triangle,
 };
-use super::threads::in_order;
 use super::{BuildError, Child, Code, Fill, Merge};
 use crate::geometry::Aabb;
 use crate::scene::Content;
+use crate::threads::in_order;
 use std::ops::Range;
 use std::sync::atomic::{AtomicUsize, Ordering};
 

@@ -1,6 +1,6 @@
 //! Sorting by keys.
 
-use super::threads::in_order;
+use crate::threads::in_order;
 use std::num::NonZeroUsize;
 use std::ops::Range;
 

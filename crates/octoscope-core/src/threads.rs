@@ -1,5 +1,4 @@
-//! Work on several threads, results in order: what comes of it is the same for any
-//! number of them.
+//! Work on several threads: what comes of it is the same for any number of them.
 
 use std::num::NonZeroUsize;
 use std::panic::resume_unwind;
@@ -7,7 +6,7 @@ use std::sync::{Mutex, PoisonError};
 use std::thread::{self, ScopedJoinHandle};
 
 /// As many threads as the machine runs at once; one where that is not known.
-pub(super) fn all_threads() -> NonZeroUsize {
+pub(crate) fn all_threads() -> NonZeroUsize {
     thread::available_parallelism().unwrap_or(NonZeroUsize::MIN)
 }
 
@@ -16,7 +15,7 @@ pub(super) fn all_threads() -> NonZeroUsize {
 ///
 /// # Panics
 /// Panics if `work` does.
-pub(super) fn in_order<T: Send, R: Send>(
+pub(crate) fn in_order<T: Send, R: Send>(
     threads: NonZeroUsize,
     tasks: impl ExactSizeIterator<Item = T> + Send,
     work: impl Fn(T) -> R + Sync,
@@ -43,6 +42,23 @@ pub(super) fn in_order<T: Send, R: Send>(
     results.into_iter().map(|(_, result)| result).collect()
 }
 
+/// Does `work` on parts of the items of about equal length, one for each of so many
+/// threads at most; this thread does the first.
+///
+/// # Panics
+/// Panics if `work` does.
+pub fn in_parts<T: Sync>(threads: NonZeroUsize, items: &[T], work: impl Fn(&[T]) + Sync) {
+    let mut parts = items.chunks(items.len().div_ceil(threads.get()).max(1));
+    let Some(own) = parts.next() else { return };
+    thread::scope(|scope| {
+        let work = &work;
+        for part in parts {
+            scope.spawn(move || work(part));
+        }
+        work(own);
+    });
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -54,6 +70,23 @@ mod tests {
             for n in [0, 1, 2, 1000] {
                 let squares = in_order(threads, 0..n, |task| task * task);
                 assert_eq!(squares, (0..n).map(|task| task * task).collect::<Vec<i32>>());
+            }
+        }
+    }
+
+    #[test]
+    fn every_item_is_in_one_part() {
+        for n in [0, 1, 5, 1000] {
+            let items: Vec<usize> = (0..n).collect();
+            for threads in [1, 2, 3, 16] {
+                let parts = Mutex::new(Vec::new());
+                in_parts(NonZeroUsize::new(threads).unwrap(), &items, |part| {
+                    parts.lock().unwrap().push(part.to_vec());
+                });
+                let mut parts = parts.into_inner().unwrap();
+                assert!(parts.len() <= threads);
+                parts.sort();
+                assert_eq!(parts.concat(), items);
             }
         }
     }
