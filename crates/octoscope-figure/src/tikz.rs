@@ -1,12 +1,11 @@
 //! Figures as TikZ, written so that a person can edit them: named styles for
 //! the roles, coordinates with few digits, text as text.
 
-use crate::shared::{SharedRun, shared_runs};
+mod slides;
+mod styles;
+
 use crate::typeset::Line;
-use crate::{
-    Anchor, Background, Colour, Drawn, Figure, FileOptions, Form, Lettering, Paint, Palette, Part,
-    Role, Style, Theme, Weight, metrics,
-};
+use crate::{Anchor, Background, Drawn, Figure, FileOptions, Form, Palette, Role, metrics};
 use octoscope_core::explain::{RichText, latex, math};
 use serde::{Deserialize, Serialize};
 use std::collections::{BTreeMap, HashMap};
@@ -157,74 +156,6 @@ impl<'a> Tikz<'a> {
         *out += "\\end{tikzpicture}\n";
     }
 
-    /// One frame that is as high or as wide as a slide has room for.
-    fn frame(&self, out: &mut String) {
-        let has_captions = self.pictures.iter().any(|picture| !picture.caption.is_empty());
-        let share = if has_captions { 0.78 } else { 0.92 };
-        // A slide is 4 to 3 wide.
-        let widest = 0.96 * 4.0 / (3.0 * share);
-        let is_wide = self.pictures.first().is_some_and(|p| p.width > widest * p.height);
-        let size = if is_wide {
-            "{0.96\\paperwidth}{!}".to_owned()
-        } else {
-            format!("{{!}}{{{share}\\paperheight}}")
-        };
-        let shared = self.shared(out);
-        *out += &format!(
-            "\\begin{{frame}}[plain]\n\\centering\n\\makebox[\\linewidth]{{\\resizebox{size}{{%\n"
-        );
-        self.overlays(out, &shared);
-        *out += "}}\n";
-        self.captions(out);
-        *out += "\\end{frame}\n";
-    }
-
-    /// Defines a command for every run of lines that all figures share.
-    fn shared(&self, out: &mut String) -> Vec<SharedRun> {
-        let pictures: Vec<&[u32]> = self.pictures.iter().map(|p| &p.lines[..]).collect();
-        let runs = if pictures.len() < 2 { Vec::new() } else { shared_runs(&pictures, LEAST) };
-        for (index, run) in runs.iter().enumerate() {
-            let start = run.starts[0];
-            *out += &format!("\\newcommand*{{{}}}{{%\n", shared_name(index));
-            self.write_lines(out, &self.pictures[0].lines[start..start + run.length]);
-            *out += "}\n";
-        }
-        runs
-    }
-
-    /// One picture: each figure on a slide of its own.
-    fn overlays(&self, out: &mut String, shared: &[SharedRun]) {
-        let Some(first) = self.pictures.first() else { return };
-        self.begin(out, first);
-        for (slide, picture) in self.pictures.iter().enumerate() {
-            *out += &format!("\\only<{}>{{%\n", slide + 1);
-            let mut runs: Vec<_> = shared.iter().enumerate().collect();
-            runs.sort_by_key(|(_, run)| run.starts[slide]);
-            let mut done = 0;
-            for (index, run) in runs {
-                self.write_lines(out, &picture.lines[done..run.starts[slide]]);
-                *out += &format!("{}\n", shared_name(index));
-                done = run.starts[slide] + run.length;
-            }
-            self.write_lines(out, &picture.lines[done..]);
-            *out += "}%\n";
-        }
-        *out += "\\end{tikzpicture}\n";
-    }
-
-    /// What is said on every slide, in a box of two lines: nothing moves.
-    fn captions(&self, out: &mut String) {
-        if self.pictures.iter().all(|picture| picture.caption.is_empty()) {
-            return;
-        }
-        *out += "\\par\\smallskip\n\\begin{minipage}[t][2.4\\baselineskip]{0.96\\linewidth}\n\
-                 \\centering\\small\n";
-        for (slide, picture) in self.pictures.iter().enumerate() {
-            *out += &format!("\\only<{}>{{{}}}%\n", slide + 1, picture.caption);
-        }
-        *out += "\\end{minipage}\n";
-    }
-
     fn write_lines(&self, out: &mut String, lines: &[u32]) {
         lines.iter().for_each(|&line| *out += &self.lines[line as usize]);
     }
@@ -294,105 +225,6 @@ impl<'a> Tikz<'a> {
         latex(text, Some(AXES))
     }
 
-    /// Name of the style of a shape, which is defined; `None` if nothing is seen.
-    fn style(&mut self, drawn: &Drawn) -> Option<String> {
-        let theme = self.options.theme;
-        let paint = Paint::of(theme, drawn).with_lines(self.options.line_scale);
-        let own = own_colour(theme, drawn.role).map(|colour| self.colour(colour));
-        let part = match drawn.part {
-            Part::Whole => String::new(),
-            Part::Fine => " fine".to_owned(),
-            Part::Face(axis) => format!(" face {}", ["x", "y", "z"][axis]),
-            Part::Head => " head".to_owned(),
-            Part::Lit(light) => format!(" lit {light}"),
-            Part::Edge => " line".to_owned(),
-            Part::HiddenEdge => " hidden line".to_owned(),
-        };
-        let name = format!("octo {}{part}", drawn.role.class());
-        let key = (drawn.role.layer() + 1, name);
-        if !self.styles.contains_key(&key) {
-            let style = self.painted(drawn, &paint)?;
-            self.styles.insert(key.clone(), style);
-        }
-        Some(match own {
-            Some(colour) => format!("{}={colour}", key.1),
-            None => key.1,
-        })
-    }
-
-    /// What the style of a shape says.
-    fn painted(&mut self, drawn: &Drawn, paint: &Paint) -> Option<String> {
-        let own = own_colour(self.options.theme, drawn.role);
-        let mut parts = Vec::new();
-        let stroke = paint.stroke.filter(|_| paint.width > 0.0);
-        for (name, colour) in [("fill", paint.fill), ("draw", stroke)] {
-            let Some(colour) = colour else { continue };
-            let shown = match own {
-                Some(own) if own.rgb == colour.rgb => "#1".to_owned(),
-                Some(_) | None => self.colour(colour),
-            };
-            parts.push(format!("{name}={shown}"));
-            if colour.opacity < 1.0 {
-                parts.push(format!("{name} opacity={}", decimal(colour.opacity, 2)));
-            }
-        }
-        if parts.is_empty() {
-            return None;
-        }
-        if stroke.is_some() {
-            let points = self.options.scale.points();
-            parts.push(format!("line width={}", length(paint.width * points)));
-            parts.push("line join=round".to_owned());
-            let pattern: Vec<_> = paint
-                .dash
-                .pattern()
-                .iter()
-                .zip(["on", "off"].into_iter().cycle())
-                .map(|(part, is)| format!("{is} {}", length(part * paint.width * points)))
-                .collect();
-            if !pattern.is_empty() {
-                parts.push(format!("dash pattern={}", pattern.join(" ")));
-            }
-        }
-        Some(parts.join(", "))
-    }
-
-    /// Name of the style of a role's text, which is defined.
-    fn text_style(&mut self, role: Role) -> Option<String> {
-        let Lettering { colour, size, weight } = Style::of(self.options.theme, role).text?;
-        let name = format!("octo {} text", role.class());
-        let key = (role.layer() + 1, name.clone());
-        if !self.styles.contains_key(&key) {
-            let size = size * self.options.scale.points();
-            let family = match weight {
-                Weight::Regular => "\\sffamily",
-                Weight::Strong => "\\sffamily\\bfseries",
-                Weight::Mono => "\\frenchspacing\\ttfamily",
-                Weight::MonoStrong => "\\frenchspacing\\ttfamily\\bfseries",
-            };
-            let [height, skip, shift] = [size, 1.2 * size, -0.365 * size].map(length);
-            let style = format!(
-                "text={}, font={family}\\fontsize{{{height}}}{{{skip}}}\\selectfont, inner sep=0pt, \
-                 anchor=base, yshift={shift}",
-                self.colour(colour)
-            );
-            self.styles.insert(key, style);
-        }
-        Some(name)
-    }
-
-    /// Name of a colour, which is defined.
-    fn colour(&mut self, colour: Colour) -> String {
-        let [r, g, b] = colour.rgb;
-        let value = format!("{r:02X}{g:02X}{b:02X}");
-        let name = match Palette::of(self.options.theme).name_of(colour.rgb) {
-            Some(name) => format!("octo-{name}"),
-            None => format!("octo-{value}"),
-        };
-        self.colours.entry(name.clone()).or_insert(value);
-        name
-    }
-
     fn points(&self, points: &[[f64; 2]], height: f64) -> String {
         let mut out = String::new();
         for (index, &point) in points.iter().enumerate() {
@@ -411,29 +243,6 @@ impl<'a> Tikz<'a> {
     fn number(&self, x: f64) -> String {
         decimal(x, if self.options.scale.points() > 1.5 { 2 } else { 1 })
     }
-}
-
-/// Fewer lines than this are not worth a command.
-const LEAST: usize = 2;
-
-/// Name of the command for a run of lines; letters alone may be in it.
-fn shared_name(index: usize) -> String {
-    let mut name = String::new();
-    let mut rest = index;
-    loop {
-        name.insert(0, char::from(b'a' + (rest % 26) as u8));
-        rest /= 26;
-        if rest == 0 {
-            return format!("\\octoshared{name}");
-        }
-        rest -= 1;
-    }
-}
-
-/// The colour of a shape whose role has many, one for every shape.
-fn own_colour(theme: Theme, role: Role) -> Option<Colour> {
-    let has_many = matches!(role, Role::Visited { .. } | Role::Pixel(_));
-    if has_many { Style::of(theme, role).fill } else { None }
 }
 
 /// Two opposite corners, if the polygon is a rectangle along the page.
