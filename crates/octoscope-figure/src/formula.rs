@@ -1,8 +1,10 @@
 //! Formulas as boxes: what stands where, from the widths of the letters.
 
-use crate::{Anchor, Drawn, Figure, Form, Part, Role, metrics};
-use octoscope_core::explain::{Fence, Formula, RichText, Room, Span};
-use std::borrow::Cow;
+mod fences;
+mod in_figures;
+
+use crate::{Anchor, Drawn, Form, Part, Role, metrics};
+use octoscope_core::explain::{Formula, RichText, Room, Span};
 
 /// A formula that is set: y is 0 on its baseline and points down.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -176,45 +178,6 @@ impl SetFormula {
         Self { width, above: ABOVE * em, below: BELOW * em, pieces: vec![piece] }
     }
 
-    /// Between brackets that are as high as what is between them.
-    fn fenced(fence: Fence, body: Self, em: f64, step: u8) -> Self {
-        let is_low = body.above + body.below < 1.25 * em;
-        if fence == Fence::Round && is_low {
-            let mut set = Self::letters(plain("("), step);
-            set.width += 0.03 * em;
-            set.append(body, 0.0);
-            set.width += 0.03 * em;
-            set.append(Self::letters(plain(")"), step), 0.0);
-            return set;
-        }
-        let pad = 0.06 * em;
-        let (top, bottom) = (-body.above - 0.02 * em, body.below + 0.02 * em);
-        let (side, lead) = (0.3 * em, 0.08 * em);
-        let width = body.width + 2.0 * (side + pad);
-        let foot = 0.17 * em;
-        let turned = |points: &[[f64; 2]]| points.iter().map(|[x, y]| [width - x, *y]).collect();
-        let left: Vec<[f64; 2]> = match fence {
-            Fence::Round => {
-                let middle = 0.5 * (top + bottom);
-                let half = 0.5 * (bottom - top);
-                let bend = 0.2 * em;
-                (-6..=6)
-                    .map(|n| {
-                        let share = f64::from(n) / 6.0;
-                        [lead + bend * share * share, middle + half * share]
-                    })
-                    .collect()
-            }
-            Fence::Floor => vec![[lead, top], [lead, bottom], [lead + foot, bottom]],
-            Fence::Ceiling => vec![[lead + foot, top], [lead, top], [lead, bottom]],
-            Fence::Absolute => vec![[lead, top], [lead, bottom]],
-        };
-        let pieces = vec![Piece::Line(turned(&left)), Piece::Line(left)];
-        let mut set = Self { width, above: -top, below: bottom, pieces };
-        set.place(body, [side + pad, 0.0]);
-        set
-    }
-
     /// Sets another one to the right, its baseline lower by `drop`.
     fn append(&mut self, other: Self, drop: f64) {
         let width = other.width;
@@ -274,39 +237,11 @@ fn plain(text: &str) -> Span {
     Span { text: text.to_owned(), ..Span::default() }
 }
 
-impl Figure {
-    /// The same with letters and lines in the place of formulas.
-    pub fn spelled_out(&self) -> Cow<'_, Self> {
-        let is_formula = |drawn: &Drawn| matches!(drawn.form, Form::Formula { .. });
-        if !self.drawn.iter().any(is_formula) {
-            return Cow::Borrowed(self);
-        }
-        let spell = |drawn: &Drawn| match &drawn.form {
-            Form::Formula { at, of, formula } => SetFormula::of(formula, *of).drawn(*at),
-            Form::Polygon(_) | Form::Polyline(_) | Form::Circle { .. } | Form::Text { .. } => {
-                vec![drawn.clone()]
-            }
-        };
-        let drawn = self.drawn.iter().flat_map(spell).collect();
-        Cow::Owned(Self { page: self.page, drawn })
-    }
-
-    /// The numbers in its formulas.
-    pub fn numbers(&self) -> Vec<ShownNumber> {
-        let numbers = self.drawn.iter().flat_map(|drawn| match &drawn.form {
-            Form::Formula { at, of, formula } => SetFormula::of(formula, *of).numbers(*at),
-            Form::Polygon(_) | Form::Polyline(_) | Form::Circle { .. } | Form::Text { .. } => {
-                Vec::new()
-            }
-        });
-        numbers.collect()
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-    use octoscope_core::explain::{Sign, misprint_formula};
+    use crate::Figure;
+    use octoscope_core::explain::{Fence, Sign, misprint_formula};
     use octoscope_core::traverse::Variant;
 
     /// Corners of what a drawn letter or line covers.
