@@ -120,11 +120,11 @@ impl App {
             Some(dialogs::Answer::Take(target)) => self.take(&context, target),
         }
         let over = match self.view {
-            View { dialog: None, space: Some(space), ray, formulas, .. } => {
-                Over::Space { space, ray, formulas }
-            }
+            View { dialog: None, space: Some(space), ray, .. } => Over::Space { space, ray },
             View { .. } => Over::Window,
         };
-        notice_line::ui(&context, &self.look, &mut self.notice, over);
+        if !self.look.is_for_hall() || over == Over::Window {
+            notice_line::ui(&context, &self.look, &mut self.notice, over);
+        }
     }
 }

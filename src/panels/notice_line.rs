@@ -2,7 +2,9 @@
 
 use crate::look::Look;
 use crate::notice::Notice;
-use eframe::egui::{Align2, Area, Context, Frame, Id, Key, Label, Order, Pos2, Rect, vec2};
+use eframe::egui::{
+    Align2, Area, Context, Frame, Id, Key, Label, Margin, Order, Panel, Pos2, Rect, Ui, vec2,
+};
 use std::time::Duration;
 
 /// Size of the line before it is known.
@@ -10,7 +12,6 @@ const USUAL: [f32; 2] = [460.0, 64.0];
 /// Room between the line and the edges of the view.
 const BELOW: f32 = 44.0;
 const ABOVE: f32 = 12.0;
-const UNDER: f32 = 3.0;
 
 /// What the line lies over.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -21,8 +22,6 @@ pub enum Over {
         space: Rect,
         /// Where the handles of its ray are.
         ray: Option<[Pos2; 2]>,
-        /// Whether there are formulas below it.
-        formulas: bool,
     },
     /// The whole window, which may show a dialog.
     Window,
@@ -30,17 +29,9 @@ pub enum Over {
 
 /// One line at the lower edge of the space view that says what has happened; a click
 /// takes it away, and so does time. It is at the upper edge where it would lie on the
-/// ray, and at that of the window where it would lie on a dialog. In a hall the view has
-/// no room for it: where there are formulas below the view, it is on these.
+/// ray, and at that of the window where it would lie on a dialog.
 pub fn ui(context: &Context, look: &Look, notice: &mut Notice, over: Over) {
-    if notice.is_empty() {
-        return;
-    }
-    let (strength, secs) = notice.strength(context.input(|input| input.time));
-    context.request_repaint_after(Duration::from_secs_f64(secs));
-    if notice.is_empty() {
-        return;
-    }
+    let Some(strength) = strength(context, notice) else { return };
     let id = Id::unique("status");
     let known = context.memory(|memory| memory.area_rect(id));
     let size = known.map_or(USUAL.into(), |rect| rect.size());
@@ -54,30 +45,52 @@ pub fn ui(context: &Context, look: &Look, notice: &mut Notice, over: Over) {
     let area = area.pivot(Align2::CENTER_TOP);
     let area = match over {
         Over::Window => area.fixed_pos(above.center_top()),
-        Over::Space { formulas: true, .. } if look.is_for_hall() => {
-            area.fixed_pos(space.center_bottom() + vec2(0.0, UNDER))
-        }
         Over::Space { ray: Some(ray), .. } if meets(&below, ray) && !meets(&above, ray) => {
             area.fixed_pos(above.center_top())
         }
         Over::Space { .. } => area.pivot(Align2::CENTER_BOTTOM).fixed_pos(below.center_bottom()),
     };
-    let clicked = area.show(context, |ui| {
+    area.show(context, |ui| {
         ui.multiply_opacity(strength);
         let frame = Frame::popup(ui.style()).inner_margin(10.0).fill(look.palette.field);
-        frame.show(ui, |ui| {
-            ui.horizontal(|ui| {
-                let close = look.text("dialog-close");
-                ui.scope(|ui| {
-                    ui.set_max_width((space.width() - 90.0).clamp(160.0, 420.0));
-                    ui.add(Label::new(notice.text()).wrap());
-                });
-                ui.button(close).clicked()
-            })
-        })
+        let most = (space.width() - 90.0).clamp(160.0, 420.0);
+        frame.show(ui, |ui| line(ui, look, notice, most))
     });
-    let moved_on = context.input(|input| input.key_pressed(Key::Escape));
-    if clicked.inner.inner.inner || moved_on {
+}
+
+/// The same as a band that takes its room from the picture above: in a hall everything
+/// that is shown is to be seen.
+pub fn band(ui: &mut Ui, look: &Look, notice: &mut Notice) {
+    let Some(strength) = strength(ui.ctx(), notice) else { return };
+    let frame = Frame::new().fill(look.palette.field).inner_margin(Margin::symmetric(16, 6));
+    Panel::bottom("notice").frame(frame).show(ui, |ui| {
+        ui.multiply_opacity(strength);
+        let most = ui.available_width() - 90.0;
+        line(ui, look, notice, most);
+    });
+}
+
+/// How strong the notice is now; `None` if there is none.
+fn strength(context: &Context, notice: &mut Notice) -> Option<f32> {
+    if notice.is_empty() {
+        return None;
+    }
+    let (strength, secs) = notice.strength(context.input(|input| input.time));
+    context.request_repaint_after(Duration::from_secs_f64(secs));
+    (!notice.is_empty()).then_some(strength)
+}
+
+/// What has happened, in lines of at most this width, and what takes it away.
+fn line(ui: &mut Ui, look: &Look, notice: &mut Notice, most: f32) {
+    let clicked = ui.horizontal(|ui| {
+        ui.scope(|ui| {
+            ui.set_max_width(most);
+            ui.add(Label::new(notice.text()).wrap());
+        });
+        ui.button(look.text("dialog-close")).clicked()
+    });
+    let moved_on = ui.input(|input| input.key_pressed(Key::Escape));
+    if clicked.inner || moved_on {
         notice.clear();
     }
 }

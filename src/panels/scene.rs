@@ -2,13 +2,11 @@
 
 use crate::document::Document;
 use crate::look::Look;
-use crate::widgets::heading;
-use eframe::egui::emath::Numeric;
-use eframe::egui::{ComboBox, Grid, Slider, SliderClamping, Ui};
+use crate::widgets::{heading, slider_field};
+use eframe::egui::{ComboBox, Grid, Ui};
 use octoscope_core::scenario::{BUILT_IN, Source};
 use octoscope_core::scene::Content;
 use octoscope_core::tree::MAX_ROOT_LEVEL;
-use std::ops::RangeInclusive;
 
 /// Shows the source and edits the recipe. Returns the identifier of a built-in
 /// scene to open.
@@ -39,20 +37,26 @@ pub fn ui<const D: usize>(
     combo.response.on_hover_text(look.text("scene-source"));
     let recipe = &mut document.scenario.recipe;
     Grid::new("recipe").num_columns(2).spacing([8.0, 4.0]).show(ui, |ui| {
-        let label = ui.label(look.text("scene-depth"));
+        let depth = look.text("scene-depth");
+        ui.label(&depth);
         let most = if matches!(*document.content, Content::Image(_)) { 12 } else { MAX_ROOT_LEVEL };
-        ui.add(slider(&mut recipe.depth, 0..=most)).labelled_by(label.id);
+        slider_field(ui, look, &depth, &mut recipe.depth, [0, most], 0.05, |slider| slider);
         ui.end_row();
         match &*document.content {
             Content::Points(_) => {
-                let label = ui.label(look.text("scene-capacity"));
-                let capacity = slider(&mut recipe.capacity, 1..=64).logarithmic(true);
-                ui.add(capacity).labelled_by(label.id);
+                let name = look.text("scene-capacity");
+                ui.label(&name);
+                let range = [1, 64];
+                slider_field(ui, look, &name, &mut recipe.capacity, range, 0.2, |slider| {
+                    slider.logarithmic(true)
+                });
                 ui.end_row();
             }
             Content::Image(_) => {
-                let label = ui.label(look.text("scene-threshold"));
-                ui.add(slider(&mut recipe.threshold, 0..=255)).labelled_by(label.id);
+                let name = look.text("scene-threshold");
+                ui.label(&name);
+                let range = [0, 255];
+                slider_field(ui, look, &name, &mut recipe.threshold, range, 0.5, |slider| slider);
                 ui.end_row();
             }
             Content::Cells(_) | Content::Spheres(_) | Content::Boxes(_) | Content::Triangles(_) => {
@@ -60,11 +64,6 @@ pub fn ui<const D: usize>(
         }
     });
     chosen
-}
-
-/// A slider that leaves what a file says as it is, until it is moved.
-fn slider<T: Numeric>(value: &mut T, range: RangeInclusive<T>) -> Slider<'_> {
-    Slider::new(value, range).clamping(SliderClamping::Edits)
 }
 
 fn content_key<const D: usize>(content: &Content<D>) -> &'static str {

@@ -61,13 +61,14 @@ pub fn ui<const D: usize>(ui: &mut Ui, look: &Look, space: Space<'_, D>) {
     let frame = PageInWindow { page: page_of(rect), corner: rect.min };
     let room = view.space.replace(rect);
     let kept: Option<Camera<D>> = view.camera();
-    let mut camera = kept.unwrap_or_else(|| Camera::framing(&interesting(document), frame.page));
+    let framed = framed(document, look.is_for_hall());
+    let mut camera = kept.unwrap_or_else(|| Camera::framing(&framed, frame.page));
     let (before, ray) = (camera, document.scenario.ray);
     view.fitted |= kept.is_none();
     if view.fitted && kept.is_some() && room.map(|room| room.size()) != Some(rect.size()) {
-        camera.frame(&interesting(document), frame.page);
+        camera.frame(&framed, frame.page);
     }
-    standpoint::stand(view, &mut camera, frame.page, document, moment);
+    standpoint::stand(view, &mut camera, (&framed, frame.page), document, moment);
     if camera != before && room.map(|room| room.size()) == Some(rect.size()) {
         let seen = flight::on_the_way(ui, view, before);
         view.flight = Some(Flight::from(seen, ui.input(|input| input.time)));
@@ -203,6 +204,22 @@ impl PageInWindow {
 
 fn page_of(rect: Rect) -> Page {
     Page { width: f64::from(rect.width()), height: f64::from(rect.height()) }
+}
+
+/// What is framed in the window: what is interesting; in a hall a ray that goes far
+/// beyond the root leaves the picture, so that the tree is large.
+fn framed<const D: usize>(document: &Document<D>, is_for_hall: bool) -> Aabb<D> {
+    const BEYOND: f64 = 0.25;
+    let mut bounds = interesting(document);
+    if is_for_hall {
+        let root = document.tree.domain().root_box();
+        let beyond = BEYOND * document.tree.domain().side();
+        for e in 0..D {
+            bounds.min[e] = bounds.min[e].max(root.min[e] - beyond);
+            bounds.max[e] = bounds.max[e].min(root.max[e] + beyond);
+        }
+    }
+    bounds
 }
 
 /// The root and, where they are near it, both handles of the ray.

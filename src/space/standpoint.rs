@@ -1,8 +1,8 @@
 //! Where the space view is looked at from, when the user asks by name.
 
-use super::interesting;
 use crate::document::Document;
 use crate::view::View;
+use octoscope_core::geometry::Aabb;
 use octoscope_core::trace::Moment;
 use octoscope_figure::{Camera, Lens, Page};
 use std::f64::consts::FRAC_PI_2;
@@ -27,10 +27,11 @@ const NODE_SHARE: f64 = 0.45;
 
 /// Moves the camera to what is asked for in `view`, and behind the current node
 /// where it is to be followed: once a node, so that the mouse can look elsewhere.
+/// `everything` is what is framed where all of it is asked for.
 pub fn stand<const D: usize>(
     view: &mut View,
     camera: &mut Camera<D>,
-    page: Page,
+    (everything, page): (&Aabb<D>, Page),
     document: &Document<D>,
     moment: &Moment<D>,
 ) {
@@ -47,7 +48,7 @@ pub fn stand<const D: usize>(
             }
         }
         Some(Standpoint::Everything) => {
-            camera.frame(&interesting(document), page);
+            camera.frame(everything, page);
             view.fitted = true;
         }
         Some(side @ (Standpoint::Right | Standpoint::Front | Standpoint::Above)) => {
@@ -58,7 +59,7 @@ pub fn stand<const D: usize>(
                     (-FRAC_PI_2, FRAC_PI_2)
                 }
             };
-            camera.frame(&interesting(document), page);
+            camera.frame(everything, page);
             view.fitted = true;
         }
     }

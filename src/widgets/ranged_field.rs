@@ -5,7 +5,7 @@ use super::typed_field::{Typing, typed_field};
 use crate::look::Look;
 use eframe::egui::accesskit::Role;
 use eframe::egui::emath::Numeric;
-use eframe::egui::{DragValue, Response, Ui, WidgetInfo};
+use eframe::egui::{DragValue, Response, SliderClamping, Ui, WidgetInfo};
 use octoscope_core::explain::number;
 
 /// The largest seed that a field takes: larger whole numbers are not all in its numbers.
@@ -20,6 +20,18 @@ pub fn ranged_field<N: Numeric>(
     value: &mut N,
     range: [N; 2],
     drag_speed: f64,
+) -> Response {
+    clamped_field(ui, look, name, value, range, (drag_speed, SliderClamping::Always))
+}
+
+/// The same, for a value that was outside of the range before, by `clamping`.
+pub(super) fn clamped_field<N: Numeric>(
+    ui: &mut Ui,
+    look: &Look,
+    name: &str,
+    value: &mut N,
+    range: [N; 2],
+    (drag_speed, clamping): (f64, SliderClamping),
 ) -> Response {
     let now = value.to_f64();
     let [least, most] = range.map(N::to_f64);
@@ -36,6 +48,7 @@ pub fn ranged_field<N: Numeric>(
     let decimals = if N::INTEGRAL { 0 } else { 2 };
     let typing = Typing { value: now, shown: &|x| number(x), read: &read, wrong: &wrong };
     let field = DragValue::new(value).range(range[0]..=range[1]).speed(drag_speed);
+    let field = field.clamp_existing_to_range(clamping == SliderClamping::Always);
     let response = typed_field(ui, look, field.max_decimals(decimals), &typing);
     let value = value.to_f64();
     response.widget_info(|| {

@@ -1,8 +1,9 @@
 //! Lines that say what has just happened.
 
-use crate::desk::Desk;
+use crate::desk::{Desk, spoken};
 use eframe::egui::{Key, accesskit::Role};
-use egui_kittest::kittest::Queryable;
+use egui_kittest::kittest::{NodeT, Queryable};
+use egui_kittest::{Harness, Node};
 use octoscope_core::gallery::Degenerate;
 use octoscope_core::text::Language;
 
@@ -48,4 +49,27 @@ fn a_notice_lies_in_the_lower_part_of_the_space_view() {
     let space = desk.state().view.space.unwrap();
     assert!(space.contains_rect(notice), "{notice:?} in {space:?}");
     assert!(notice.top() > space.center().y);
+}
+
+#[test]
+fn a_notice_in_a_lecture_covers_nothing_that_the_hall_reads() {
+    for language in Language::ALL {
+        let mut desk = Desk::of(Harness::builder(), [1024.0, 768.0]);
+        desk.state_mut().view.language = language;
+        desk.press(Key::Num6);
+        let lines =
+            Degenerate::ALL.map(|one| format!("{}: {}", one.name(language), one.watch(language)));
+        for _ in lines.iter() {
+            desk.press(Key::G);
+            let nodes = desk.nodes();
+            let is_notice = |node: &&Node<'_>| lines.contains(&spoken(node));
+            let notice = nodes.iter().find(is_notice).unwrap().rect();
+            for id in ["sentence", "formula"] {
+                let is_it = |node: &&Node<'_>| node.accesskit_node().author_id() == Some(id);
+                let read = nodes.iter().find(is_it).unwrap().rect();
+                assert!(!read.intersects(notice), "{notice:?} on {id} {read:?}");
+            }
+            assert!(!desk.state().view.space.unwrap().intersects(notice), "{notice:?}");
+        }
+    }
 }

@@ -2,6 +2,7 @@
 
 use crate::desk::{Desk, sample};
 use eframe::egui::{Key, Modifiers, accesskit::Role};
+use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
 use octoscope::export::print_shown;
 use octoscope_figure::{Levels, Rest, Show, Slice};
@@ -131,4 +132,29 @@ fn a_look_at_where_an_octree_is_cut_does_not_move_the_cut() {
     desk.click(Role::DisclosureTriangle, "cells, cut, distance");
     assert!(desk.query_by_role_and_label(Role::Slider, "place of the cut").is_some());
     assert_eq!((space(&desk).slice, space(&desk).explosion), (kept, 0.75));
+}
+
+#[test]
+fn what_is_wrong_beside_a_slider_stays_and_says_so() {
+    // So high that nothing has to be scrolled.
+    let mut desk = Desk::of(Harness::builder(), [1280.0, 1600.0]);
+    desk.open(sample("knot.octo"));
+    desk.state_mut().view.space_show.slice = Some(Slice { axis: 0, at: 0.3 });
+    desk.run();
+    desk.click(Role::DisclosureTriangle, "cells, cut, distance");
+    let kept = (desk.space().scenario.recipe, space(&desk));
+    for (name, kind) in
+        [("depth", "whole number"), ("apart", "number"), ("place of the cut", "number")]
+    {
+        for typed in ["abc", "99"] {
+            desk.type_into(name, typed);
+            let said = format!("“{typed}” is no {kind} from 0 to");
+            assert!(desk.says(&said), "{name} {typed}");
+            desk.press(Key::Escape);
+            assert!(!desk.says(&said), "{name} {typed}");
+        }
+    }
+    assert_eq!((desk.space().scenario.recipe, space(&desk)), kept);
+    desk.type_into("apart", "1/4");
+    assert_eq!(space(&desk).explosion, 0.25);
 }

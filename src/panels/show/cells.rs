@@ -3,8 +3,8 @@
 use super::{Of, SIZE, part_box};
 use crate::look::Look;
 use crate::show_change::{ShownPart, set_levels};
-use crate::widgets::{explained_segments, ranged_field};
-use eframe::egui::{Grid, Response, RichText, Slider, SliderClamping, Ui, WidgetInfo};
+use crate::widgets::{explained_segments, ranged_field, slider_field};
+use eframe::egui::{Grid, Response, RichText, Ui};
 use octoscope_core::geometry::AXIS_NAMES;
 use octoscope_figure::{Rest, Show, Slice};
 
@@ -33,10 +33,9 @@ pub(super) fn ui(ui: &mut Ui, look: &Look, show: &mut Show, of: Of) {
             ui.end_row();
         }
 
-        let label = name(ui, look, "show-apart");
-        let apart = Slider::new(&mut show.explosion, 0.0..=Show::MOST_APART).step_by(0.1);
-        // A look at a value does not round it.
-        ui.add(apart.max_decimals(3).clamping(SliderClamping::Edits)).labelled_by(label.id);
+        name(ui, look, "show-apart");
+        let (spoken, range) = (look.text("show-apart"), [0.0, Show::MOST_APART]);
+        slider_field(ui, look, &spoken, &mut show.explosion, range, 0.01, |s| s.step_by(0.1));
         ui.end_row();
     });
     if of.dimension == 3 {
@@ -81,10 +80,9 @@ fn slice(ui: &mut Ui, look: &Look, show: &mut Show) {
     show.slice = axis.map(|axis| Slice { axis, at });
     if let Some(slice) = &mut show.slice {
         let spoken = look.text("show-slice-at");
-        let slider = Slider::new(&mut slice.at, 0.0..=1.0).step_by(1.0 / 256.0).max_decimals(8);
-        let response =
-            ui.add(slider.clamping(SliderClamping::Edits)).on_hover_text(spoken.as_str());
-        let shown = slice.at;
-        response.widget_info(|| WidgetInfo::slider(true, shown, spoken.as_str()));
+        let step = 1.0 / 256.0;
+        let range = [0.0, 1.0];
+        slider_field(ui, look, &spoken, &mut slice.at, range, step, |s| s.step_by(step))
+            .on_hover_text(spoken.as_str());
     }
 }

@@ -1,0 +1,31 @@
+//! A slider with a field beside it.
+
+use super::ranged_field::clamped_field;
+use crate::look::Look;
+use eframe::egui::emath::Numeric;
+use eframe::egui::{Response, Slider, SliderClamping, Ui, WidgetInfo};
+
+/// Slider for a number from the first to the last of `range`, `set` as it is to be, with
+/// a field to type it into; both are called `name` by a screen reader. Dragging the field
+/// changes the number by `drag_speed` a point. A number outside of the range stays as it
+/// is until it is changed. Returns the slider.
+pub fn slider_field<N: Numeric>(
+    ui: &mut Ui,
+    look: &Look,
+    name: &str,
+    value: &mut N,
+    range: [N; 2],
+    drag_speed: f64,
+    set: impl FnOnce(Slider<'_>) -> Slider<'_>,
+) -> Response {
+    let row = ui.horizontal(|ui| {
+        let clamping = SliderClamping::Edits;
+        let slider = Slider::new(value, range[0]..=range[1]).clamping(clamping);
+        let response = ui.add(set(slider).show_value(false));
+        let shown = value.to_f64();
+        response.widget_info(|| WidgetInfo::slider(true, shown, name));
+        clamped_field(ui, look, name, value, range, (drag_speed, clamping));
+        response
+    });
+    row.inner
+}
