@@ -244,7 +244,13 @@ impl<const D: usize> Canvas<'_, D> {
         areas.collect()
     }
 
+    /// A child's number lies on lines, on paler ground.
     fn text(&mut self, mark: &Mark<D>, at: [f64; 2], text: &str) {
+        if mark.role == Role::ChildIndex {
+            let [half_width, half_height] = text_reach(mark.role, text);
+            let halo = Form::Circle { centre: at, radius: half_width.max(half_height) };
+            self.push_at(above_space(mark.role), mark, Part::Whole, halo);
+        }
         let form = Form::Text { at, anchor: Anchor::Middle, text: text.into() };
         self.push_at(above_space(mark.role), mark, Part::Whole, form);
     }
