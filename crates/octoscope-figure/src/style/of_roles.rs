@@ -125,7 +125,10 @@ impl Style {
                 dash: Dash::Dashed,
                 ..line(p.axes[axis], 2.5).lettered(p.axes[axis], 12.0, Weight::Strong)
             },
-            Role::ChildIndex => Self::default().lettered(p.ink, 12.0, Weight::Strong),
+            Role::ChildIndex => Self {
+                fill: Some(p.background.faded(0.75)),
+                ..Self::default().lettered(p.ink, 12.0, Weight::Strong)
+            },
             Role::CellCode => Self::default().lettered(p.quiet_ink, 10.0, Weight::Mono),
             Role::OwnedSide => line(p.ink, 2.5),
             Role::AxisLabel(axis) => {
