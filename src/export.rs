@@ -32,7 +32,7 @@ use crate::space::interesting;
 use octoscope_core::scene::Content;
 use octoscope_figure::{
     Camera, Diagram, DiagramLens, DiagramOf, Figure, Mark, Page, Rest, Role, Shape, Show, axes,
-    axis_names, cells, content, marks, space_figure, tree_diagram,
+    axis_names, cells, content, marks, node_mark, space_figure, tree_diagram,
 };
 
 /// Page of figures of which no size is asked for.
@@ -71,6 +71,8 @@ pub fn space<const D: usize>(
         all.extend(axis_names(document.tree.domain(), beyond));
     }
     all.extend(marks(&document.tree, &scenario.ray, &scenario.query, &moment, event, show));
+    let right = document.right_nodes().into_iter();
+    all.extend(right.map(|node| node_mark(&document.tree, node, Role::Expected)));
     all.sort_by_key(|mark| mark.role.layer());
     space_figure(&all, &camera, page)
 }

@@ -248,10 +248,15 @@ pub fn take_exercise<const D: usize>(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::open::open_built_in;
+    use crate::document::AnyDocument;
+    use crate::open::{open_built_in, open_scenario};
     use crate::with_document;
+    use octoscope_core::paper::counterexample;
     use octoscope_core::progress::Progress;
+    use octoscope_core::traverse::Variant;
     use octoscope_figure::{Drawn, Form, Role, metrics};
+    use std::collections::BTreeSet;
+    use std::path::Path;
 
     /// Left, top, right and bottom of a text, and whether it is a caption.
     fn box_of(drawn: &Drawn) -> Option<([f64; 4], bool)> {
@@ -316,5 +321,25 @@ mod tests {
         assert_eq!(evenly(6, &[3, 5]), [3, 5]);
         assert_eq!(evenly(1, &all), [1]);
         assert_eq!(evenly(3, &[]), [0; 0]);
+    }
+
+    #[test]
+    fn what_is_wrong_and_what_would_be_right_is_in_a_figure_of_a_misprint() {
+        let AnyDocument::Plane(document) =
+            open_scenario(counterexample(Variant::B3), Path::new(""), &Progress::default())
+                .unwrap()
+        else {
+            panic!()
+        };
+        let last = document.trace.events.len();
+        let page = Page { width: 400.0, height: 300.0 };
+        let figure = space(&document, None, page, &Show::at_first::<2>(), last);
+        let nodes = |role: Role| -> BTreeSet<u32> {
+            let own = figure.drawn.iter().filter(|drawn| drawn.role == role);
+            own.filter_map(|drawn| Some(drawn.node?.0)).collect()
+        };
+        // Leaves 1 to 4; 0, 2 instead of 0, 1, 3.
+        assert_eq!(nodes(Role::Expected), BTreeSet::from([1, 3]));
+        assert_eq!(nodes(Role::Strayed), BTreeSet::from([2, 4]));
     }
 }

@@ -5,6 +5,7 @@ use super::Document;
 use crate::comparison::{MOST_LEAVES, Run, compare};
 use octoscope_core::paper::{Verdict, erratum_of, verdict};
 use octoscope_core::progress::{Cancelled, Progress};
+use octoscope_core::tree::NodeId;
 use std::sync::Arc;
 
 /// Trees of no more leaves than this are searched leaf by leaf in a small part of a
@@ -142,6 +143,24 @@ impl<const D: usize> Document<D> {
         self.verdict.known().map(Arc::as_ref)
     }
 
+    /// What would be right, where a misprint is followed and that is found out quickly:
+    /// figures do not depend on what is known by chance.
+    pub fn right_nodes(&self) -> Vec<NodeId> {
+        let is_misprint = |variant| erratum_of(variant).is_some();
+        let is_misprinted = self.trace.query.variants_at_work().iter().any(is_misprint);
+        if !is_misprinted || !self.is_quick() || self.is_judged_never() {
+            return Vec::new();
+        }
+        match self.known_verdict() {
+            Some(verdict) => verdict.expected.clone(),
+            None => verdict(&self.tree, &self.traced.0, &self.trace).expected,
+        }
+    }
+
+    fn is_quick(&self) -> bool {
+        self.tree.n_leaves() <= QUICK_LEAVES && self.trace.events.len() <= QUICK_EVENTS
+    }
+
     /// Whether something was asked for that takes longer than a frame may.
     pub fn wants_judging(&self) -> bool {
         self.comparison.state == State::Wanted || self.verdict.state == State::Wanted
@@ -182,9 +201,7 @@ impl<const D: usize> Document<D> {
     }
 
     fn judge_quickly(&mut self) {
-        let is_quick =
-            self.tree.n_leaves() <= QUICK_LEAVES && self.trace.events.len() <= QUICK_EVENTS;
-        if is_quick && self.wants_judging() {
+        if self.is_quick() && self.wants_judging() {
             // Nobody cancels it.
             let _ = self.judge(&Progress::default());
         }

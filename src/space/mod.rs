@@ -28,7 +28,7 @@ use octoscope_core::query::Query;
 use octoscope_core::trace::Moment;
 use octoscope_core::tree::NodeId;
 use octoscope_figure::{
-    Camera, Mark, Page, Role as MarkRole, Shape, Show, axes, cells, content, space_figure,
+    Camera, Mark, Page, Role as MarkRole, Show, axes, cells, content, node_mark, space_figure,
 };
 pub use paint::figure as paint_figure;
 use run::run_marks;
@@ -157,10 +157,7 @@ fn expected<const D: usize>(document: &Document<D>) -> Vec<Mark<D>> {
     let Some(verdict) = document.known_verdict().filter(|_| misprinted) else {
         return Vec::new();
     };
-    let mark = |&node: &NodeId| {
-        let bounds = document.tree.node_box(node);
-        Mark::new(Shape::Box(bounds), MarkRole::Expected).of_node(node)
-    };
+    let mark = |&node: &NodeId| node_mark(&document.tree, node, MarkRole::Expected);
     verdict.expected.iter().map(mark).collect()
 }
 

@@ -44,6 +44,7 @@ legend-ray = Strahl
 legend-ray-tip = t = 1
 legend-visited = besuchte Blätter, der Reihe nach
 legend-strayed = besucht, obwohl falsch
+legend-expected = wäre richtig
 legend-current = aktueller Knoten
 legend-ancestor = seine Vorfahren
 legend-taken = gewähltes Kind

@@ -44,6 +44,7 @@ legend-ray = ray
 legend-ray-tip = t = 1
 legend-visited = visited leaves, in order
 legend-strayed = visited although wrong
+legend-expected = would be right
 legend-current = current node
 legend-ancestor = its ancestors
 legend-taken = child that is taken

@@ -46,7 +46,8 @@ pub fn marks<const D: usize>(
     marks
 }
 
-pub(crate) fn node_mark<const D: usize>(tree: &Tree<D>, node: NodeId, role: Role) -> Mark<D> {
+/// Mark of a node that means `role`.
+pub fn node_mark<const D: usize>(tree: &Tree<D>, node: NodeId, role: Role) -> Mark<D> {
     Mark::new(Shape::Box(tree.node_box(node)), role).of_node(node)
 }
 

@@ -18,11 +18,12 @@ enum Swatch {
 }
 
 /// Roles that are explained where they occur, by their class.
-const ENTRIES: [(&str, Role, Swatch); 19] = [
+const ENTRIES: [(&str, Role, Swatch); 20] = [
     ("ray", Role::Ray, Swatch::Arrow),
     ("ray-tip", Role::RayTip, Swatch::Diamond),
     ("visited", Role::Visited { share: 0.5 }, Swatch::Ramp),
     ("strayed", Role::Strayed, Swatch::Crossed),
+    ("expected", Role::Expected, Swatch::Field),
     ("current", Role::Current, Swatch::Field),
     ("ancestor", Role::Ancestor { above: 1 }, Swatch::Field),
     ("taken", Role::Taken, Swatch::Field),
