@@ -57,14 +57,7 @@ pub(super) fn settings(ui: &mut Ui, look: &Look, shown: &mut Shown) {
         }
 
         ui.label(name("export-format"));
-        // A name may have told a format that this view has not.
-        let has_text = choice.view == FigureView::Table || choice.format.is_of_text();
-        let formats = Format::ALL.into_iter().filter(|format| has_text || !format.is_of_text());
-        let formats: Vec<_> = formats.map(|format| (format, format.name().to_owned())).collect();
-        let mut format = choice.format;
-        if segments(ui, &mut format, &formats) {
-            choice.set_format(format);
-        }
+        formats(ui, choice);
         ui.end_row();
         if choice.format.is_of_text() {
             languages(ui, look, language);
@@ -131,6 +124,23 @@ pub(super) fn settings(ui: &mut Ui, look: &Look, shown: &mut Shown) {
     if choice.view.shows_space() {
         CollapsingHeader::new(name("export-show")).show(ui, |ui| show::ui(ui, look, what, *of));
     }
+}
+
+/// Shows the formats of figures and, below them, those of a table as text.
+fn formats(ui: &mut Ui, choice: &mut Choice) {
+    // A name may have told a format that this view has not.
+    let has_text = choice.view == FigureView::Table || choice.format.is_of_text();
+    let mut format = choice.format;
+    ui.vertical(|ui| {
+        for is_of_text in [false, true] {
+            let of_kind = Format::ALL.into_iter().filter(|f| f.is_of_text() == is_of_text);
+            let of_kind: Vec<_> =
+                of_kind.map(|format| (format, format.name().to_owned())).collect();
+            if (!is_of_text || has_text) && segments(ui, &mut format, &of_kind) {
+                choice.set_format(format);
+            }
+        }
+    });
 }
 
 fn languages(ui: &mut Ui, look: &Look, language: &mut Language) {

@@ -1,13 +1,15 @@
 //! Exports from the window, and what comes back from them.
 
 use crate::desk::Desk;
-use eframe::egui::{Event, Key, Modifiers, OutputCommand, accesskit::Role};
+use eframe::egui::{Event, Key, Modifiers, OutputCommand, Rect, accesskit::Role};
 use egui_kittest::kittest::Queryable;
 use octoscope::export::{Choice, ExerciseChoice, Extent, Format, MomentChoice, StepChoice};
+use octoscope::text::texts;
 use octoscope::view::{Dialog, View};
 use octoscope::with_document;
 use octoscope_core::explain::Notation;
 use octoscope_core::scenario::built_in;
+use octoscope_core::text::Language;
 use octoscope_figure::views::FigureView;
 use octoscope_figure::{Background, Camera, Page, Theme, TikzForm, Unit};
 use std::fs;
@@ -20,6 +22,32 @@ fn shown_command(desk: &Desk) -> String {
     let texts = desk.texts();
     let command = texts.iter().find(|text| text.starts_with("octoscope export"));
     command.expect("the dialog shows a command").clone()
+}
+
+/// What can be chosen of a table in the dialog: formats and pages.
+fn choices_of_a_table(desk: &Desk) -> Vec<(String, Rect)> {
+    let pages = ["export-cropped", "export-wide", "export-sized"];
+    let texts = texts(desk.state().view.language);
+    let names = Format::ALL.iter().map(|format| format.name().to_owned());
+    let names = names.chain(pages.map(|key| texts.get(key)));
+    names.map(|name| (name.clone(), desk.get_by_label(&name).rect())).collect()
+}
+
+#[test]
+fn formats_of_a_table_stand_apart_from_each_other_and_from_its_page() {
+    for language in Language::ALL {
+        let mut desk = Desk::new();
+        desk.state_mut().view.language = language;
+        desk.state_mut().view.export.view = FigureView::Table;
+        desk.state_mut().view.dialog = Some(Dialog::Export);
+        desk.run_steps(4);
+        let choices = choices_of_a_table(&desk);
+        for (n, (name, rect)) in choices.iter().enumerate() {
+            for (other, place) in &choices[n + 1..] {
+                assert!(!rect.shrink(0.5).intersects(*place), "{name} on {other}");
+            }
+        }
+    }
 }
 
 /// Exports from the dialog; then runs the command that it shows in `folder`, and

@@ -22,6 +22,7 @@ use octoscope_core::query::{PointMethod, Query};
 use octoscope_core::scenario::built_in;
 use octoscope_core::traverse::{Algorithm, Variant, Variants};
 use octoscope_figure::Slice;
+use octoscope_figure::views::FigureView;
 use std::sync::OnceLock;
 
 /// A state of the window.
@@ -232,6 +233,17 @@ fn over_the_window() -> Vec<State> {
             desk.run_steps(4);
         })
     };
+    let export = |name, view| {
+        State::new(name, move |desk| {
+            desk.go_to(&At::Share(0.46));
+            desk.state_mut().view.export.view = view;
+            desk.state_mut().view.dialog = Some(Dialog::Export);
+            desk.run_steps(4);
+            let context = desk.ctx.clone();
+            desk.state_mut().finish_preview(&context);
+            desk.run_steps(4);
+        })
+    };
     let mut states = vec![
         dialog("keys", Dialog::Keys),
         dialog("about", Dialog::About),
@@ -239,14 +251,8 @@ fn over_the_window() -> Vec<State> {
         dialog("find", Dialog::Find(Search { wanted: "eb".to_owned(), chosen: 1 })),
         dialog("find-everything", Dialog::Find(Search::default())),
         dialog("path", Dialog::Path(typed())),
-        State::new("dialog-export", |desk| {
-            desk.go_to(&At::Share(0.46));
-            desk.state_mut().view.dialog = Some(Dialog::Export);
-            desk.run_steps(4);
-            let context = desk.ctx.clone();
-            desk.state_mut().finish_preview(&context);
-            desk.run_steps(4);
-        }),
+        export("dialog-export", FigureView::Space),
+        export("dialog-export-table", FigureView::Table),
         State::new("notes", |desk| {
             desk.go_to(&At::Share(0.46));
             desk.tap(Key::P);
