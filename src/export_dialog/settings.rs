@@ -70,7 +70,9 @@ pub(super) fn settings(ui: &mut Ui, look: &Look, shown: &mut Shown) {
             (Extent::Wide, "export-wide"),
             (Extent::Sized, "export-sized"),
         ];
-        segments(ui, &mut choice.extent, &extents.map(|(extent, key)| (extent, name(key))));
+        let extents = extents.map(|(extent, key)| (extent, name(key)));
+        // Where they wrap, the row has the height of all their lines.
+        ui.vertical(|ui| segments(ui, &mut choice.extent, &extents));
         ui.end_row();
         if choice.extent != Extent::Cropped {
             ui.label(name("export-size"));
@@ -94,7 +96,7 @@ pub(super) fn settings(ui: &mut Ui, look: &Look, shown: &mut Shown) {
 
         ui.label(name("export-theme"));
         let themes = Theme::ALL.map(|theme| (theme, name(&format!("theme-{}", theme.id()))));
-        segments(ui, &mut choice.theme, &themes);
+        ui.vertical(|ui| segments(ui, &mut choice.theme, &themes));
         ui.end_row();
 
         ui.label(name("export-background"));

@@ -24,27 +24,29 @@ fn shown_command(desk: &Desk) -> String {
     command.expect("the dialog shows a command").clone()
 }
 
-/// What can be chosen of a table in the dialog: formats and pages.
+/// What can be chosen of a table in the dialog: formats, pages and colours.
 fn choices_of_a_table(desk: &Desk) -> Vec<(String, Rect)> {
-    let pages = ["export-cropped", "export-wide", "export-sized"];
     let texts = texts(desk.state().view.language);
-    let names = Format::ALL.iter().map(|format| format.name().to_owned());
-    let names = names.chain(pages.map(|key| texts.get(key)));
+    let pages = ["export-cropped", "export-wide", "export-sized"].map(|key| texts.get(key));
+    let themes = Theme::ALL.map(|theme| texts.get(&format!("theme-{}", theme.id())));
+    let formats = Format::ALL.map(|format| format.name().to_owned());
+    let names = formats.into_iter().chain(pages).chain(themes);
     names.map(|name| (name.clone(), desk.get_by_label(&name).rect())).collect()
 }
 
 #[test]
-fn formats_of_a_table_stand_apart_from_each_other_and_from_its_page() {
-    for language in Language::ALL {
+fn choices_of_a_table_stand_apart_in_every_size_of_type() {
+    for (language, scale) in [1.0, 1.6].into_iter().flat_map(|s| Language::ALL.map(|l| (l, s))) {
         let mut desk = Desk::new();
-        desk.state_mut().view.language = language;
+        (desk.state_mut().view.language, desk.state_mut().view.scale) = (language, scale);
         desk.state_mut().view.export.view = FigureView::Table;
         desk.state_mut().view.dialog = Some(Dialog::Export);
         desk.run_steps(4);
         let choices = choices_of_a_table(&desk);
         for (n, (name, rect)) in choices.iter().enumerate() {
             for (other, place) in &choices[n + 1..] {
-                assert!(!rect.shrink(0.5).intersects(*place), "{name} on {other}");
+                let is_apart = !rect.shrink(0.5).intersects(*place);
+                assert!(is_apart, "{language:?} {scale}: {name} on {other}");
             }
         }
     }
