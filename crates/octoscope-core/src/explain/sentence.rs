@@ -2,7 +2,7 @@
 
 use super::rich::RichText;
 use super::teller::Teller;
-use super::words::{Words, point};
+use super::words::{Words, direction, point};
 use crate::geometry::Ray;
 use crate::locate::NeighbourMethod;
 use crate::query::{PointMethod, Query};
@@ -70,7 +70,7 @@ fn question<const D: usize>(words: &Words<D>, ray: &Ray<D>, trace: &Trace<D>) ->
             "start-ray",
             &[
                 ("origin", point(ray.origin())),
-                ("direction", point(ray.direction())),
+                ("direction", direction(ray.direction())),
                 ("tree", tree),
                 ("algorithm", words.texts.get(&format!("by-{}", algorithm.id()))),
             ],

@@ -1,7 +1,7 @@
 //! Pieces of sentences, marked up.
 
 use super::names::step_texts;
-use super::number::{self, number};
+use super::number::{self, number, signed_number};
 use super::rich::{on_axis, shortened, strong, with_sub};
 use crate::geometry::{AXIS_NAMES, Axes};
 use crate::text::{Language, Texts};
@@ -111,6 +111,13 @@ pub(super) fn signs<const D: usize>(direction: [i8; D]) -> String {
 /// A point in the colours of the axes.
 pub(super) fn point<const D: usize>(x: [f64; D]) -> String {
     tuple(x.map(coordinate))
+}
+
+/// The direction of a ray, in the colours of the axes. The sign of a zero is told: that
+/// it makes no difference is what a student tries out.
+pub(super) fn direction<const D: usize>(d: [f64; D]) -> String {
+    let told = |x: f64| if x == 0.0 { signed_number(x).replace('-', "−") } else { coordinate(x) };
+    tuple(d.map(told))
 }
 
 /// Coordinates of at most so many characters are told whole, as those of planes of

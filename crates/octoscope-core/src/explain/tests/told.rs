@@ -3,6 +3,22 @@
 use super::*;
 
 #[test]
+fn the_sign_of_a_zero_is_told_of_a_direction_alone() {
+    let ray = Ray::new([1.0, 0.125], [-1.0, -0.0]).unwrap();
+    let check =
+        |english, german| check_words(&ray, &along(Algorithm::Parametric), [english, german]);
+    check(
+        "A ray from (1, 0.125) along (−1, −0) is followed through the quadtree by the parametric algorithm.",
+        "Ein Strahl von (1, 0.125) in Richtung (−1, −0) wird mit dem parametrischen Verfahren durch den Quadtree verfolgt.",
+    );
+    // (1 − 1) / −1
+    check(
+        "The ray starts inside the root: the last near plane does not come after t = 0, the first far plane does, t_x0 = 0 ≤ 0 < t_x1 = 1. Its direction is negative along x, so state i stands for child f(i) = i xor 2.",
+        "Der Strahl beginnt innerhalb der Wurzel: Die letzte nahe Ebene kommt nicht nach t = 0, die erste ferne wohl, t_x0 = 0 ≤ 0 < t_x1 = 1. Entlang x ist seine Richtung negativ; Zustand i steht daher für Kind f(i) = i xor 2.",
+    );
+}
+
+#[test]
 fn a_ray_is_told_with_its_numbers() {
     let ray = Ray::new([-0.25, 0.125], [1.0, 0.25]).unwrap();
     let check =
