@@ -24,7 +24,7 @@ use crate::notice::Notice;
 use crate::open::open_built_in;
 use crate::save::Last;
 use crate::space::Layers;
-use crate::view::{Preset, View};
+use crate::view::{Dialog, Preset, View};
 use crate::widgets::refused_number;
 use crate::{complaint, render, save, theme, with_document};
 use eframe::egui::{CentralPanel, Context, Frame, Key, Ui, ViewportCommand};
@@ -102,11 +102,12 @@ impl Weighed for Shown {
 impl App {
     /// Window on `start`, else on what was open last, else on the first scene.
     pub fn new(creation: &eframe::CreationContext<'_>, start: Option<PathBuf>) -> Self {
-        let view: View = creation
+        let mut view: View = creation
             .storage
             .and_then(|storage| storage.get_string(save::VIEW_KEY))
             .and_then(|json| serde_json::from_str(&json).ok())
             .unwrap_or_default();
+        view.dialog = view.untold.take().map(Dialog::Error);
         let mut app = Self::with_document(first_scene(), view, layers(creation));
         theme::install_fonts(&creation.egui_ctx);
         if let Some(path) = start {
@@ -339,7 +340,13 @@ impl eframe::App for App {
     }
 
     fn save(&mut self, storage: &mut dyn eframe::Storage) {
+        let shown = self.view.dialog.take();
         self.finish_saving();
+        // Nobody sees any more what comes of it: the next start tells it.
+        if let Some(Dialog::Error(untold)) = &self.view.dialog {
+            self.view.untold = Some(untold.clone());
+        }
+        self.view.dialog = self.view.dialog.take().or(shown);
         self.keep_at_the_end(storage);
     }
 

@@ -120,6 +120,8 @@ pub struct View {
     /// The window that lies over everything else.
     #[serde(skip)]
     pub dialog: Option<Dialog>,
+    /// What went wrong while the window was closing, for the next start to tell.
+    pub untold: Option<String>,
 }
 
 impl View {
@@ -236,6 +238,7 @@ impl Default for View {
             spotlight: false,
             notes_since: None,
             dialog: None,
+            untold: None,
         }
     }
 }

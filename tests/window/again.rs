@@ -3,6 +3,7 @@
 use crate::desk::{Desk, Storage, sample};
 use eframe::egui::{Key, Modifiers};
 use octoscope::document::AnyDocument;
+use octoscope::files::{Chosen, Purpose};
 use std::fs;
 use std::path::Path;
 use tempfile::tempdir;
@@ -130,4 +131,23 @@ fn folders_are_remembered_whole() {
     let mut desk = Desk::with_file("assets/scenes/knot.obj");
     let last = octoscope::save::remembered(&desk.left()).unwrap();
     assert!(last.folder.is_absolute(), "{last:?}");
+}
+
+#[test]
+fn the_next_start_tells_what_could_not_be_saved_while_the_window_closed() {
+    let folder = tempdir().unwrap();
+    let mut desk = Desk::new();
+    let context = desk.ctx.clone();
+    let path = folder.path().join("none").join("kept.octo");
+    desk.state_mut().take_chosen(&context, Chosen::Path(Purpose::Save, path));
+    // Saving may have failed already: then this window shows it.
+    let was_told = desk.state().view.dialog.is_some();
+    let mut next = Desk::started(&desk.left());
+    assert_ne!(next.state().view.dialog.is_some(), was_told);
+    // It is told once.
+    assert_eq!(Desk::started(&next.left()).state().view.dialog, None);
+
+    let untold = "no space is left";
+    desk.state_mut().view.untold = Some(untold.to_owned());
+    assert!(Desk::started(&desk.left()).says(untold));
 }
