@@ -87,22 +87,6 @@ impl Row {
     }
 }
 
-/// Number of 1 bits of a byte below each of its bits: read more quickly than counted where
-/// the processor has no instruction for it.
-static RANK: [[u8; 8]; 256] = {
-    let mut ranks = [[0; 8]; 256];
-    let mut byte = 0;
-    while byte < 256 {
-        let mut bit = 0;
-        while bit < 8 {
-            ranks[byte][bit] = (byte & ((1 << bit) - 1)).count_ones() as u8;
-            bit += 1;
-        }
-        byte += 1;
-    }
-    ranks
-};
-
 /// The children of an inner node.
 #[derive(Clone, Copy, Debug)]
 pub struct Siblings<const D: usize> {
@@ -116,7 +100,7 @@ impl<const D: usize> Siblings<D> {
     pub fn node(self, child: Child<D>) -> Node {
         let (base, inner, full) = (self.row.base(), self.row.inner(), self.row.full());
         let bit = 1u8 << child.0;
-        let row = base + u32::from(RANK[usize::from(inner)][usize::from(child.0 & 7)]);
+        let row = base + (inner & (bit - 1)).count_ones();
         let leaf = EMPTY_LEAF - u32::from(full & bit != 0);
         let id = NodeId(self.first_id.0 + u32::from(child.0));
         Node { id, row: either(inner & bit != 0, row, leaf) }
