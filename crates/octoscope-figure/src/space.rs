@@ -3,6 +3,7 @@
 mod apart;
 mod arrows;
 mod boxes;
+mod cross;
 mod labels;
 
 use crate::camera::corners;
@@ -12,6 +13,7 @@ use crate::parts::{Arrow, part_of_plane};
 use crate::{Camera, Drawn, Figure, Form, Mark, Page, Part, Projected, Role, Shape, Style, Theme};
 use apart::is_apart;
 use arrows::last_point;
+use cross::cross_out;
 use octoscope_core::geometry::Aabb;
 
 /// Figure of `marks` as `camera` shows them on `page`. In space, boxes of one
@@ -342,16 +344,6 @@ fn is_above(role: Role) -> bool {
 /// Whether a role is but a hint beside the path, and must not cover it.
 fn is_hint(role: Role) -> bool {
     matches!(role, Role::Rejected | Role::MirroredNode)
-}
-
-/// Lines that cross an area out which is wrong; none of any other role.
-fn cross_out(role: Role, area: &[[f64; 2]]) -> Vec<Form> {
-    match *area {
-        [a, b, c, d] if role == Role::Strayed => {
-            [[a, c], [b, d]].map(|line| Form::Polyline(line.to_vec())).to_vec()
-        }
-        _ => Vec::new(),
-    }
 }
 
 /// Whether, in the plane, the area of a role lies below everything in it.

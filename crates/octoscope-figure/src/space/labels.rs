@@ -140,7 +140,7 @@ impl<const D: usize> Canvas<'_, D> {
         }
     }
 
-    /// Whether a name stands as near to another axis as to its own.
+    /// Whether a name stands so near to another axis that it could be taken for that one's.
     fn is_at_another_axis(&self, role: Role, at: [f64; 2]) -> bool {
         const NEAR: f64 = 20.0;
         let others = self.axes.iter().filter(|(axis, _)| role != Role::AxisLabel(*axis));
