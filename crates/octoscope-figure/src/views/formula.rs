@@ -26,9 +26,9 @@ const TIGHT: Spacing = Spacing { leading: 4.0, gap: 12.0, row_gap: 8.0 };
 
 /// Statements side by side on a page of at most this size, in the largest type that
 /// fits, symbols above numbers; closer together before the type becomes smaller, and
-/// broken over lines, then with fractions in a line, where no type is small enough. The page is as high as what is on
-/// it. No type is smaller than `least` page units: rather the numbers are left out, then
-/// the last statements.
+/// broken over lines, then with fractions in a line, where no type is small enough. The
+/// page is as high as what is on it. No type is smaller than `least` page units: rather
+/// the numbers are left out, then the last statements.
 pub fn formula_figure(statements: &[Statement], most: Page, least: f64) -> Figure {
     let smallest = FormulaType::most_for(least);
     let is_fitting = |figure: &Figure| {
@@ -119,7 +119,7 @@ struct Line {
     indent: f64,
 }
 
-/// How far what goes on of a formula is moved in, in the largest type.
+/// How far what goes on of a formula is moved in, in page units, in type of any size.
 const INDENT: f64 = 12.0;
 
 impl Column {
@@ -129,8 +129,8 @@ impl Column {
         {
             let parts = match breaks {
                 Lines::Whole => vec![formula.clone()],
-                Lines::Broken => formula_lines(formula, of, most - INDENT),
-                Lines::Low => formula_lines(&without_bars(formula), of, most - INDENT),
+                Lines::Broken => formula_lines(formula, of, [most, most - INDENT]),
+                Lines::Low => formula_lines(&without_bars(formula), of, [most, most - INDENT]),
             };
             lines.extend(parts.into_iter().enumerate().map(|(n, formula)| Line {
                 set: SetFormula::of(&formula, of),

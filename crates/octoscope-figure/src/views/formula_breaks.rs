@@ -12,18 +12,26 @@ enum Breaks {
     Signs,
 }
 
-/// `formula` in lines of at most `most` page units where it can be broken so: before
-/// what is said of its left side, else also before operations.
-pub fn formula_lines(formula: &Formula, of: FormulaType, most: f64) -> Vec<Formula> {
+/// `formula` in lines where it can be broken so, the first of at most `first` page units,
+/// the others of at most `others`: before what is said of its left side, else also before
+/// operations.
+pub fn formula_lines(
+    formula: &Formula,
+    of: FormulaType,
+    [first, others]: [f64; 2],
+) -> Vec<Formula> {
     let whole = || vec![formula.clone()];
     let Formula::Row(parts) = formula else { return whole() };
-    let is_fitting = |line: &Formula| SetFormula::of(line, of).width <= most;
-    if is_fitting(formula) {
+    let is_fitting = |n: usize, line: &Formula| {
+        SetFormula::of(line, of).width <= if n == 0 { first } else { others }
+    };
+    if is_fitting(0, formula) {
         return whole();
     }
     let parts = flat(parts);
     let ways = [Breaks::Relations, Breaks::Signs].map(|at| filled(&parts, at, is_fitting));
-    let is_good = |lines: &Vec<Formula>| lines.iter().all(is_fitting);
+    let is_good =
+        |lines: &Vec<Formula>| lines.iter().enumerate().all(|(n, line)| is_fitting(n, line));
     let [by_relations, by_signs] = ways;
     if is_good(&by_relations) { by_relations } else { by_signs }
 }
@@ -34,14 +42,15 @@ pub fn without_bars(formula: &Formula) -> Formula {
     match formula {
         Formula::Row(parts) => Formula::Row(parts.iter().map(without_bars).collect()),
         Formula::Fraction { over, under } => {
-            let operand = |part: &Formula| {
-                let part = without_bars(part);
-                let is_sum = matches!(&part, Formula::Row(parts) if parts.len() > 1);
-                let fence = Fence::Round;
-                if is_sum { Formula::Fenced { fence, body: Box::new(part) } } else { part }
-            };
-            let slash = Formula::Words("/".to_owned());
-            Formula::Row(vec![operand(over), slash, operand(under)])
+            let [over, under] = [over, under].map(|part| without_bars(part));
+            let over = if is_compound(&over) { in_brackets(over) } else { over };
+            let is_open = is_compound(&under) || is_negative(&under);
+            let under = if is_open { in_brackets(under) } else { under };
+            Formula::Row(vec![over, Formula::Words("/".to_owned()), under])
+        }
+        Formula::Sup { body, above } if matches!(**body, Formula::Fraction { .. }) => {
+            let body = Box::new(in_brackets(without_bars(body)));
+            Formula::Sup { body, above: inner(above) }
         }
         Formula::Sub { body, below } => Formula::Sub { body: inner(body), below: inner(below) },
         Formula::Sup { body, above } => Formula::Sup { body: inner(body), above: inner(above) },
@@ -53,6 +62,32 @@ pub fn without_bars(formula: &Formula) -> Formula {
         | Formula::Words(_)
         | Formula::Sign(_) => formula.clone(),
     }
+}
+
+/// Whether it has parts side by side, which a bar holds together and a slash does not.
+fn is_compound(formula: &Formula) -> bool {
+    matches!(formula, Formula::Row(parts) if parts.len() > 1 || parts.iter().any(is_compound))
+}
+
+/// Whether it is a number with a minus.
+fn is_negative(formula: &Formula) -> bool {
+    match formula {
+        Formula::Row(parts) => parts.first().is_some_and(is_negative),
+        Formula::Number { shown: text, .. } | Formula::Digits(text) | Formula::Words(text) => {
+            text.starts_with(['−', '-'])
+        }
+        Formula::Symbol { .. }
+        | Formula::Sign(_)
+        | Formula::Sub { .. }
+        | Formula::Sup { .. }
+        | Formula::Fraction { .. }
+        | Formula::Over { .. }
+        | Formula::Fenced { .. } => false,
+    }
+}
+
+fn in_brackets(formula: Formula) -> Formula {
+    Formula::Fenced { fence: Fence::Round, body: Box::new(formula) }
 }
 
 /// Parts of rows within rows, in their order.
@@ -74,12 +109,17 @@ fn flat(parts: &[Formula]) -> Vec<Formula> {
 }
 
 /// As much in every line as it holds.
-fn filled(parts: &[Formula], at: Breaks, is_fitting: impl Fn(&Formula) -> bool) -> Vec<Formula> {
+fn filled(
+    parts: &[Formula],
+    at: Breaks,
+    is_fitting: impl Fn(usize, &Formula) -> bool,
+) -> Vec<Formula> {
     let mut lines: Vec<Vec<Formula>> = Vec::new();
     for piece in pieces(parts, at) {
+        let index = lines.len().saturating_sub(1);
         if let Some(last) = lines.last_mut() {
             let longer: Vec<_> = last.iter().chain(&piece).cloned().collect();
-            if is_fitting(&Formula::Row(longer.clone())) {
+            if is_fitting(index, &Formula::Row(longer.clone())) {
                 *last = longer;
                 continue;
             }
@@ -138,7 +178,7 @@ mod tests {
 
     fn n_lines(signs: &[Sign], most: f64) -> usize {
         let of = FormulaType::new(0);
-        let lines = formula_lines(&row(signs), of, most);
+        let lines = formula_lines(&row(signs), of, [most; 2]);
         let parts = |line: &Formula| match line {
             Formula::Row(parts) => parts.len(),
             _ => 1,
@@ -156,5 +196,43 @@ mod tests {
         assert_eq!(n_lines(&[Plus, Plus, Plus], 120.0), 3);
         // What cannot be broken has a line of its own.
         assert_eq!(n_lines(&[Equal], 1.0), 2);
+    }
+
+    #[test]
+    fn the_first_line_has_all_the_room_and_the_others_less() {
+        let (of, formula) = (FormulaType::new(0), row(&[Sign::Equal, Sign::Equal]));
+        let whole = SetFormula::of(&formula, of).width;
+        assert_eq!(formula_lines(&formula, of, [whole, whole - 12.0]).len(), 1);
+        let first = row(&[Sign::Equal]);
+        let width = SetFormula::of(&first, of).width;
+        assert_eq!(formula_lines(&formula, of, [width, width - 12.0])[0], first);
+    }
+
+    #[test]
+    fn a_fraction_in_a_line_keeps_its_meaning() {
+        let number = |value: f64, shown: &str| Formula::Number { value, shown: shown.to_owned() };
+        let fraction = |over: Formula, under: Formula| {
+            let [over, under] = [over, under].map(Box::new);
+            Formula::Fraction { over, under }
+        };
+        let slash = || Formula::Words("/".to_owned());
+        let difference =
+            Formula::Row(vec![number(0.5, "0.5"), Sign::Minus.into(), number(0.25, "0.25")]);
+        let minus = number(-1.0, "−1");
+        let fenced = [difference.clone(), minus.clone()].map(in_brackets);
+        assert_eq!(
+            without_bars(&fraction(difference, minus.clone())),
+            Formula::Row(vec![fenced[0].clone(), slash(), fenced[1].clone()])
+        );
+        // Over the line, a minus says the same of the whole.
+        let half = fraction(minus.clone(), "b".into());
+        let flat = Formula::Row(vec![minus, slash(), "b".into()]);
+        assert_eq!(without_bars(&half), flat);
+        let raised = |body: Formula| {
+            let [body, above] = [body, "2".into()].map(Box::new);
+            Formula::Sup { body, above }
+        };
+        assert_eq!(without_bars(&raised(half)), raised(in_brackets(flat)));
+        assert_eq!(without_bars(&raised("b".into())), raised("b".into()));
     }
 }
