@@ -2,8 +2,8 @@
 
 use crate::{Form, Role};
 
-/// Lines that cross an area out which is wrong; none of any other role. An area that is
-/// cut off, because it reaches behind the eye, has any number of corners.
+/// Lines that cross an area out which is wrong, however many corners it has; none of any
+/// other role.
 pub(super) fn cross_out(role: Role, area: &[[f64; 2]]) -> Vec<Form> {
     let n = area.len();
     if role != Role::Strayed || n < 3 {
