@@ -231,6 +231,21 @@ fn b_9_walks_to_the_last_child_from_the_first() {
 }
 
 #[test]
+fn what_mid_planes_are_compared_with_has_the_name_of_its_value() {
+    let (origin, direction) = ([0.625, 0.75, 0.875], [1.0; 3]);
+    for id in ["parametric", "parametric@B-9", "parametric@B-10", "parametric-table"] {
+        let trace = run(&full(1), origin, direction, id);
+        let first = trace.events.iter().find_map(|event| match *event {
+            Event::First { entry, entry_axis, .. } => Some((entry, entry_axis)),
+            _ => None,
+        });
+        // The near plane of x is the last one; only by the right rules it begins at 0.
+        let expected = if id == "parametric" { (0.0, None) } else { (-origin[0], Some(0)) };
+        assert_eq!(first, Some(expected), "{id}");
+    }
+}
+
+#[test]
 fn b_10_reports_what_lies_behind_the_origin() {
     for base in BOTH {
         let id = format!("{base}@B-10");

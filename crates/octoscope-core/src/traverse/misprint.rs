@@ -149,7 +149,8 @@ impl<const D: usize, O: Observer<D>> Walk<'_, D, O> {
             && !self.rules.has(Variant::B10);
         let entry = if clamped { last.max(0.0) } else { last };
         let (axis, compared) = match self.base {
-            Base::Uniform => (entry_axis(place.near), Axes::where_true([true; D])),
+            Base::Uniform if clamped => (entry_axis(place.near), Axes::where_true([true; D])),
+            Base::Uniform => (Some(f64::index_of_latest(place.near)), Axes::where_true([true; D])),
             Base::Tables => {
                 let axis = (0..D).find(|&e| place.near[e] >= last).unwrap_or(0);
                 (Some(axis), entry_axes(axis))
