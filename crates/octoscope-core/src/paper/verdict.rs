@@ -2,12 +2,9 @@
 
 use crate::event::{End, Event};
 use crate::geometry::Ray;
-use crate::query::{Arithmetic, Query};
-use crate::trace::{Trace, record};
-use crate::traverse::{
-    Algorithm, Base, Options, Slivers, StopAt, Variant, Variants, first_difference_of_run,
-    traverse_mirrored,
-};
+use crate::query::Query;
+use crate::trace::{Trace, corrected, on_the_ray, record, results, slivers};
+use crate::traverse::{Options, StopAt, Variants, first_difference_of_run};
 use crate::tree::{NodeId, Tree};
 
 /// What a trace should have come to.
@@ -57,28 +54,17 @@ fn of_ray<const D: usize>(
     trace: &Trace<D>,
     options: Options,
 ) -> Verdict {
-    // All leaves on the ray, wherever the run is to stop.
     let options = Options { variants: Variants::NONE, ..options };
-    let oracle = Query::Ray {
-        algorithm: Algorithm::Exhaustive,
-        options: Options { stop_at: StopAt::End, ..options },
-        arithmetic: Arithmetic::Exact,
-    };
-    let (mut expected, found) =
-        (results(&record(tree, ray, &oracle).events), results(&trace.events));
+    let (mut expected, found) = (on_the_ray(tree, ray, options), results(&trace.events));
     let corrected = corrected(tree, ray, &trace.query);
 
-    // What the misprint does not change is right, slivers included; where the right
-    // rules come to exactly what is expected, any other leaf is due to the misprint. The
-    // run may stop at a full leaf, but at none that is not on the ray at all.
-    let difference_of = |found: &[NodeId], slivers| {
-        first_difference_of_run(tree, ray, options, &expected, found, slivers)
-    };
-    let is_exact = difference_of(&results(&corrected), Slivers::Count).is_none();
-    let slivers = if is_exact { Slivers::Count } else { Slivers::Ignore };
+    // What the misprint does not change is right, slivers included. The run may stop at a
+    // full leaf, but at none that is not on the ray at all.
+    let slivers = slivers(tree, ray, options, &expected, &results(&corrected));
     let stopped_beside = trace.outcome.end == End::FirstFull
         && found.last().is_some_and(|leaf| !expected.contains(leaf));
-    let wrong = difference_of(&found, slivers).map(|difference| difference.found);
+    let difference = first_difference_of_run(tree, ray, options, &expected, &found, slivers);
+    let wrong = difference.map(|difference| difference.found);
     let wrong = wrong.or_else(|| stopped_beside.then(|| found.last().copied()));
     let wrong = wrong.filter(|_| results(&corrected) != found);
     let first_wrong_step =
@@ -105,31 +91,6 @@ fn judged<const D: usize>(
     let is_detour = first_wrong_step.is_none() && n_steps[0] > n_steps[1];
     let detour = is_detour.then(|| step_apart(trace, corrected));
     Verdict { expected, first_wrong_step, detour, n_steps }
-}
-
-/// Visited leaves, or the nodes that were found.
-fn results<const D: usize>(events: &[Event<D>]) -> Vec<NodeId> {
-    events.iter().filter_map(Event::result_node).collect()
-}
-
-/// The events of the run with every rule in its right form, by the same walk: a
-/// walk with misprints mirrors the ray, so that its numbers are rounded otherwise.
-fn corrected<const D: usize>(tree: &Tree<D>, ray: &Ray<D>, query: &Query<D>) -> Vec<Event<D>> {
-    let mut events = Vec::new();
-    match query.corrected() {
-        Query::Ray { algorithm, options, .. }
-            if query.variants_at_work().iter().any(Variant::is_misprint) =>
-        {
-            // Only these two have misprints.
-            let by_tables = algorithm == Algorithm::ParametricTable;
-            let base = if by_tables { Base::Tables } else { Base::Uniform };
-            traverse_mirrored(tree, ray, options, base, &mut events);
-        }
-        corrected => {
-            corrected.run(tree, ray, &mut events);
-        }
-    }
-    events
 }
 
 /// Number of events up to and with the report of `wrong`, or of all.
@@ -162,6 +123,7 @@ mod tests {
     use super::*;
     use crate::progress::Progress;
     use crate::scenario::AnyScenario;
+    use crate::traverse::Variant;
     use crate::tree::{Cell, Domain, Split, build, grow};
 
     /// The first wrong event of the counterexample of `variant`.

@@ -5,6 +5,7 @@ mod counters;
 mod fate;
 mod moment;
 mod record;
+mod right;
 mod rounding;
 mod state;
 mod strayed;
@@ -13,6 +14,7 @@ pub use counters::{Counter, Counters};
 pub use fate::{Crossing, Fate, ParentPlane, Reason, deciding_fate, fate};
 pub use moment::Moment;
 pub use record::{Trace, record, record_within};
+pub(crate) use right::{corrected, on_the_ray, results, slivers};
 pub use rounding::{Disagreement, double_would_differ, rounded_steps};
 pub use state::{
     Codes, Cuts, Detour, Difference, Exits, Extent, Frame, GridCell, HalvingPlane, LeafOnRay,

@@ -108,7 +108,12 @@ pub fn doubles_suffice<const D: usize>(domain: &Domain<D>, ray: &Ray<D>) -> bool
 
 /// Whether the ray, up to the parameter `end`, is in the leaf, or misses it, by no more
 /// than a sliver.
-fn is_sliver<const D: usize>(tree: &Tree<D>, ray: &Ray<D>, end: f64, leaf: NodeId) -> bool {
+pub(crate) fn is_sliver<const D: usize>(
+    tree: &Tree<D>,
+    ray: &Ray<D>,
+    end: f64,
+    leaf: NodeId,
+) -> bool {
     let bounds = tree.node_box(leaf);
     let (origin, direction) = (ray.origin(), ray.direction());
     let (mut enter, mut exit) = (0.0f64, end);

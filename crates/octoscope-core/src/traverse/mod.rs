@@ -29,6 +29,7 @@ mod samet_corner;
 mod samet_net;
 mod variant;
 
+pub(crate) use agree::is_sliver;
 pub use agree::{
     Difference, SLIVER, Slivers, doubles_suffice, first_difference, first_difference_of_run,
 };

@@ -9,7 +9,7 @@ use octoscope_core::locate::{Direction, NeighbourMethod, Reach};
 use octoscope_core::paper::verdict;
 use octoscope_core::query::{Arithmetic, PointMethod, Query};
 use octoscope_core::random::Random;
-use octoscope_core::trace::record;
+use octoscope_core::trace::{Moment, record, strayed};
 use octoscope_core::traverse::{Algorithm, Options, StopAt, Variant, Variants, doubles_suffice};
 use octoscope_core::tree::{NodeId, Tree};
 use std::collections::BTreeMap;
@@ -92,6 +92,41 @@ fn counts<const D: usize>() -> BTreeMap<Variant, [usize; 2]> {
         }
     }
     counts
+}
+
+/// Whatever rule is in another form, no node is told to be wrong where the result is right.
+fn check_strayed<const D: usize>() {
+    let mut random = Random::new(12);
+    let mut n_strayed = 0;
+    for n in 0..8 {
+        let tree: Tree<D> = random_tree(domain(1 + n as u8 % 6, n), 25, &mut random);
+        for class in Class::ALL {
+            let ray = random_ray(&tree, class, &mut random);
+            let ways = Algorithm::ALL.into_iter().flat_map(|algorithm| {
+                let ends = [(StopAt::End, None), (StopAt::FirstFull, Some(0.5))];
+                ends.map(|(stop_at, segment_end)| {
+                    let options = Options { stop_at, segment_end, variants: Variants::NONE };
+                    Query::Ray { algorithm, options, arithmetic: Arithmetic::Doubles }
+                })
+            });
+            let questions: Vec<Query<D>> = ways.chain(questions(&tree, &mut random)).collect();
+            for query in questions.into_iter().flat_map(|query| misprinted(query, &mut random)) {
+                let trace = record(&tree, &ray, &query);
+                let moment = Moment::after(&tree, &trace, usize::MAX);
+                let strayed = strayed(&tree, &ray, &query, &moment);
+                let agrees = verdict(&tree, &ray, &trace).agrees();
+                assert!(!agrees || strayed.is_empty(), "{strayed:?}: {query:?} {ray:?}");
+                n_strayed += strayed.len();
+            }
+        }
+    }
+    assert!(n_strayed > 0);
+}
+
+#[test]
+fn nothing_strays_where_the_result_is_right() {
+    check_strayed::<2>();
+    check_strayed::<3>();
 }
 
 #[test]
