@@ -43,7 +43,7 @@ chart-step = nach Schritt { $step } von { $of }
 legend-ray = Strahl
 legend-ray-tip = t = 1
 legend-visited = besuchte Blätter, der Reihe nach
-legend-strayed = besucht, obwohl falsch
+legend-strayed = gemeldet, obwohl falsch
 legend-expected = wäre richtig
 legend-current = aktueller Knoten
 legend-ancestor = seine Vorfahren

@@ -41,6 +41,7 @@ clip-no-length = Der Strahl verfehlt die Wurzel: Er endet bei { $end }, nicht sp
 clip-printed = Nach der gedruckten Regel, { $rule }, wird die Wurzel getroffen, von t = { $enter } bis t = { $exit }.
 as-printed = { " " }So sagt es die gedruckte Regel, { $rule }.
 clip-no-number = { " " }Aber { $parameters } ist keine Zahl, sodass kein Vergleich damit zutrifft und nichts davon abhängt. So sagt es die gedruckte Regel, { $rule }.
+clip-no-numbers = { " " }Aber { $parameters } sind keine Zahlen, sodass kein Vergleich damit zutrifft und nichts davon abhängt. So sagt es die gedruckte Regel, { $rule }.
 clip-printed-miss = Nach der gedruckten Regel, { $rule }, wird die Wurzel verfehlt, mit t_min = { $enter } und t_max = { $exit }.
 clip-parallel = Der Strahl verfehlt die Wurzel: Entlang { $axes } bewegt er sich nicht, und sein Startpunkt liegt dort außerhalb.
 

@@ -43,7 +43,7 @@ chart-step = after step { $step } of { $of }
 legend-ray = ray
 legend-ray-tip = t = 1
 legend-visited = visited leaves, in order
-legend-strayed = visited although wrong
+legend-strayed = reported although wrong
 legend-expected = would be right
 legend-current = current node
 legend-ancestor = its ancestors

@@ -41,6 +41,7 @@ clip-no-length = The ray misses the root: it ends at { $end }, no later than it 
 clip-printed = By the printed rule, { $rule }, the root is hit, from t = { $enter } to t = { $exit }.
 as-printed = { " " }So says the printed rule, { $rule }.
 clip-no-number = { " " }But { $parameters } is no number, so that no comparison with it holds and it decides nothing. So says the printed rule, { $rule }.
+clip-no-numbers = { " " }But { $parameters } are no numbers, so that no comparison with them holds and they decide nothing. So says the printed rule, { $rule }.
 clip-printed-miss = By the printed rule, { $rule }, the root is missed, with t_min = { $enter } and t_max = { $exit }.
 clip-parallel = The ray misses the root: it does not move along { $axes }, and its origin lies outside there.
 
@@ -145,7 +146,7 @@ border-inside = These codes lie inside the domain, so there is a cell beyond.
 border-outside = Along { $axes } the code lies outside the domain, so there is no cell beyond.
 border-point-outside = Along { $axes } the point lies outside the domain, so there is no cell beyond.
 difference = The codes differ first in bit { $bit }, so the common ancestor has level { $level }.
-difference-printed = By the printed rule, { $rule }, the common ancestor has level { $level }. But the codes differ first in bit { $bit }, so that it has level { $right }.
+difference-printed = By the printed rule, { $rule }, the common ancestor has level { $level }. But the codes differ first in bit { $bit }, so it has level { $right }.
 difference-none = The codes are equal, so both places lie in one smallest cell, of level 0.
 climb = Up to the parent, { $node }; the common ancestor has level { $level }.
 climb-done = Up to the parent, { $node }: this is the common ancestor.

@@ -57,11 +57,9 @@ impl<const D: usize> Printed<'_, D> {
     fn told(&self, event: &Event<D>) -> Option<Told> {
         match *event {
             Event::Clip { near, far, enter, exit, hit, mirror } => {
-                self.clip(enter, exit, hit).or_else(|| {
-                    let planes: Vec<f64> = near.into_iter().chain(far).collect();
-                    self.no_number(near, far)
-                        .or_else(|| self.after(&[without_number(&planes, &[B5]), mirrored(mirror)]))
-                })
+                let unknown = || self.no_number(near, far, mirror);
+                let of_mirror = || self.after(&[mirrored(mirror)]);
+                self.clip(enter, exit, hit).or_else(unknown).or_else(of_mirror)
             }
             Event::Halve { mid, .. } => self
                 .unselected(mid)
@@ -152,8 +150,9 @@ impl<const D: usize> Printed<'_, D> {
     }
 
     /// Planes whose parameters are no numbers are left out of all comparisons.
-    fn no_number(&self, near: [f64; D], far: [f64; D]) -> Option<Told> {
-        let rule = self.at_work(&[B5])?;
+    fn no_number(&self, near: [f64; D], far: [f64; D], mirror: Axes<D>) -> Option<Told> {
+        self.at_work(&[B5])?;
+        let rule = self.at_work(&[&[B5], mirrored(mirror)].concat())?;
         let planes = (0..D).flat_map(|e| [(e, "0", near[e]), (e, "1", far[e])]);
         let unknown = planes.filter(|(.., t)| t.is_nan());
         let unknown: Vec<String> =
@@ -161,8 +160,9 @@ impl<const D: usize> Printed<'_, D> {
         if unknown.is_empty() {
             return None;
         }
+        let key = if unknown.len() == 1 { "clip-no-number" } else { "clip-no-numbers" };
         let arguments = [("parameters", self.words.list(unknown)), ("rule", rule)];
-        Some(Told::After(self.words.say("clip-no-number", &arguments)))
+        Some(Told::After(self.words.say(key, &arguments)))
     }
 
     /// The codes of a point with all bits that the rule reads.

@@ -186,15 +186,15 @@ fn steps_by_a_printed_rule_say_so() {
         ),
         (
             Variant::B24a,
-            "By the printed rule, B-24a, the common ancestor has level 1. But the codes differ first in bit 1, so that it has level 2.",
+            "By the printed rule, B-24a, the common ancestor has level 1. But the codes differ first in bit 1, so it has level 2.",
         ),
         (
             Variant::B24b,
-            "By the printed rule, B-24b, the common ancestor has level 0. But the codes differ first in bit 1, so that it has level 2.",
+            "By the printed rule, B-24b, the common ancestor has level 0. But the codes differ first in bit 1, so it has level 2.",
         ),
         (
             Variant::B25Leftmost,
-            "By the printed rule, B-25-leftmost, the common ancestor has level 1. But the codes differ first in bit 1, so that it has level 2.",
+            "By the printed rule, B-25-leftmost, the common ancestor has level 1. But the codes differ first in bit 1, so it has level 2.",
         ),
         (
             Variant::B5,
