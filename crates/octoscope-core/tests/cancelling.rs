@@ -23,7 +23,7 @@ fn building_can_be_cancelled_while_it_is_under_way() {
             let tree = thread::scope(|scope| {
                 let worker =
                     scope.spawn(|| build_on(threads, &content, domain, &recipe, &progress));
-                while progress.fraction().is_none_or(|part| part == 0.0) {
+                while !worker.is_finished() && progress.fraction().is_none_or(|part| part == 0.0) {
                     thread::yield_now();
                 }
                 progress.cancel();

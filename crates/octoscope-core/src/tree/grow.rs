@@ -92,8 +92,8 @@ pub fn grow<const D: usize, C>(
 /// Like [`grow`], by so many threads; the tree is the same for any number. `judge`
 /// appends the items of a full leaf to the list that it is handed, and `divide` makes
 /// the contents of the children, by index, of what is kept of an inner node and its
-/// level. `account` hears before every block that nothing was found, after it how many inner
-/// nodes were found below it, and may stop the work.
+/// level. `account` is called with 0 before every block, so that it can stop the work, and
+/// after it with the number of inner nodes found.
 ///
 /// # Errors
 /// That of `account`.

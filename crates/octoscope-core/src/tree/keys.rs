@@ -2,7 +2,7 @@
 
 use super::{Child, Code, Domain, morton};
 use crate::scene::Content;
-use crate::threads::{all_threads, in_order};
+use crate::threads::in_order;
 use std::num::NonZeroUsize;
 use std::ops::Range;
 
@@ -19,10 +19,23 @@ pub struct Outside {
 /// content may stick out.
 pub fn outside<const D: usize>(content: &Content<D>, domain: &Domain<D>) -> Option<Outside> {
     match content {
-        Content::Points(points) => keys_of_points(all_threads(), points, domain).err(),
-        Content::Cells(cells) => keys_of_cells(all_threads(), cells, domain).err(),
+        Content::Points(points) => {
+            those_outside(points, |&point| domain.encode_point(point).is_some())
+        }
+        Content::Cells(cells) => those_outside(cells, |cell| is_inside(cell, domain)),
         Content::Image(_) | Content::Spheres(_) | Content::Boxes(_) | Content::Triangles(_) => None,
     }
+}
+
+/// Those of the items that are not inside, if there are any.
+fn those_outside<T>(items: &[T], is_inside: impl Fn(&T) -> bool) -> Option<Outside> {
+    let mut outside = (0..items.len()).filter(|&number| !is_inside(&items[number]));
+    let first = outside.next()?;
+    Some(Outside { count: 1 + outside.count(), first })
+}
+
+fn is_inside<const D: usize>(cell: &Code<D>, domain: &Domain<D>) -> bool {
+    cell.iter().all(|&c| c < domain.grid_size())
 }
 
 /// A key and the number of its item.
@@ -43,8 +56,7 @@ pub(super) fn keys_of_cells<const D: usize>(
     cells: &[Code<D>],
     domain: &Domain<D>,
 ) -> Result<Vec<Key>, Outside> {
-    let is_inside = |cell: &Code<D>| cell.iter().all(|&c| c < domain.grid_size());
-    keys_of(threads, cells, |cell| is_inside(cell).then_some(*cell))
+    keys_of(threads, cells, |cell| is_inside(cell, domain).then_some(*cell))
 }
 
 fn keys_of<const D: usize, T: Sync>(

@@ -17,9 +17,9 @@ type Item = (u64, u32);
 ///
 /// Blocks are sorted by the highest bits alone, then what they have of the same values
 /// is brought together and sorted by the rest: O(n), by so many threads. Where one value
-/// has more than the share of a thread, all of them go on with it.
+/// has more than a block and the share of a thread, all of them go on with it.
 pub fn sort_by_key(threads: NonZeroUsize, items: &mut [Item]) {
-    let share = items.len() / threads;
+    let share = (items.len() / threads).max(BLOCK);
     let Some(highest) = digits(differing_bits(items)).last() else { return };
     if items.len() <= BLOCK {
         return sort_block(items);
@@ -58,6 +58,7 @@ pub fn sort_by_key(threads: NonZeroUsize, items: &mut [Item]) {
         sort_block(part);
         None
     });
+    drop(blocks);
     for part in large.into_iter().flatten() {
         sort_by_key(threads, part);
     }
