@@ -19,14 +19,14 @@ use octoscope_figure::views::FormulaRows;
 const NARROW: f32 = 900.0;
 /// Windows of more than this have room for two columns of panels.
 const WIDE: f32 = 1200.0;
+/// Lectures in windows of less than this, in points, have narrower panels.
+const LECTURE_WIDE: f32 = 700.0;
 /// The space view keeps at least this, in points; less in a narrow window.
 const LEAST_VIEW: f32 = 320.0;
 const LEAST_NARROW_VIEW: f32 = 240.0;
 /// Width of the question's side, margins included.
 const QUESTION: f32 = 280.0;
 
-/// The same in a lecture: the coarsest projectors have less.
-const LECTURE_WIDE: f32 = 700.0;
 /// What a panel wishes the window to do.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Wish {
@@ -69,10 +69,8 @@ pub fn ui<const D: usize>(
         });
     }
     let panels = view.panels(&document.scenario.query);
-    let place = match (lecture, panels.as_slice()) {
-        (true, [panel]) if is_low(*panel) => Place::BelowPanel,
-        (true, _) | (false, _) => Place::BelowPicture,
-    };
+    let has_room = lecture && matches!(panels.as_slice(), [panel] if is_low(*panel));
+    let place = if has_room { Place::BelowPanel } else { Place::BelowPicture };
     // In a narrow window there is one side for both; what was asked for comes first.
     let question_first = narrow && shown;
     let question_below = narrow && !lecture && view.question.is_none();

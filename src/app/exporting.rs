@@ -119,7 +119,7 @@ impl App {
     }
 
     pub(super) fn complain(&mut self, error: &anyhow::Error) {
-        self.view.dialog = Some(Dialog::Error(complaint::told(&self.look.texts, error)));
+        self.tell_error(complaint::told(&self.look.texts, error));
     }
 
     /// Begins to make something on another thread, if nothing is being made.

@@ -166,7 +166,7 @@ impl App {
             Poll::Done(Err(Cancelled)) => {}
             Poll::Broken => {
                 with_document!(&mut self.document, document => document.give_up_judging());
-                self.view.dialog = Some(Dialog::Error(self.look.text("job-broken")));
+                self.tell_error(self.look.text("job-broken"));
             }
         }
         self.judging = None;
@@ -188,6 +188,17 @@ impl App {
         self.maps.finish_work();
         if let Some(layers) = &mut self.layers {
             layers.finish();
+        }
+    }
+
+    /// Shows an error, below one that is still to be read.
+    pub(super) fn tell_error(&mut self, error: String) {
+        match &mut self.view.dialog {
+            Some(Dialog::Error(before)) => {
+                before.push_str("\n\n");
+                before.push_str(&error);
+            }
+            other => *other = Some(Dialog::Error(error)),
         }
     }
 
@@ -224,7 +235,7 @@ impl App {
             }
             Poll::Broken => {
                 with_document!(&mut self.document, document => document.keep_trace());
-                self.view.dialog = Some(Dialog::Error(self.look.text("job-broken")));
+                self.tell_error(self.look.text("job-broken"));
             }
         }
         self.tracing = None;
@@ -306,8 +317,7 @@ impl App {
                     with_document!(&mut self.document, document => document.keep_tree());
                 }
                 if !error.root_cause().is::<Cancelled>() {
-                    self.view.dialog =
-                        Some(Dialog::Error(complaint::told(&self.look.texts, &error)));
+                    self.tell_error(complaint::told(&self.look.texts, &error));
                 }
             }
         }

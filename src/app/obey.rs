@@ -1,6 +1,7 @@
 //! Commands and what they do.
 
 use super::App;
+use super::jobs::is_misprinted;
 use crate::arrangement::Change;
 use crate::command::Command;
 use crate::document::AnyDocument;
@@ -162,7 +163,9 @@ impl App {
 
     /// Where a misprint leads astray first, as the timeline shows it, or round about.
     pub(super) fn first_step_off(&self) -> Option<(usize, Off)> {
-        let verdict = with_document!(&self.document, d => d.known_verdict())?;
+        let verdict = with_document!(&self.document, d => {
+            is_misprinted(&d.scenario.query).then(|| d.known_verdict()).flatten()
+        })?;
         let wrong = verdict.first_wrong_step.map(|step| (step, Off::Astray));
         wrong.or_else(|| Some((verdict.detour?, Off::RoundAbout)))
     }

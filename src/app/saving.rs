@@ -141,9 +141,9 @@ impl App {
                 }
             }
             Some(Err(error)) => {
-                self.view.dialog = Some(Dialog::Error(complaint::told(&self.look.texts, &error)));
+                self.tell_error(complaint::told(&self.look.texts, &error));
             }
-            None => self.view.dialog = Some(Dialog::Error(self.look.text("job-broken"))),
+            None => self.tell_error(self.look.text("job-broken")),
         }
         self.save_next(&context);
     }

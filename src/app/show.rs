@@ -123,7 +123,7 @@ impl App {
             View { dialog: None, space: Some(space), ray, .. } => Over::Space { space, ray },
             View { .. } => Over::Window,
         };
-        if !self.look.is_for_hall() || over == Over::Window {
+        if !self.look.is_for_hall() || self.view.dialog.is_some() {
             notice_line::ui(&context, &self.look, &mut self.notice, over);
         }
     }

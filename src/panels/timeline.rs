@@ -27,8 +27,8 @@ pub struct Marked<'a> {
     pub lit: Option<NodeId>,
 }
 
-/// Buttons and ruler, from left to right in a row of [`HEIGHT`]; dragging the ruler moves the playhead. Returns the node of the
-/// event that is pointed at.
+/// Buttons and ruler, from left to right in a row of [`HEIGHT`]; dragging the ruler moves
+/// the playhead. Returns the node of the event that is pointed at.
 pub fn ui<const D: usize>(
     ui: &mut Ui,
     look: &Look,

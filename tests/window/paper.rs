@@ -5,6 +5,7 @@ use eframe::egui::Key;
 use eframe::egui::accesskit::Role;
 use egui_kittest::kittest::Queryable;
 use octoscope::document::AnyDocument;
+use octoscope::view::PanelKind;
 use octoscope_core::geometry::Ray;
 use octoscope_core::paper::counterexample;
 use octoscope_core::query::Query;
@@ -115,7 +116,7 @@ fn another_point_region_and_cell_are_found_as_well() {
 fn the_key_leads_to_where_a_detour_begins_or_says_why_nothing_is_wrong() {
     let mut desk = Desk::new();
     desk.press(Key::W);
-    assert!(desk.says("Every rule is in its right form here"));
+    assert!(desk.says("No rule is followed as printed here"));
 
     desk.open_scenario(&counterexample(Variant::B9));
     desk.press(Key::Home);
@@ -124,6 +125,15 @@ fn the_key_leads_to_where_a_detour_begins_or_says_why_nothing_is_wrong() {
     assert!(desk.says(&format!("The detour begins at step {step}.")));
     assert!(desk.says("comes to the right result by a detour, which begins here"));
     assert!(desk.sentence().contains("B-9"), "{}", desk.sentence());
+
+    // Another form that is no misprint, although the paper lab judges it.
+    desk.open_scenario(&counterexample(Variant::OneByOne));
+    desk.state_mut().view.arrangement().add(PanelKind::Paper);
+    desk.press(Key::Home);
+    desk.state_mut().finish_work();
+    desk.press(Key::W);
+    assert!(desk.says("No rule is followed as printed here"));
+    assert_eq!(desk.step_number(), 0);
 
     // B-3 does no harm to a ray that only meets child 0.
     desk.open_scenario(&counterexample(Variant::B3));
