@@ -204,7 +204,7 @@ fn moments_and_exercises_are_chosen_in_the_dialog() {
 
     desk.state_mut().view.export.view = FigureView::Worksheet;
     desk.run();
-    desk.click(Role::Button, "another per number");
+    desk.click(Role::Button, "a new one for each number");
     desk.type_into("number", "17");
     desk.click(Role::CheckBox, "with its solution");
     let command = shown_command(&desk);
