@@ -260,3 +260,32 @@ fn without_a_branch_for_equal_planes_no_child_is_chosen() {
         ],
     );
 }
+
+/// Along two faces of the root and, where B-7 is at work, too, downwards.
+#[test]
+fn all_planes_without_a_number_are_told_with_all_their_rules() {
+    for (variants, z, direction, rules) in [
+        (Variants::NONE.with(Variant::B5), -1.0, 1.0, ["B-5.", "B-5."]),
+        (
+            Variants::NONE.with(Variant::B5).with(Variant::B7),
+            2.0,
+            -1.0,
+            ["B-5 and B-7.", "B-5 und B-7."],
+        ),
+    ] {
+        let (tree, ray) = (tree(3), Ray::new([1.0, 1.0, z], [0.0, 0.0, direction]).unwrap());
+        let options = Options { variants, ..Options::default() };
+        let (algorithm, arithmetic) = (Algorithm::Parametric, Arithmetic::Doubles);
+        let trace = record(&tree, &ray, &Query::Ray { algorithm, options, arithmetic });
+        let planes = [
+            "t_x1 = NaN and t_y1 = NaN are no numbers",
+            "t_x1 = NaN und t_y1 = NaN sind keine Zahlen",
+        ];
+        for (n, language) in [Language::English, Language::German].into_iter().enumerate() {
+            let sentences = sentence::sentences(&tree, &ray, &trace, language);
+            let told: Vec<String> = sentences.iter().map(RichText::plain).collect();
+            let is_told = told.iter().any(|t| t.contains(planes[n]) && t.ends_with(rules[n]));
+            assert!(is_told, "{told:#?}");
+        }
+    }
+}
