@@ -130,6 +130,17 @@ mod tests {
     use super::*;
     use crate::random::Random;
 
+    /// Sorts `items`, numbered in their order, by one thread and by several.
+    fn check(items: &[(u64, u32)]) {
+        let mut expected = items.to_vec();
+        expected.sort();
+        for threads in [1, 2, 5] {
+            let mut items = items.to_vec();
+            sort_by_key(NonZeroUsize::new(threads).unwrap(), &mut items);
+            assert_eq!(items, expected);
+        }
+    }
+
     #[test]
     fn keys_ascend_and_equal_ones_stay_in_order() {
         let mut random = Random::new(1);
@@ -147,13 +158,7 @@ mod tests {
         ] {
             let item = |number| (random.bits().checked_shr(64 - bits).unwrap_or(0), number);
             let items: Vec<(u64, u32)> = (0..n).map(item).collect();
-            let mut expected = items.clone();
-            expected.sort();
-            for threads in [1, 2, 5] {
-                let mut items = items.clone();
-                sort_by_key(NonZeroUsize::new(threads).unwrap(), &mut items);
-                assert_eq!(items, expected);
-            }
+            check(&items);
         }
     }
 
@@ -168,12 +173,6 @@ mod tests {
             _ => 1 << 55 | random.bits() >> 50,
         };
         let items: Vec<(u64, u32)> = (0..300_000).map(|number| (key(), number)).collect();
-        let mut expected = items.clone();
-        expected.sort();
-        for threads in [1, 2, 5] {
-            let mut items = items.clone();
-            sort_by_key(NonZeroUsize::new(threads).unwrap(), &mut items);
-            assert_eq!(items, expected);
-        }
+        check(&items);
     }
 }
