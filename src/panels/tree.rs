@@ -1,10 +1,9 @@
 //! The tree as a diagram, linked with the picture.
 
 use crate::look::Look;
-use crate::space::{PageInWindow, paint_figure};
 use crate::tree_view::TreeView;
 use crate::view::Hover;
-use crate::widgets::{caption, node_note, rich_label};
+use crate::widgets::{PageInWindow, caption, node_note, paint_on_page, rich_label};
 use eframe::egui::{
     Key, Painter, Rect, Response, Sense, Stroke, StrokeKind, Ui, Vec2, WidgetInfo, accesskit::Role,
     vec2,
@@ -68,7 +67,7 @@ pub fn ui<const D: usize>(
 
     let painter = ui.painter_at(rect);
     painter.rect_filled(rect, 6.0, look.palette.background);
-    paint_figure(&painter, look, shown.theme, frame, &diagram.figure);
+    paint_on_page(&painter, look, shown.theme, frame, &diagram.figure);
 
     let mut wish = None;
     let mut focused = false;

@@ -1,10 +1,10 @@
 //! What the mouse asks of the tree: a point, a region, a neighbour.
 
-use super::PageInWindow;
 use super::gesture::{Click, Under, under};
 use super::pick::leaf_at;
 use crate::document::Document;
 use crate::short_number::rounded;
+use crate::widgets::PageInWindow;
 use eframe::egui::Pos2;
 use octoscope_core::geometry::Aabb;
 use octoscope_core::locate::{Direction, NeighbourMethod, Reach};

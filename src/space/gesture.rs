@@ -5,13 +5,12 @@
 //! box; the wheel zooms to the pointer. A double click locates the point, a
 //! click picks what the present query asks for.
 
-use super::PageInWindow;
 use super::ask::{ask_point, ask_region, click};
 use super::pick::{leaf_at, side_at};
 use crate::document::Document;
 use crate::look::Look;
 use crate::short_number::rounded;
-use crate::widgets::acted_at;
+use crate::widgets::{PageInWindow, acted_at};
 use eframe::egui::{
     CursorIcon, Id, Painter, PointerButton, Pos2, Rect, Response, Stroke, StrokeKind, Ui, pos2,
 };

@@ -1,9 +1,9 @@
 //! What the view tells of the cell under the pointer: its outline, its level
 //! and codes, and what a click there asks for.
 
-use super::PageInWindow;
 use super::gesture::{Click, Under};
 use crate::look::Look;
+use crate::widgets::PageInWindow;
 use eframe::egui::{Align2, FontId, Label, Pos2, Rect, RichText, Ui, Vec2, pos2, vec2};
 use octoscope_core::locate::Direction;
 use octoscope_core::tree::{NodeId, Tree};

@@ -7,7 +7,6 @@ mod flight;
 mod gesture;
 mod hover;
 mod leaves;
-pub(crate) mod paint;
 mod pick;
 mod run;
 mod section;
@@ -19,6 +18,7 @@ use crate::document::Document;
 use crate::look::Look;
 use crate::render::Pace;
 use crate::view::View;
+use crate::widgets::{PageInWindow, paint_on_page};
 pub use base::Layers;
 use eframe::egui::{Event, Pos2, Rect, Sense, Ui, WidgetInfo, accesskit::Role};
 pub use flight::Flight;
@@ -30,7 +30,6 @@ use octoscope_core::tree::NodeId;
 use octoscope_figure::{
     Camera, Mark, Page, Role as MarkRole, Show, axes, cells, content, node_mark, space_figure,
 };
-pub use paint::figure as paint_figure;
 use run::run_marks;
 pub use standpoint::Standpoint;
 
@@ -124,7 +123,7 @@ pub fn ui<const D: usize>(ui: &mut Ui, look: &Look, space: Space<'_, D>) {
     }
     painted.sort_by_cached_key(|mark| mark.role.layer());
     let figure = space_figure(&painted, &camera, frame.page);
-    paint::figure(&painter, look, view.theme, frame, &figure);
+    paint_on_page(&painter, look, view.theme, frame, &figure);
     gesture::paint_region_being_drawn(ui, &painter, look, &response);
     let is_move = |event: &Event| matches!(event, Event::PointerMoved(_));
     let moved = ui.input(|input| input.events.iter().any(is_move));
@@ -159,44 +158,6 @@ fn expected<const D: usize>(document: &Document<D>) -> Vec<Mark<D>> {
     };
     let mark = |&node: &NodeId| node_mark(&document.tree, node, MarkRole::Expected);
     verdict.expected.iter().map(mark).collect()
-}
-
-/// Where the page of a camera lies in the window.
-#[derive(Clone, Copy, Debug)]
-pub struct PageInWindow {
-    /// Size of the page, in points.
-    pub page: Page,
-    /// Its upper left corner in the window.
-    pub corner: Pos2,
-}
-
-impl PageInWindow {
-    /// Place in the window of a world point, if it is before the eye.
-    pub fn place<const D: usize>(&self, camera: &Camera<D>, world: [f64; D]) -> Option<Pos2> {
-        let at = camera.project(self.page, world)?.at;
-        Some(self.on_screen(at))
-    }
-
-    /// Place in the window of a point of the page.
-    pub fn on_screen(&self, at: [f64; 2]) -> Pos2 {
-        self.corner + eframe::egui::vec2(at[0] as f32, at[1] as f32)
-    }
-
-    /// Point of the page at a place in the window.
-    pub fn on_page(&self, place: Pos2) -> [f64; 2] {
-        let offset = place - self.corner;
-        [f64::from(offset.x), f64::from(offset.y)]
-    }
-
-    /// World point at a place in the window, as far from the eye as `through`.
-    pub fn world<const D: usize>(
-        &self,
-        camera: &Camera<D>,
-        place: Pos2,
-        through: [f64; D],
-    ) -> [f64; D] {
-        camera.unproject(self.page, self.on_page(place), through)
-    }
 }
 
 fn page_of(rect: Rect) -> Page {

@@ -1,7 +1,7 @@
 //! The leaf under the pointer, and its side.
 
-use super::PageInWindow;
 use super::gesture::SIDE_REACH;
+use crate::widgets::PageInWindow;
 use eframe::egui::Pos2;
 use octoscope_core::geometry::Ray;
 use octoscope_core::locate::{Direction, locate_by_codes};

@@ -1,9 +1,8 @@
 //! Why the cell under the pointer is not visited, in words.
 
-use super::PageInWindow;
 use super::gesture::Under;
 use crate::look::Look;
-use crate::widgets::rich_job;
+use crate::widgets::{PageInWindow, rich_job};
 use eframe::egui::{
     Align2, Label, Pos2, Rect, TextStyle, TextWrapMode, Ui, Vec2, WidgetInfo, WidgetText,
     accesskit::Role, vec2,

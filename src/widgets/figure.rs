@@ -1,7 +1,7 @@
 //! A figure as part of a panel.
 
+use super::{PageInWindow, paint_on_page};
 use crate::look::Look;
-use crate::space::{PageInWindow, paint};
 use eframe::egui::{Rect, Response, Sense, Ui, vec2};
 use octoscope_figure::{Figure, Page};
 
@@ -14,6 +14,6 @@ pub fn room(ui: &mut Ui, page: Page, sense: Sense) -> (Rect, Response) {
 pub fn paint_figure(ui: &Ui, look: &Look, rect: Rect, figure: &Figure) {
     if ui.is_rect_visible(rect) {
         let frame = PageInWindow { page: figure.page, corner: rect.min };
-        paint::figure(&ui.painter_at(rect.expand(3.0)), look, look.theme, frame, figure);
+        paint_on_page(&ui.painter_at(rect.expand(3.0)), look, look.theme, frame, figure);
     }
 }

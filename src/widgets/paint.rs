@@ -9,7 +9,13 @@ use octoscope_core::explain::RichText;
 use octoscope_figure::{Colour, Drawn, Figure, Form, Lettering, Paint, Style, Theme, Weight};
 
 /// Paints `figure` where `frame` says its page lies.
-pub fn figure(painter: &Painter, look: &Look, theme: Theme, frame: PageInWindow, figure: &Figure) {
+pub fn paint_on_page(
+    painter: &Painter,
+    look: &Look,
+    theme: Theme,
+    frame: PageInWindow,
+    figure: &Figure,
+) {
     for drawn in &figure.spelled_out().drawn {
         paint(painter, look, theme, frame, drawn);
     }

@@ -1,0 +1,42 @@
+//! Where the page of a figure lies in the window.
+
+use eframe::egui::{Pos2, vec2};
+use octoscope_figure::{Camera, Page};
+
+/// Where the page of a figure, or of a camera, lies in the window.
+#[derive(Clone, Copy, Debug)]
+pub struct PageInWindow {
+    /// Size of the page, in points.
+    pub page: Page,
+    /// Its upper left corner in the window.
+    pub corner: Pos2,
+}
+
+impl PageInWindow {
+    /// Place in the window of a world point, if it is before the eye.
+    pub fn place<const D: usize>(&self, camera: &Camera<D>, world: [f64; D]) -> Option<Pos2> {
+        let at = camera.project(self.page, world)?.at;
+        Some(self.on_screen(at))
+    }
+
+    /// Place in the window of a point of the page.
+    pub fn on_screen(&self, at: [f64; 2]) -> Pos2 {
+        self.corner + vec2(at[0] as f32, at[1] as f32)
+    }
+
+    /// Point of the page at a place in the window.
+    pub fn on_page(&self, place: Pos2) -> [f64; 2] {
+        let offset = place - self.corner;
+        [f64::from(offset.x), f64::from(offset.y)]
+    }
+
+    /// World point at a place in the window, as far from the eye as `through`.
+    pub fn world<const D: usize>(
+        &self,
+        camera: &Camera<D>,
+        place: Pos2,
+        through: [f64; D],
+    ) -> [f64; D] {
+        camera.unproject(self.page, self.on_page(place), through)
+    }
+}
