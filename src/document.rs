@@ -9,7 +9,7 @@ use crate::comparison::Run;
 use crate::history::Shared;
 use crate::traced::{MOST_EVENTS, Traced};
 use octoscope_core::event::Event;
-use octoscope_core::geometry::Ray;
+use octoscope_core::geometry::{Aabb, Ray};
 use octoscope_core::paper::Verdict;
 use octoscope_core::progress::Progress;
 use octoscope_core::query::Query;
@@ -184,6 +184,17 @@ impl<const D: usize> Document<D> {
     /// State of the algorithm after `step` events.
     pub fn moment(&self, step: usize) -> Moment<D> {
         Moment::after(&self.tree, &self.trace, step)
+    }
+
+    /// The root and, where they are near it, both handles of the ray.
+    pub fn interesting(&self) -> Aabb<D> {
+        let root = self.tree.domain().root_box();
+        let side = self.tree.domain().side();
+        let near = |p: &[f64; D]| (0..D).all(|e| (p[e] - root.centre()[e]).abs() <= 2.5 * side);
+        let ray = self.scenario.ray;
+        let handles = [ray.origin(), ray.at(1.0)].into_iter().filter(near);
+        let points = [root.min, root.max].into_iter().chain(handles);
+        Aabb::around(points).unwrap_or(root)
     }
 }
 

@@ -2,6 +2,7 @@
 
 use super::Order;
 use super::made::Made;
+use crate::figures::MARGIN;
 use octoscope_core::progress::Progress;
 use octoscope_figure::{Extent, Figure, Page, Scale};
 use std::ops::RangeInclusive;
@@ -40,7 +41,7 @@ impl Frames {
                 let max = [figure.page.width, figure.page.height];
                 match has_own_page {
                     true => Some(Extent { min: [0.0; 2], max }),
-                    false => figure.extent().map(|extent| extent.widened(Order::MARGIN)),
+                    false => figure.extent().map(|extent| extent.widened(MARGIN)),
                 }
             })?;
             kept = match (kept, found) {

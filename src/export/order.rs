@@ -1,6 +1,7 @@
 //! What an exported file is to be like.
 
 use super::{Format, Size};
+use crate::figures::MARGIN;
 use octoscope_figure::{Background, Page, Scale, Theme, TikzForm, Unit};
 
 /// What an exported file is to be like.
@@ -44,8 +45,6 @@ impl Default for Order {
 }
 
 impl Order {
-    /// Room around a figure that is cropped, in page units.
-    pub const MARGIN: f64 = 6.0;
     /// Size in which figures are laid out that are cropped then.
     const USUAL: Size = Size { width: 960.0, height: Some(720.0), unit: Unit::Pixel };
     /// The same on slides, which are 128 mm wide.
@@ -74,7 +73,7 @@ impl Order {
     /// on it.
     pub fn column(&self) -> Option<f64> {
         let has_own_height = self.size.is_some_and(|size| size.height.is_none());
-        has_own_height.then(|| self.page().width - 2.0 * Self::MARGIN)
+        has_own_height.then(|| self.page().width - 2.0 * MARGIN)
     }
 
     /// Length of the page's units in the file. That of pictures is in pixels:

@@ -1,9 +1,9 @@
 //! One export, whole: what the window and the command line ask for alike.
 
 use super::table::table;
-use super::{Eye, Format, Order, Series, Steps, left_out, print_shown, write};
+use super::{Eye, Format, Order, Series, Steps, print_shown, write};
 use crate::document::{AnyDocument, Document};
-use crate::figures::{Moments, Wanted, figure_of, take_exercise};
+use crate::figures::{Moments, Wanted, figure_of, left_out, take_exercise};
 use crate::files::Output;
 use crate::save;
 use crate::text::texts;

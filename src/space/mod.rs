@@ -20,7 +20,7 @@ use crate::render::Pace;
 use crate::view::View;
 use crate::widgets::{PageInWindow, paint_on_page};
 pub use base::Layers;
-use eframe::egui::{Event, Pos2, Rect, Sense, Ui, WidgetInfo, accesskit::Role};
+use eframe::egui::{Event, Rect, Sense, Ui, WidgetInfo, accesskit::Role};
 pub use flight::Flight;
 use octoscope_core::geometry::Aabb;
 use octoscope_core::paper::erratum_of;
@@ -168,7 +168,7 @@ fn page_of(rect: Rect) -> Page {
 /// beyond the root leaves the picture, so that the tree is large.
 fn framed<const D: usize>(document: &Document<D>, is_for_hall: bool) -> Aabb<D> {
     const BEYOND: f64 = 0.25;
-    let mut bounds = interesting(document);
+    let mut bounds = document.interesting();
     if is_for_hall {
         let root = document.tree.domain().root_box();
         let beyond = BEYOND * document.tree.domain().side();
@@ -178,15 +178,4 @@ fn framed<const D: usize>(document: &Document<D>, is_for_hall: bool) -> Aabb<D> 
         }
     }
     bounds
-}
-
-/// The root and, where they are near it, both handles of the ray.
-pub fn interesting<const D: usize>(document: &Document<D>) -> Aabb<D> {
-    let root = document.tree.domain().root_box();
-    let side = document.tree.domain().side();
-    let near = |p: &[f64; D]| (0..D).all(|e| (p[e] - root.centre()[e]).abs() <= 2.5 * side);
-    let ray = document.scenario.ray;
-    let handles = [ray.origin(), ray.at(1.0)].into_iter().filter(near);
-    let points = [root.min, root.max].into_iter().chain(handles);
-    Aabb::around(points).unwrap_or(root)
 }

@@ -2,7 +2,6 @@
 
 use crate::desk::{Desk, sample};
 use eframe::egui::{Key, Modifiers, vec2};
-use octoscope::space::interesting;
 use octoscope_figure::{Camera, Lens, Page};
 
 #[test]
@@ -46,7 +45,7 @@ fn a_turned_octree_keeps_its_side_and_is_fitted_into_every_room() {
     let room = desk.state().view.space.unwrap();
     let page = Page { width: f64::from(room.width()), height: f64::from(room.height()) };
     let mut fitted = elsewhere;
-    fitted.frame(&interesting(desk.space()), page);
+    fitted.frame(&desk.space().interesting(), page);
     assert_eq!(elsewhere, fitted);
 
     // What was zoomed on purpose stays as it is, until all is asked for.

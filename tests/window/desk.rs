@@ -5,7 +5,6 @@ use egui_kittest::kittest::{NodeT, Queryable};
 use egui_kittest::{Harness, HarnessBuilder, Node};
 use octoscope::app::App;
 use octoscope::document::{AnyDocument, Document};
-use octoscope::space::interesting;
 use octoscope::widgets::PageInWindow;
 use octoscope_core::scenario::AnyScenario;
 use octoscope_figure::{Camera, Page};
@@ -205,7 +204,7 @@ impl Desk {
     fn plane_view(&self) -> (PageInWindow, Camera<2>) {
         let rect = self.get_by_role_and_label(Role::Canvas, "Space view").rect();
         let page = Page { width: f64::from(rect.width()), height: f64::from(rect.height()) };
-        let framed = || Camera::framing(&interesting(self.plane()), page);
+        let framed = || Camera::framing(&self.plane().interesting(), page);
         let camera = self.state().view.plane_camera.unwrap_or_else(framed);
         (PageInWindow { page, corner: rect.min }, camera)
     }

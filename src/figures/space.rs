@@ -1,0 +1,93 @@
+//! The figure of the space view.
+
+use crate::document::Document;
+use octoscope_core::scene::Content;
+use octoscope_figure::{
+    Camera, Figure, Mark, Page, Rest, Role, Shape, Show, axes, axis_names, cells, content, marks,
+    node_mark, space_figure,
+};
+
+/// From the end of an axis to its name, in page units.
+const NAME_DISTANCE: f64 = 22.0;
+/// Smaller pages have no room for names.
+const NAMES_FROM: f64 = 200.0;
+
+/// Figure of the space view of `document` after `step` events, on the whole of
+/// `page`. Without a camera, the tree and the ray fill it.
+pub fn space<const D: usize>(
+    document: &Document<D>,
+    camera: Option<Camera<D>>,
+    page: Page,
+    show: &Show,
+    step: usize,
+) -> Figure {
+    let camera = camera.unwrap_or_else(|| Camera::framing(&document.interesting(), page));
+    let scenario = &document.scenario;
+    let moment = document.moment(step);
+    let event = step.checked_sub(1).and_then(|index| document.trace.events.get(index));
+    let mut all = Vec::new();
+    let cut = show.slice.and_then(|slice| slice.cut(document.tree.domain(), &camera));
+    if n_leaves_shown(document, show) <= MOST_LEAVES {
+        all.extend(cells(&document.tree, show, cut.as_ref()));
+        all.extend(pixels(document, show));
+    }
+    if show.content && n_primitives_shown(document, show) <= MOST_PRIMITIVES {
+        all.extend(content(&document.content, cut.as_ref()));
+    }
+    all.extend(axes(document.tree.domain(), show, &camera));
+    if page.width.min(page.height) >= NAMES_FROM {
+        let beyond = NAME_DISTANCE * camera.height / page.height;
+        all.extend(axis_names(document.tree.domain(), beyond));
+    }
+    all.extend(marks(&document.tree, &scenario.ray, &scenario.query, &moment, event, show));
+    let right = document.right_nodes().into_iter();
+    all.extend(right.map(|node| node_mark(&document.tree, node, Role::Expected)));
+    all.sort_by_key(|mark| mark.role.layer());
+    space_figure(&all, &camera, page)
+}
+
+/// Leaves of a picture in their mean colours.
+fn pixels<const D: usize>(document: &Document<D>, show: &Show) -> Vec<Mark<D>> {
+    let is_shown = show.content && show.rest == Rest::Plain;
+    let colours = document.leaf_colours().filter(|_| is_shown).unwrap_or_default();
+    let tree = &document.tree;
+    let coloured = tree.leaves().filter(|&leaf| show.shows(tree, leaf)).filter_map(|leaf| {
+        let colour = *colours.get(leaf.id.index())?;
+        Some(Mark::new(Shape::Box(tree.node_box(leaf.id)), Role::Pixel(colour?)))
+    });
+    coloured.collect()
+}
+
+/// More points or solids than this, and more leaves, are left out of figures:
+/// nobody could tell them apart, and the files would be huge.
+const MOST_PRIMITIVES: usize = 200_000;
+const MOST_LEAVES: usize = 200_000;
+
+fn n_leaves_shown<const D: usize>(document: &Document<D>, show: &Show) -> usize {
+    show.nodes(&document.tree).count()
+}
+
+fn n_primitives_shown<const D: usize>(document: &Document<D>, show: &Show) -> usize {
+    match &*document.content {
+        Content::Cells(_) | Content::Image(_) => 0,
+        Content::Points(_) | Content::Spheres(_) | Content::Boxes(_) | Content::Triangles(_) => {
+            if show.content {
+                document.content.len()
+            } else {
+                0
+            }
+        }
+    }
+}
+
+/// What the figure of the space view leaves out, in words, if anything.
+pub fn left_out<const D: usize>(document: &Document<D>, show: &Show) -> Option<String> {
+    let too_many = |n: usize, most: usize, what: &str| {
+        (n > most).then(|| format!("{n} {what} are left out; figures show at most {most}"))
+    };
+    let left_out = [
+        too_many(n_leaves_shown(document, show), MOST_LEAVES, "leaves beside the ray"),
+        too_many(n_primitives_shown(document, show), MOST_PRIMITIVES, "points or solids"),
+    ];
+    left_out.into_iter().flatten().reduce(|a, b| format!("{a}; {b}"))
+}
