@@ -2,7 +2,6 @@
 //! them: in a window and on the command line.
 
 pub mod app;
-pub mod arrangement;
 pub mod bench;
 pub mod cli;
 pub mod command;

@@ -1,11 +1,11 @@
 //! What the window remembers that is not part of the scenario.
 
+mod arrangement;
 mod dialog;
 mod hover;
 mod map;
 mod preset;
 
-use crate::arrangement::Arrangement;
 use crate::export::Choice;
 use crate::lab;
 use crate::playback::Playback;
@@ -21,6 +21,7 @@ use serde::{Deserialize, Serialize};
 use std::any::Any;
 use std::collections::BTreeMap;
 
+pub use arrangement::{Arrangement, PanelChange};
 pub use dialog::{Dialog, Search, Typed};
 pub use hover::Hover;
 pub use map::{MapView, RaysOf};
@@ -246,7 +247,6 @@ impl Default for View {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::arrangement::Change;
     use octoscope_core::traverse::{Variant, Variants};
 
     #[test]
@@ -262,7 +262,7 @@ mod tests {
         let query = Query::<2>::default();
         let mut view = View { preset: Preset::Debug, ..View::default() };
         let shown = view.panels(&query);
-        view.arrangement().change(PanelKind::Stack, Change::Close, &shown);
+        view.arrangement().change(PanelKind::Stack, PanelChange::Close, &shown);
         view.arrangement().add(PanelKind::Codes);
         let json = serde_json::to_string(&view).unwrap();
         let mut again: View = serde_json::from_str(&json).unwrap();

@@ -2,12 +2,11 @@
 
 use super::App;
 use super::jobs::is_misprinted;
-use crate::arrangement::Change;
 use crate::command::Command;
 use crate::document::AnyDocument;
 use crate::finder::Target;
 use crate::history::History;
-use crate::view::{Dialog, PanelKind, Preset, Search, View};
+use crate::view::{Dialog, PanelChange, PanelKind, Preset, Search, View};
 use crate::with_document;
 use eframe::egui::{Context, ViewportCommand};
 use octoscope_core::explain::Notation;
@@ -220,7 +219,7 @@ impl App {
     fn show_or_close(&mut self, kind: PanelKind) {
         let shown = self.panels();
         if shown.contains(&kind) {
-            self.view.arrangement().change(kind, Change::Close, &shown);
+            self.view.arrangement().change(kind, PanelChange::Close, &shown);
         } else {
             self.show_panel(kind);
         }

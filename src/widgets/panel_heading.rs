@@ -1,7 +1,7 @@
 //! Heading of a panel that can be folded, moved and closed.
 
-use crate::arrangement::Change;
 use crate::look::Look;
+use crate::view::PanelChange;
 use eframe::egui::{
     Align, Button, Label, Layout, Popup, RichText, Sense, Stroke, StrokeKind, Ui, WidgetInfo,
     accesskit::Role, vec2,
@@ -26,7 +26,7 @@ pub fn panel_heading(
     title: &str,
     note: &str,
     place: Place,
-) -> Option<Change> {
+) -> Option<PanelChange> {
     let mut chosen = None;
     ui.horizontal(|ui| {
         let color = if place.folded { look.palette.quiet } else { look.palette.ink };
@@ -43,7 +43,7 @@ pub fn panel_heading(
 }
 
 /// Three dots that open the menu.
-fn menu(ui: &mut Ui, look: &Look, title: &str, place: Place) -> Option<Change> {
+fn menu(ui: &mut Ui, look: &Look, title: &str, place: Place) -> Option<PanelChange> {
     let (rect, button) = ui.allocate_exact_size(vec2(24.0, 24.0), Sense::click());
     let name = look.texts.format("panel-menu", &[("title", title.to_owned().into())]);
     button.widget_info(|| WidgetInfo::labeled(Role::Button, true, name.as_str()));
@@ -60,10 +60,10 @@ fn menu(ui: &mut Ui, look: &Look, title: &str, place: Place) -> Option<Change> {
     Popup::menu(&button).show(|ui| {
         let fold = if place.folded { "panel-unfold" } else { "panel-fold" };
         for (change, key, enabled) in [
-            (Change::Fold, fold, true),
-            (Change::MoveUp, "panel-up", place.index > 0),
-            (Change::MoveDown, "panel-down", place.index + 1 < place.n_panels),
-            (Change::Close, "panel-close", true),
+            (PanelChange::Fold, fold, true),
+            (PanelChange::MoveUp, "panel-up", place.index > 0),
+            (PanelChange::MoveDown, "panel-down", place.index + 1 < place.n_panels),
+            (PanelChange::Close, "panel-close", true),
         ] {
             if ui.add_enabled(enabled, Button::new(look.text(key))).clicked() {
                 chosen = Some(change);

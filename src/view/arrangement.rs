@@ -1,6 +1,6 @@
 //! How the user has arranged the panels of a preset.
 
-use crate::view::PanelKind;
+use super::PanelKind;
 use serde::{Deserialize, Serialize};
 
 /// What the user has changed about the panels of one preset. What is not said
@@ -23,7 +23,7 @@ pub struct Arrangement {
 
 /// Something that can be done to a panel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Change {
+pub enum PanelChange {
     /// Leave only its heading, or show all of it again.
     Fold,
     /// Exchange it with the panel before it.
@@ -73,18 +73,18 @@ impl Arrangement {
     }
 
     /// Changes a panel of those that are `shown`.
-    pub fn change(&mut self, kind: PanelKind, change: Change, shown: &[PanelKind]) {
+    pub fn change(&mut self, kind: PanelKind, change: PanelChange, shown: &[PanelKind]) {
         match change {
-            Change::Fold => {
+            PanelChange::Fold => {
                 if self.is_folded(kind) {
                     self.unfold(kind);
                 } else {
                     self.folded.push(kind);
                 }
             }
-            Change::MoveUp => self.exchange(shown, kind, |index| index.checked_sub(1)),
-            Change::MoveDown => self.exchange(shown, kind, |index| Some(index + 1)),
-            Change::Close => {
+            PanelChange::MoveUp => self.exchange(shown, kind, |index| index.checked_sub(1)),
+            PanelChange::MoveDown => self.exchange(shown, kind, |index| Some(index + 1)),
+            PanelChange::Close => {
                 self.added.retain(|&other| other != kind);
                 self.closed.push(kind);
             }
@@ -133,7 +133,7 @@ mod tests {
 
     const PRESET: [PanelKind; 3] = [Rail, Automaton, Counters];
 
-    fn changed(changes: &[(PanelKind, Change)]) -> Arrangement {
+    fn changed(changes: &[(PanelKind, PanelChange)]) -> Arrangement {
         let mut arrangement = Arrangement::default();
         for &(kind, change) in changes {
             let shown = arrangement.shown(&PRESET);
@@ -149,15 +149,15 @@ mod tests {
 
     #[test]
     fn panels_move_but_not_beyond_both_ends() {
-        let up = changed(&[(Counters, Change::MoveUp), (Counters, Change::MoveUp)]);
+        let up = changed(&[(Counters, PanelChange::MoveUp), (Counters, PanelChange::MoveUp)]);
         assert_eq!(up.shown(&PRESET), [Counters, Rail, Automaton]);
-        let ends = changed(&[(Rail, Change::MoveUp), (Counters, Change::MoveDown)]);
+        let ends = changed(&[(Rail, PanelChange::MoveUp), (Counters, PanelChange::MoveDown)]);
         assert_eq!(ends.shown(&PRESET), PRESET);
     }
 
     #[test]
     fn a_closed_panel_stays_closed_until_it_is_added() {
-        let mut arrangement = changed(&[(Automaton, Change::Close)]);
+        let mut arrangement = changed(&[(Automaton, PanelChange::Close)]);
         assert_eq!(arrangement.shown(&PRESET), [Rail, Counters]);
         arrangement.add(Automaton);
         assert_eq!(arrangement.shown(&PRESET), PRESET);
@@ -169,20 +169,20 @@ mod tests {
         arrangement.add(Codes);
         assert_eq!(arrangement.shown(&PRESET), [Rail, Automaton, Counters, Codes]);
         assert_eq!(arrangement.shown(&[Region]), [Region, Codes]);
-        arrangement.change(Codes, Change::Close, &[Region, Codes]);
+        arrangement.change(Codes, PanelChange::Close, &[Region, Codes]);
         assert_eq!(arrangement.shown(&PRESET), PRESET);
     }
 
     #[test]
     fn another_querys_panel_comes_where_the_preset_has_it() {
-        let moved = changed(&[(Counters, Change::MoveUp)]);
+        let moved = changed(&[(Counters, PanelChange::MoveUp)]);
         let automatic = [Rail, Neighbour, Automaton, Counters];
         assert_eq!(moved.shown(&automatic), [Rail, Neighbour, Counters, Automaton]);
     }
 
     #[test]
     fn restoring_forgets_everything_but_that_it_was_restored() {
-        let mut arrangement = changed(&[(Rail, Change::Fold), (Counters, Change::Close)]);
+        let mut arrangement = changed(&[(Rail, PanelChange::Fold), (Counters, PanelChange::Close)]);
         arrangement.add(Codes);
         let key = arrangement.width_key();
         arrangement.restore();
