@@ -4,8 +4,7 @@
 mod menu;
 
 use crate::show_change::{ShowChange, ShownPart};
-use crate::space::Standpoint;
-use crate::view::PanelKind;
+use crate::view::{PanelKind, Standpoint};
 use eframe::egui::{Key, KeyboardShortcut, Modifiers};
 use octoscope_core::gallery::Degenerate;
 

@@ -2,14 +2,15 @@
 
 mod arrangement;
 mod dialog;
+mod flight;
 mod hover;
 mod map;
 mod preset;
+mod standpoint;
 
 use crate::export::Choice;
 use crate::lab;
 use crate::playback::Playback;
-use crate::space::{Flight, Standpoint};
 use crate::tree_view::TreeView;
 use eframe::egui::{Pos2, Rect, Vec2};
 use octoscope_core::explain::Notation;
@@ -23,9 +24,11 @@ use std::collections::BTreeMap;
 
 pub use arrangement::{Arrangement, PanelChange};
 pub use dialog::{Dialog, Search, Typed};
+pub use flight::Flight;
 pub use hover::Hover;
 pub use map::{MapView, RaysOf};
 pub use preset::{PanelKind, Preset};
+pub use standpoint::Standpoint;
 
 /// State of the window: neither undone nor saved with the scenario.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]

@@ -4,7 +4,7 @@ use super::App;
 use super::jobs::is_misprinted;
 use crate::command::{COMMANDS, Command, belongs_to_focus};
 use crate::document::Found;
-use crate::space::Standpoint;
+use crate::view::Standpoint;
 use crate::with_document;
 use eframe::egui::{Context, Key, Popup};
 

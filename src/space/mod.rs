@@ -17,11 +17,10 @@ mod why;
 use crate::document::Document;
 use crate::look::Look;
 use crate::render::Pace;
-use crate::view::View;
+use crate::view::{Flight, View};
 use crate::widgets::{PageInWindow, paint_on_page};
 pub use base::Layers;
 use eframe::egui::{Event, Rect, Sense, Ui, WidgetInfo, accesskit::Role};
-pub use flight::Flight;
 use octoscope_core::geometry::Aabb;
 use octoscope_core::paper::erratum_of;
 use octoscope_core::query::Query;
@@ -31,7 +30,6 @@ use octoscope_figure::{
     Camera, Mark, Page, Role as MarkRole, Show, axes, cells, content, node_mark, space_figure,
 };
 use run::run_marks;
-pub use standpoint::Standpoint;
 
 /// What the view shows and changes.
 pub struct Space<'a, const D: usize> {

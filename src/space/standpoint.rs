@@ -1,26 +1,11 @@
-//! Where the space view is looked at from, when the user asks by name.
+//! The camera goes where the user asks by name, and behind the current node.
 
 use crate::document::Document;
-use crate::view::View;
+use crate::view::{Standpoint, View};
 use octoscope_core::geometry::Aabb;
 use octoscope_core::trace::Moment;
 use octoscope_figure::{Camera, Lens, Page};
 use std::f64::consts::FRAC_PI_2;
-
-/// What the camera is asked for.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Standpoint {
-    /// Along x, from the right.
-    Right,
-    /// Along y, from the front.
-    Front,
-    /// Along z, from above.
-    Above,
-    /// The current node, in the middle and large.
-    Node,
-    /// Everything, from the present side.
-    Everything,
-}
 
 /// How much of the view's height the current node takes.
 const NODE_SHARE: f64 = 0.45;
