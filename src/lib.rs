@@ -38,3 +38,4 @@ pub mod tree_view;
 pub mod view;
 pub mod widgets;
 pub mod window;
+pub mod wish;

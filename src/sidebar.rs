@@ -9,10 +9,10 @@ use crate::notice::Notice;
 use crate::panels::{formula, notice_line, query, ray, scene, show};
 use crate::space::{self, Layers, Space};
 use crate::view::{PanelKind, Preset, View};
+use crate::wish::Wish;
 use eframe::egui::{CentralPanel, Frame, Margin, Panel, Rangef, ScrollArea, Ui, UiBuilder};
 use octoscope_core::explain::formulas;
 use octoscope_core::query::Query;
-use octoscope_core::traverse::Variant;
 use octoscope_figure::views::FormulaRows;
 
 /// Windows of less than this, in points, have panels on one side only.
@@ -26,19 +26,6 @@ const LEAST_VIEW: f32 = 320.0;
 const LEAST_NARROW_VIEW: f32 = 240.0;
 /// Width of the question's side, margins included.
 const QUESTION: f32 = 280.0;
-
-/// What a panel wishes the window to do.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Wish {
-    /// Open the built-in scene of this identifier.
-    Scene(&'static str),
-    /// Open the counterexample of a misprint.
-    Counterexample(Variant),
-    /// Look for another question on which the rules go wrong.
-    OtherQuestion,
-    /// Move the playhead.
-    Step(usize),
-}
 
 /// Shows the panels on both sides and the space view between them. Returns what
 /// they wish for.

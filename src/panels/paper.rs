@@ -2,8 +2,8 @@
 
 use crate::document::Found;
 use crate::look::Look;
-use crate::sidebar::Wish;
 use crate::widgets::{printed_and_right, rich_label};
+use crate::wish::Wish;
 use eframe::egui::{CollapsingHeader, Label, RichText, Ui};
 use octoscope_core::explain::{RichText as Words, misprint_formula};
 use octoscope_core::paper::{

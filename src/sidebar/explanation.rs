@@ -7,9 +7,9 @@ use crate::panels::{
     automaton, children, codes, compare, counters, cuts, grid, halves, links, listing, map,
     neighbour, paper, region, stack, t_rail, tables, tree, variables, way_down, why_not,
 };
-use crate::sidebar::Wish;
 use crate::view::{PanelKind, Preset, View};
 use crate::widgets::{Place, panel_heading};
+use crate::wish::Wish;
 use eframe::egui::style::ScrollAnimation;
 use eframe::egui::{Align, Rect, RichText, Ui, UiBuilder, vec2};
 use octoscope_core::event::Event;
