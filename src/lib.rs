@@ -18,6 +18,7 @@ pub mod history;
 pub mod job;
 pub mod kept_show;
 pub mod lab;
+pub mod lab_dialog;
 pub mod look;
 pub mod map;
 pub mod notice;

@@ -1,4 +1,4 @@
-//! The bench lab: its page, and its work on another thread.
+//! The bench lab: its dialog, and its work on another thread.
 
 use super::App;
 use super::exporting::Made;
@@ -6,7 +6,8 @@ use super::jobs::file_name;
 use crate::bench::run;
 use crate::comparison::is_quick;
 use crate::job::{Job, Poll};
-use crate::lab::{self, Answer, SIZE_OF_FILES, Shown, State, Tab, figure, lines};
+use crate::lab::{self, SIZE_OF_FILES, Tab, figure, lines};
+use crate::lab_dialog::{self, Answer, Shown, State};
 use crate::view::Dialog;
 use crate::{complaint, with_document};
 use anyhow::anyhow;
@@ -76,7 +77,7 @@ impl App {
             state,
             note: note.as_deref(),
         };
-        let answer = lab::ui(context, &self.look, shown);
+        let answer = lab_dialog::ui(context, &self.look, shown);
         self.view.lab = choice;
         match answer {
             None => {}

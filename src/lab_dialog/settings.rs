@@ -1,8 +1,8 @@
 //! What is to be measured.
 
-use super::Choice;
-use super::page::{Answer, Shown, State};
+use super::{Answer, Shown, State};
 use crate::bench::{MOST_DEPTH, MOST_RAYS, MOST_REPEATS};
+use crate::lab::Choice;
 use crate::look::Look;
 use crate::widgets::{MOST_SEED, ranged_field, tick};
 use eframe::egui::emath::Numeric;

@@ -1,7 +1,9 @@
-//! The page of the lab, over the window: what to measure at the left, what came of it
+//! The dialog of the bench lab: what to measure at the left, what came of it
 //! at the right.
 
-use super::{Choice, ENDINGS, Ending, Tab, figure, settings};
+mod settings;
+
+use crate::lab::{Choice, ENDINGS, Ending, Tab, figure};
 use crate::look::Look;
 use crate::widgets::{paint_figure, room, segments};
 use eframe::egui::{
@@ -12,7 +14,7 @@ use octoscope_core::measure::{Quantity, Results, Watched};
 use octoscope_figure::views::lab::scene_name;
 use octoscope_figure::{Figure, Form};
 
-/// What the page shows.
+/// What the dialog shows, and what it changes.
 pub struct Shown<'a> {
     /// What is chosen.
     pub choice: &'a mut Choice,
@@ -46,14 +48,14 @@ pub enum Answer {
     Stop,
     /// Save what is shown to a file with this ending.
     Save(Ending),
-    /// Close the page.
+    /// Close the dialog.
     Close,
 }
 
 /// Width of the settings.
 const SETTINGS: f32 = 262.0;
 
-/// Shows the page.
+/// Shows the dialog.
 pub fn ui(context: &Context, look: &Look, mut shown: Shown) -> Option<Answer> {
     let mut answer = None;
     let frame = Frame::popup(&context.global_style()).inner_margin(18.0);
