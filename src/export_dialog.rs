@@ -1,6 +1,7 @@
 //! The dialog of an export: what is chosen, how it looks, the command that does
 //! the same.
 
+mod request;
 mod settings;
 
 use crate::export::{Choice, Origin, Request, shell_line};
@@ -17,6 +18,8 @@ use octoscope_figure::Show;
 use octoscope_figure::views::FigureView;
 use settings::settings;
 use std::path::Path;
+
+pub use request::request;
 
 /// What is chosen, and all that the dialog shows beside it.
 pub struct Shown<'a> {

@@ -62,7 +62,7 @@ impl App {
             self.exporting.refused = None;
             return;
         }
-        let request = self.view.export.request(&self.document, &self.view);
+        let request = export_dialog::request(&self.document, &self.view);
         self.make_preview(context, &request);
         let origin = Origin::of(&self.document, self.exporting.saved.as_ref());
         let (mut choice, mut language) = (self.view.export.clone(), self.view.language);
@@ -144,7 +144,7 @@ impl App {
     pub(super) fn export_to(&mut self, context: &Context, path: &Path) {
         self.view.dialog = Some(Dialog::Export);
         self.view.export.set_file(&path.to_string_lossy());
-        let request = self.view.export.request(&self.document, &self.view);
+        let request = export_dialog::request(&self.document, &self.view);
         let (name, mut document, path) = (file_name(path), self.document.clone(), path.to_owned());
         let title = self.look.texts.format("job-export", &[("name", name.as_str().into())]);
         let work = move |progress: &Progress| {

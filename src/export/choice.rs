@@ -1,14 +1,11 @@
 //! What the window offers for an export; remembered from one to the next.
 
-use super::{Eye, Format, Order, Request, Size, Steps};
-use crate::document::{AnyDocument, Document};
+use super::{Format, Size};
+use crate::document::AnyDocument;
 use crate::figures::{Moments, views_of};
-use crate::view::View;
 use crate::with_document;
-use octoscope_core::explain::Notation;
-use octoscope_core::scenario::StepAt;
-use octoscope_figure::views::{Fields, FigureView};
-use octoscope_figure::{Background, Show, Theme, TikzForm, Unit};
+use octoscope_figure::views::FigureView;
+use octoscope_figure::{Background, Theme, TikzForm, Unit};
 use serde::{Deserialize, Serialize};
 use std::path::Path;
 
@@ -223,88 +220,6 @@ impl Choice {
         let on_paper = matches!(self.unit, Unit::Millimetre | Unit::Point);
         self.format.is_of_pixels() && (self.extent == Extent::Cropped || !on_paper)
     }
-
-    /// What is asked for of `document` as `view` shows it.
-    pub fn request(&self, document: &AnyDocument, view: &View) -> Request {
-        let short =
-            |x: f64, [least, most]: [f64; 2]| ((x * 100.0).round() / 100.0).clamp(least, most);
-        let enlarged = short(self.enlarged, [0.01, 100.0]);
-        let is_tikz = self.format == Format::Tikz;
-        let figure = Order {
-            format: self.format,
-            theme: self.theme,
-            background: self.background,
-            size: self.size(),
-            enlarged: Some(enlarged).filter(|x| self.can_be_enlarged() && *x != 1.0),
-            type_scale: short(self.type_scale, [0.25, 8.0]),
-            line_scale: short(self.line_scale, [0.25, 8.0]),
-            tikz: if is_tikz { self.tikz } else { TikzForm::default() },
-            pause_secs: match self.format.moves() {
-                true => short(self.pause_secs, [0.02, 60.0]),
-                false => Order::default().pause_secs,
-            },
-        };
-        // Text has no looks.
-        let order = match self.format.is_of_text() {
-            true => Order { format: self.format, ..Order::default() },
-            false => figure,
-        };
-        let shown = self.view_of(document);
-        let chosen = match shown.is_of_a_step() {
-            true if self.format.is_of_text() => StepChoice::All,
-            true => self.steps,
-            false => StepChoice::Here,
-        };
-        let steps = match chosen {
-            StepChoice::Here => Steps::One(StepAt::At(view.playback.step)),
-            StepChoice::All => Steps::All,
-            StepChoice::Range => {
-                let [first, last] = self.range.map(|step| step.min(document.n_events()));
-                Steps::Range(StepAt::At(first.min(last)), StepAt::At(first.max(last)))
-            }
-        };
-        let in_space = shown.shows_space();
-        let eye = with_document!(document, d => eye(d, view, &order)).filter(|_| in_space);
-        let show = with_document!(document, d => shown_of(d, view)).filter(|_| in_space);
-        let (is_story, is_sheet) =
-            (shown == FigureView::Storyboard, shown == FigureView::Worksheet);
-        let moments = if is_story { self.moments(document.n_events()) } else { Moments::default() };
-        let is_numbered = is_sheet && self.exercise == ExerciseChoice::Numbered;
-        let fields = if is_sheet && self.solution { Fields::Solved } else { Fields::Empty };
-        Request {
-            view: shown,
-            order,
-            steps,
-            moments,
-            exercise: (is_numbered.then_some(self.seed), fields),
-            eye,
-            show,
-            language: view.language,
-            notation: match shown {
-                FigureView::Formula => view.notation,
-                FigureView::Space
-                | FigureView::Tree
-                | FigureView::Automaton
-                | FigureView::TRail
-                | FigureView::Codes
-                | FigureView::Region
-                | FigureView::Neighbour
-                | FigureView::Listing
-                | FigureView::Table
-                | FigureView::Chart
-                | FigureView::Storyboard
-                | FigureView::Worksheet => Notation::default(),
-            },
-        }
-    }
-}
-
-fn eye<const D: usize>(document: &Document<D>, view: &View, order: &Order) -> Option<Eye> {
-    view.camera::<D>().map(|camera| Eye::of(&camera, document, order.page()))
-}
-
-fn shown_of<const D: usize>(_: &Document<D>, view: &View) -> Option<Show> {
-    Some(*view.show::<D>()).filter(|show| *show != Show::at_first::<D>())
 }
 
 #[cfg(test)]
