@@ -1,12 +1,14 @@
 //! The arrows between the parts of the program, read from its sources.
 //!
-//! Every rule is a row of [`RULES`]; [`names`] turns a source into the paths
-//! that it mentions, so that comments and strings never count.
+//! Every rule is a row of [`RULES`]; `names` turns a source into the paths that it
+//! mentions, so that comments and strings never count.
 
 #![allow(clippy::unwrap_used, reason = "a test may panic")]
 
+mod sources;
+
+use sources::{names, root, sources};
 use std::fs;
-use std::path::{Path, PathBuf};
 
 /// Paths that the files of one place must not name.
 struct Rule {
@@ -212,69 +214,6 @@ fn named_panels(path: &str, text: &str) -> Vec<String> {
         .collect()
 }
 
-/// Paths of more than one name in a source, without its comments, strings and
-/// tests; `use a::{b, c}` counts as `a::b` and `a::c`.
-fn names(text: &str) -> Vec<Vec<String>> {
-    let code = text.split("#[cfg(test)]\nmod ").next().unwrap_or_default();
-    let code = without_comments_and_strings(code);
-    let mut names = Vec::new();
-    let mut prefixes: Vec<Vec<String>> = Vec::new();
-    let mut path: Vec<String> = Vec::new();
-    let mut word = String::new();
-    let mut characters = code.chars().filter(|c| !matches!(c, '\n' | '\r')).peekable();
-    while let Some(c) = characters.next() {
-        if c.is_alphanumeric() || c == '_' {
-            word.push(c);
-            continue;
-        }
-        let joins = c == ':' && characters.peek() == Some(&':');
-        if !word.is_empty() {
-            path.push(std::mem::take(&mut word));
-        }
-        if joins {
-            characters.next();
-            if characters.peek() == Some(&'{') {
-                characters.next();
-                let outer = prefixes.last().cloned().unwrap_or_default();
-                prefixes.push([outer, std::mem::take(&mut path)].concat());
-            }
-            continue;
-        }
-        if !path.is_empty() {
-            let prefix = prefixes.last().cloned().unwrap_or_default();
-            names.push([prefix, std::mem::take(&mut path)].concat());
-        }
-        if c == '}' {
-            prefixes.pop();
-        }
-    }
-    names.retain(|name| name.len() > 1);
-    names
-}
-
-/// Source without the text of comments and of string literals.
-fn without_comments_and_strings(text: &str) -> String {
-    let mut code = String::new();
-    for line in text.lines() {
-        let mut in_string = false;
-        let mut previous = ' ';
-        let mut characters = line.chars().peekable();
-        while let Some(c) = characters.next() {
-            if !in_string && c == '/' && characters.peek() == Some(&'/') {
-                break;
-            }
-            if c == '"' && previous != '\\' && previous != '\'' {
-                in_string = !in_string;
-            } else if !in_string {
-                code.push(c);
-            }
-            previous = if previous == '\\' { ' ' } else { c };
-        }
-        code.push(' ');
-    }
-    code
-}
-
 /// Names of the dependencies of a manifest, those of tests left out.
 fn dependencies(manifest: &str) -> Vec<String> {
     let mut in_dependencies = false;
@@ -287,39 +226,6 @@ fn dependencies(manifest: &str) -> Vec<String> {
         }
     }
     found
-}
-
-/// Text files of the workspace with one of the `endings`, by their path with
-/// slashes, relative to the workspace.
-fn sources(endings: &[&str]) -> Vec<(String, String)> {
-    let mut found = Vec::new();
-    let mut folders: Vec<PathBuf> = ["src", "crates", "tests", "xtask", "assets", ".cargo"]
-        .map(|name| root().join(name))
-        .into();
-    while let Some(folder) = folders.pop() {
-        for entry in fs::read_dir(&folder).into_iter().flatten() {
-            let path = entry.unwrap().path();
-            if path.is_dir() {
-                folders.push(path);
-            } else if path.extension().is_some_and(|e| endings.iter().any(|ending| e == *ending)) {
-                found.push(path);
-            }
-        }
-    }
-    let top = ["README.md", "ARCHITECTURE.md", "Cargo.toml"].map(|name| root().join(name));
-    let top = top.into_iter().filter(|path| path.is_file());
-    found.extend(top.filter(|path| endings.iter().any(|e| path.extension().unwrap() == *e)));
-    found
-        .into_iter()
-        .map(|path| {
-            let name = path.strip_prefix(root()).unwrap().to_str().unwrap().replace('\\', "/");
-            (name, fs::read_to_string(&path).unwrap())
-        })
-        .collect()
-}
-
-fn root() -> &'static Path {
-    Path::new(env!("CARGO_MANIFEST_DIR"))
 }
 
 mod checker {
