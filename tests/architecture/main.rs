@@ -5,6 +5,7 @@
 
 #![allow(clippy::unwrap_used, reason = "a test may panic")]
 
+mod circles;
 mod sources;
 
 use sources::{names, root, sources};
