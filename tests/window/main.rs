@@ -11,6 +11,7 @@ mod controls;
 mod desk;
 mod drawn;
 mod export;
+mod export_command;
 mod export_matrix;
 mod files;
 mod find;

@@ -1,9 +1,14 @@
-//! Which node an event is about.
+//! Which result or node an event is about.
 
 use super::Event;
 use crate::tree::NodeId;
 
 impl<const D: usize> Event<D> {
+    /// Whether the event reports a leaf, a touch or a node.
+    pub fn is_result(&self) -> bool {
+        matches!(self, Self::Leaf { .. } | Self::Touch { .. } | Self::Found { .. })
+    }
+
     /// The leaf that is visited, or the node that is found.
     pub fn result_node(&self) -> Option<NodeId> {
         let is_found = matches!(self, Self::Leaf { .. } | Self::Found { .. });

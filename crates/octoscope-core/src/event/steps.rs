@@ -1,6 +1,6 @@
 //! The steps of all algorithms.
 
-use super::End;
+use super::{End, Halves, Lookup, Search};
 use crate::geometry::Axes;
 use crate::tree::{Child, Code, NodeId, Part};
 
@@ -392,57 +392,4 @@ pub enum Event<const D: usize> {
     },
     /// The algorithm ends.
     End(End),
-}
-
-/// Work of finding the cell in which a ray is just after some parameter.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Search {
-    /// Axes along which a point of the ray was computed as a first guess.
-    pub guesses: u8,
-    /// Planes of the grid whose parameter was computed and compared.
-    pub parameters: u8,
-    /// Planes of the grid that were compared with the origin of the ray, along
-    /// axes that it does not move along.
-    pub coordinates: u8,
-}
-
-impl Search {
-    /// No work: the cell is known.
-    pub const NONE: Self = Self { guesses: 0, parameters: 0, coordinates: 0 };
-
-    /// The work of both.
-    pub fn and(self, other: Self) -> Self {
-        Self {
-            guesses: self.guesses + other.guesses,
-            parameters: self.parameters + other.parameters,
-            coordinates: self.coordinates + other.coordinates,
-        }
-    }
-}
-
-/// Halves of a part that a ray is in.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Halves {
-    /// Only the half on the side of the origin.
-    Near,
-    /// Only the half beyond the plane.
-    Far,
-    /// First the near, then the far half.
-    Both,
-}
-
-/// Where it is looked up on which sides of its parent a child lies.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Lookup {
-    /// In the tables of adjacency and of the common part [Samet 1989].
-    Tables,
-    /// In the bits of the child, compared with those of the ray's corner.
-    Bits,
-}
-
-impl<const D: usize> Event<D> {
-    /// Whether the event reports a leaf, a touch or a node.
-    pub fn is_result(&self) -> bool {
-        matches!(self, Event::Leaf { .. } | Event::Touch { .. } | Event::Found { .. })
-    }
 }

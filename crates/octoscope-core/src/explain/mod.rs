@@ -3,6 +3,7 @@
 
 mod as_printed;
 mod decision;
+mod ending;
 mod fate;
 mod formula;
 mod latex;

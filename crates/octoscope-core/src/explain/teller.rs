@@ -6,7 +6,7 @@ use super::words::{
     Decided, Words, approx, chain, coordinate, distinct, equation, grid_place, point, signs, t,
     tuple,
 };
-use crate::event::{End, Event};
+use crate::event::Event;
 use crate::geometry::{AXIS_NAMES, Axes, Ray};
 use crate::query::Query;
 use crate::trace::{Disagreement, Frame, Moment, Trace, double_would_differ};
@@ -325,32 +325,7 @@ impl<const D: usize> Teller<'_, D> {
                 words.say("touch", &[("node", words.leaf(node)), ("at", approx(at))])
             }
             Event::Found { node } => self.found("found", node),
-            Event::End(End::Missed) => words.texts.get("end-missed"),
-            Event::End(End::LeftRoot) => {
-                let n = self.before.leaves.len() as u64;
-                words.texts.format("end-left-root", &[("n", n.into())])
-            }
-            Event::End(End::FirstFull) => words.texts.get("end-first-full"),
-            Event::End(End::SegmentEnd) => {
-                let n = self.before.leaves.len() as u64;
-                words.texts.format("end-segment", &[("n", n.into())])
-            }
-            Event::End(End::Looped) => words.texts.get("end-looped"),
-            Event::End(End::Cut) => {
-                let n = self.before.step as u64;
-                words.texts.format("end-cut", &[("n", n.into())])
-            }
-            Event::End(End::Found) => {
-                // A search that ends so has found a node before.
-                let node = self.before.found.unwrap_or(words.tree.root().id);
-                self.found("end-found", node)
-            }
-            Event::End(End::Outside) => {
-                match self.before.target.and_then(|target| target.outside) {
-                    Some(axes) => words.say("end-outside-axes", &[("axes", words.axes(axes))]),
-                    None => words.texts.get("end-outside"),
-                }
-            }
+            Event::End(end) => self.end(end),
         }
     }
 
@@ -383,13 +358,6 @@ impl<const D: usize> Teller<'_, D> {
             beyond >> level == i64::from(code[e] >> level)
         };
         later.take_while(spans).fold(Axes::NONE, |axes, e| Axes(axes.0 | Axes::<D>::one(e).0))
-    }
-
-    /// The sentence of `key` about a node that is found.
-    fn found(&self, key: &str, node: NodeId) -> String {
-        let is_leaf = self.words.tree.node(node).is_leaf();
-        let key = format!("{key}-{}", if is_leaf { "leaf" } else { "node" });
-        self.words.say(&key, &[("node", self.words.node(node))])
     }
 
     pub(super) fn mask(&self) -> Axes<D> {

@@ -1,16 +1,10 @@
-//! What becomes of a node, and which comparison rules it out.
-//!
-//! The reasons follow from the ray and the cell alone, not from the algorithm: in
-//! a cell the ray is between its latest near and its earliest far plane, not
-//! before its origin, and not beyond the end of the segment. What is empty of
-//! this is ruled out by the two ends that leave no room between them. They are
-//! compared exactly; a run that decides otherwise is told so.
+//! What becomes of a node.
 
 use super::Moment;
+use super::reason::{Reason, elsewhere, met, planes};
 use crate::event::End;
-use crate::geometry::{Exact, Parameter, Ray};
+use crate::geometry::{Parameter, Ray};
 use crate::query::Query;
-use crate::traverse::slabs;
 use crate::tree::{NodeId, Tree};
 
 /// What has become of a node at a moment. Intervals are the parameters between
@@ -29,88 +23,6 @@ pub enum Fate {
     Strayed(Reason),
     /// The algorithm is beyond it and has not visited it, although the ray is in it.
     PassedBy([f64; 2]),
-}
-
-/// Why a node is not visited.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Reason {
-    /// The ray does not move along an axis, and its origin is not between the
-    /// sides of the node there.
-    Beside {
-        /// The axis.
-        axis: usize,
-        /// Coordinate of the origin, in world units.
-        origin: f64,
-        /// The sides of the node, the lower one its own.
-        sides: [f64; 2],
-    },
-    /// The line would enter the node only after it has left it.
-    Missed {
-        /// The latest near plane.
-        enter: Crossing,
-        /// The earliest far plane, which is met first.
-        exit: Crossing,
-    },
-    /// The ray enters and leaves it in the same point.
-    Touched {
-        /// The latest near plane; `None` if that is the origin of the ray.
-        enter: Option<Crossing>,
-        /// The earliest far plane, which is met at the same time.
-        exit: Crossing,
-    },
-    /// The line leaves it before the ray begins.
-    Behind {
-        /// The earliest far plane.
-        exit: Crossing,
-    },
-    /// The ray ends before it.
-    BeyondEnd {
-        /// The latest near plane; `None` if that is the origin of the ray.
-        enter: Option<Crossing>,
-        /// Parameter of the end.
-        end: f64,
-    },
-    /// The search has ended at the first full leaf, before it.
-    AfterFull {
-        /// Where the ray would enter it.
-        enter: f64,
-        /// Where the ray has entered the full leaf.
-        full: f64,
-    },
-    /// The place that is searched lies in the other half of the parent, or
-    /// outside of the root.
-    Elsewhere {
-        /// The axis.
-        axis: usize,
-        /// Coordinate of the place, in world units.
-        place: f64,
-        /// The side of the node that lies between.
-        side: f64,
-        /// Whether the place lies above the side, or on it, rather than below.
-        above: bool,
-    },
-}
-
-/// Where the ray crosses a side of a node.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Crossing {
-    /// The axis across which the side lies.
-    pub axis: usize,
-    /// Which plane of the parent that is.
-    pub plane: ParentPlane,
-    /// The nearest double to its parameter.
-    pub t: f64,
-}
-
-/// Plane of a parent in which a side of a child lies; of the root, its own.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum ParentPlane {
-    /// The plane that the ray meets first.
-    Near,
-    /// The plane in the middle.
-    Mid,
-    /// The plane that the ray meets last.
-    Far,
 }
 
 /// What has become of `node`; `None` where nothing is searched along a ray or to
@@ -222,100 +134,12 @@ fn is_over<const D: usize>(moment: &Moment<D>) -> bool {
     }
 }
 
-/// The latest near and the earliest far plane of a node, among the axes along
-/// which the ray moves: axis and parameter.
-fn planes<const D: usize>(tree: &Tree<D>, ray: &Ray<D>, node: NodeId) -> [(usize, Exact); 2] {
-    let (near, far) = slabs::<D, Exact>(tree.domain(), ray, tree.level(node), tree.code(node));
-    let moving = || (0..D).filter(|&axis| ray.direction()[axis] != 0.0);
-    let latest = moving().reduce(|a, b| if near[a].before(near[b]) { b } else { a });
-    let earliest = moving().reduce(|a, b| if far[b].before(far[a]) { b } else { a });
-    // No ray is without motion.
-    let [latest, earliest] = [latest, earliest].map(Option::unwrap_or_default);
-    [(latest, near[latest]), (earliest, far[earliest])]
-}
-
-/// Parameters between which the ray is in a node, or why it is not in it.
-pub(super) fn met<const D: usize>(
-    tree: &Tree<D>,
-    ray: &Ray<D>,
-    end: Option<f64>,
-    node: NodeId,
-) -> Result<[f64; 2], Reason> {
-    // An axis without motion decides by itself.
-    let bounds = tree.node_box(node);
-    for axis in (0..D).filter(|&axis| ray.direction()[axis] == 0.0) {
-        let (origin, sides) = (ray.origin()[axis], [bounds.min[axis], bounds.max[axis]]);
-        if !(sides[0] <= origin && origin < sides[1]) {
-            return Err(Reason::Beside { axis, origin, sides });
-        }
-    }
-
-    // The others leave room, or do not, between two planes.
-    let [(latest, near), (earliest, far)] = planes(tree, ray, node);
-    let crossing = |axis: usize, is_near: bool, t: Exact| Crossing {
-        axis,
-        plane: parent_plane(tree, ray, node, axis, is_near),
-        t: t.value(),
-    };
-    let exit = crossing(earliest, false, far);
-    let enter = crossing(latest, true, near);
-    if far.before(near) {
-        return Err(Reason::Missed { enter, exit });
-    }
-    if far.before(Exact::ORIGIN) {
-        return Err(Reason::Behind { exit });
-    }
-    let (first, enter) =
-        if near.before(Exact::ORIGIN) { (Exact::ORIGIN, None) } else { (near, Some(enter)) };
-    if let Some(end) = end.filter(|&end| !first.before(Exact::given(end))) {
-        return Err(Reason::BeyondEnd { enter, end });
-    }
-    if !first.before(far) {
-        return Err(Reason::Touched { enter, exit });
-    }
-    let last = end.map_or(far, |end| far.earlier(Exact::given(end)));
-    Ok([first.value(), last.value()])
-}
-
-fn parent_plane<const D: usize>(
-    tree: &Tree<D>,
-    ray: &Ray<D>,
-    node: NodeId,
-    axis: usize,
-    is_near: bool,
-) -> ParentPlane {
-    let mirrored = ray.direction()[axis] < 0.0;
-    // Whether the node lies in the half of its parent that the ray meets last.
-    match tree.child_index(node).map(|child| child.is_upper(axis) != mirrored) {
-        Some(true) if is_near => ParentPlane::Mid,
-        Some(false) if !is_near => ParentPlane::Mid,
-        Some(_) | None if is_near => ParentPlane::Near,
-        Some(_) | None => ParentPlane::Far,
-    }
-}
-
-/// Why a node does not own a point, if it does not.
-pub(super) fn elsewhere<const D: usize>(
-    tree: &Tree<D>,
-    at: &[f64; D],
-    node: NodeId,
-) -> Option<Reason> {
-    let bounds = tree.node_box(node);
-    (0..D).find_map(|axis| {
-        let place = at[axis];
-        let (low, high) = (bounds.min[axis], bounds.max[axis]);
-        let above = place >= high;
-        let outside = above || place < low;
-        let side = if above { high } else { low };
-        outside.then_some(Reason::Elsewhere { axis, place, side, above })
-    })
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::progress::Progress;
     use crate::trace::record;
+    use crate::trace::{Crossing, ParentPlane};
     use crate::traverse::Options;
     use crate::tree::{Domain, Split, grow};
 

@@ -4,6 +4,7 @@
 mod counters;
 mod fate;
 mod moment;
+mod reason;
 mod record;
 mod right;
 mod rounding;
@@ -11,8 +12,9 @@ mod state;
 mod strayed;
 
 pub use counters::{Counter, Counters};
-pub use fate::{Crossing, Fate, ParentPlane, Reason, deciding_fate, fate};
+pub use fate::{Fate, deciding_fate, fate};
 pub use moment::Moment;
+pub use reason::{Crossing, ParentPlane, Reason};
 pub use record::{Trace, record, record_within};
 pub(crate) use right::{corrected, on_the_ray, results, slivers};
 pub use rounding::{Disagreement, double_would_differ, rounded_steps};

@@ -1,6 +1,6 @@
 //! What a rule in another form has reported although it is not right.
 
-use super::fate::{elsewhere, met};
+use super::reason::{elsewhere, met};
 use super::{Moment, corrected, on_the_ray, results, slivers};
 use crate::geometry::Ray;
 use crate::query::Query;
