@@ -21,17 +21,19 @@ pub fn ranged_field<N: Numeric>(
     range: [N; 2],
     drag_speed: f64,
 ) -> Response {
-    clamped_field(ui, look, name, value, range, (drag_speed, SliderClamping::Always))
+    field_in_range(ui, look, name, value, range, drag_speed, SliderClamping::Always)
 }
 
-/// The same, for a value that was outside of the range before, by `clamping`.
-pub(super) fn clamped_field<N: Numeric>(
+/// The same; what becomes of a number that was outside of the range before, `clamping`
+/// says.
+pub(super) fn field_in_range<N: Numeric>(
     ui: &mut Ui,
     look: &Look,
     name: &str,
     value: &mut N,
     range: [N; 2],
-    (drag_speed, clamping): (f64, SliderClamping),
+    drag_speed: f64,
+    clamping: SliderClamping,
 ) -> Response {
     let now = value.to_f64();
     let [least, most] = range.map(N::to_f64);

@@ -1,6 +1,6 @@
 //! A slider with a field beside it.
 
-use super::ranged_field::clamped_field;
+use super::ranged_field::field_in_range;
 use crate::look::Look;
 use eframe::egui::emath::Numeric;
 use eframe::egui::{Response, Slider, SliderClamping, Ui, WidgetInfo};
@@ -24,7 +24,7 @@ pub fn slider_field<N: Numeric>(
         let response = ui.add(set(slider).show_value(false));
         let shown = value.to_f64();
         response.widget_info(|| WidgetInfo::slider(true, shown, name));
-        clamped_field(ui, look, name, value, range, (drag_speed, clamping));
+        field_in_range(ui, look, name, value, range, drag_speed, clamping);
         response
     });
     row.inner
