@@ -125,7 +125,7 @@ const DEPENDENCIES: &[(&str, &[&str])] = &[
     ),
 ];
 
-const MOST_LINES: usize = 600;
+const MOST_LINES: usize = 420;
 
 #[test]
 fn sources_name_nothing_from_above() {
