@@ -5,6 +5,7 @@ use egui_kittest::kittest::{NodeT, Queryable};
 use egui_kittest::{Harness, HarnessBuilder, Node};
 use octoscope::app::App;
 use octoscope::document::{AnyDocument, Document};
+use octoscope::text::texts;
 use octoscope::widgets::PageInWindow;
 use octoscope_core::scenario::AnyScenario;
 use octoscope_figure::{Camera, Page};
@@ -202,7 +203,8 @@ impl Desk {
     }
 
     fn plane_view(&self) -> (PageInWindow, Camera<2>) {
-        let rect = self.get_by_role_and_label(Role::Canvas, "Space view").rect();
+        let name = texts(self.state().view.language).get("space-name");
+        let rect = self.get_by_role_and_label(Role::Canvas, &name).rect();
         let page = Page { width: f64::from(rect.width()), height: f64::from(rect.height()) };
         let framed = || Camera::framing(&self.plane().interesting(), page);
         let camera = self.state().view.plane_camera.unwrap_or_else(framed);
