@@ -27,8 +27,14 @@ const SIZE: [f32; 2] = [1280.0, 800.0];
 type Change = fn(&mut App, u32);
 
 /// What happens between two frames.
-const CHANGES: [(&str, Change); 5] =
-    [("nothing", |_, _| ()), ("step", step), ("turn", turn), ("drag", drag), ("slice", slice)];
+const CHANGES: [(&str, Change); 6] = [
+    ("nothing", |_, _| ()),
+    ("step", step),
+    ("scrub", scrub),
+    ("turn", turn),
+    ("drag", drag),
+    ("slice", slice),
+];
 
 fn main() {
     println!(
@@ -40,7 +46,7 @@ fn main() {
     }
 }
 
-const SCENES: [(&str, &str); 6] = [
+const SCENES: [(&str, &str); 7] = [
     (
         "4000 points, plane",
         r#"{"octoscope":1,"dimension":2,"scene":{"built-in":"quadtree-82","parameters":{"n":4000}},"build":{"depth":12,"capacity":1}}"#,
@@ -64,6 +70,10 @@ const SCENES: [(&str, &str); 6] = [
     (
         "32768 spheres, depth 7",
         r#"{"octoscope":1,"dimension":3,"scene":{"built-in":"sphere-grid","parameters":{"n":5}},"build":{"depth":7}}"#,
+    ),
+    (
+        "the same, all leaves",
+        r#"{"octoscope":1,"dimension":3,"scene":{"built-in":"sphere-grid","parameters":{"n":5}},"build":{"depth":7},"query":{"kind":"ray","algorithm":"exhaustive"}}"#,
     ),
 ];
 
@@ -92,6 +102,7 @@ fn measure(name: &str, json: &str) {
     harness.render().expect("the frame is drawn");
     let info = adapter.adapter.get_info();
     println!("{name:<22} {n_leaves:>9} {:<8} {own:>10.2} {:>14}", "first", sent());
+    println!("{:<22} {n_events:>9} events", "");
     let is_plane = matches!(harness.state().document(), AnyDocument::Plane(_));
     for (change, make) in CHANGES {
         if is_plane && change == "slice" {
@@ -131,6 +142,13 @@ fn measure(name: &str, json: &str) {
 fn step(app: &mut App, frame: u32) {
     let n_events = app.document().n_events();
     app.view.playback.go_to(n_events / 2 + frame as usize, n_events);
+}
+
+/// To anywhere in the trace, far from where the playhead was.
+fn scrub(app: &mut App, frame: u32) {
+    let n_events = app.document().n_events();
+    let share = (f64::from(frame) * 0.618_034).fract();
+    app.view.playback.go_to((n_events as f64 * share) as usize, n_events);
 }
 
 /// The camera a little further round; in the plane, moved.
