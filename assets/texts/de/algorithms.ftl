@@ -33,7 +33,7 @@ way-down-count = { $n ->
     [one] einmal von der Wurzel
    *[other] { $n } × von der Wurzel
 }
-way-down-level = Ebene { $level }
+way-down-level = Stufe { $level }
 way-down-root = Wurzel
 way-down-exit = Austritt
 way-down-pushed = verschoben nach
@@ -46,15 +46,15 @@ tables-child = Kind
 tables-yes = ja
 tables-up = Weg hinauf
 tables-down = gespiegelt hinab
-tables-step-up = von Kind { $child } auf Ebene { $level }
-tables-step-down = zu Kind { $child }, Ebene { $level }
+tables-step-up = von Kind { $child } auf Stufe { $level }
+tables-step-down = zu Kind { $child }, Stufe { $level }
 tables-all = Alle Richtungen
 tables-adjacent-why = Kind { $child } hat { $bits }. Es liegt auf der Seite { $direction } seines Elternknotens, wenn sein Bit bei + eine 1 und bei − eine 0 ist.
 tables-common-why = Kind { $child } hat { $bits }. Von { $direction } bleiben die Achsen, auf denen es auf dieser Seite seines Elternknotens liegt: sein Bit ist 1 bei +, 0 bei −. Dort liegt der Nachbar jenseits des Elternknotens.
 tables-reflect-why = Kind { $child } hat { $bits }. Die Bits aller Achsen in { $direction } werden umgekehrt.
 
 links-none = Zeigt die Verweise eines Blattes, sobald das erste gefunden ist.
-links-of = des Blattes auf Ebene { $level }, Codes { $codes }
+links-of = des Blattes auf Stufe { $level }, Codes { $codes }
 links-side = Seite
 links-size = Nachbar
 links-larger = größeres Blatt

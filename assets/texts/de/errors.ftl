@@ -45,5 +45,5 @@ error-other-dimension = Die Datendatei hat eine andere Dimension als das Szenari
 error-too-many-nodes = Der Baum hätte mehr als { $most } Knoten; wählen Sie eine kleinere Tiefe
 error-outside = { $count } der Gegenstände liegen außerhalb des Gebiets, der erste davon ist Nummer { $first } (von 0 gezählt); vergrößern oder verschieben Sie das Gebiet, oder lassen Sie sie weg
 error-unusable = Gegenstand Nummer { $item } (von 0 gezählt) hat eine Koordinate, die nicht endlich ist, eine negative Größe oder Ecken in falscher Reihenfolge; berichtigen Sie ihn oder lassen Sie ihn weg
-error-too-fine = So weit von 0 sind Zellen dieser Größe nicht mehr zu unterscheiden; wählen Sie weniger Ebenen oder verschieben Sie das Gebiet
+error-too-fine = So weit von 0 sind Zellen dieser Größe nicht mehr zu unterscheiden; wählen Sie weniger Stufen oder verschieben Sie das Gebiet
 error-building = Der Baum lässt sich nicht bauen (auf Englisch: { $details })

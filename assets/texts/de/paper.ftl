@@ -92,25 +92,25 @@ erratum-b-18-printed = Codes im Format „least significant bit first“
 erratum-b-18-right = Gewöhnliche Binärzahlen; das Bit der obersten Verzweigung wird zuerst benutzt
 erratum-b-18-why = Nur die Nummern der Bits beginnen rechts. 001000 von rechts gelesen ist 000100, eine andere Zelle.
 
-erratum-b-19-title = Bit einer Ebene
-erratum-b-19-printed = Auf Ebene k wird Bit k benutzt
-erratum-b-19-right = In einem Knoten der Ebene k wird Bit k − 1 jedes Codes benutzt
-erratum-b-19-why = Bit k gibt den Weg von Ebene k + 1 zu Ebene k an. Bit R jedes Codes ist 0, also ginge der erste Schritt immer in die untere Hälfte.
+erratum-b-19-title = Bit einer Stufe
+erratum-b-19-printed = Auf Stufe k wird Bit k benutzt
+erratum-b-19-right = In einem Knoten der Stufe k wird Bit k − 1 jedes Codes benutzt
+erratum-b-19-why = Bit k gibt den Weg von Stufe k + 1 zu Stufe k an. Bit R jedes Codes ist 0, also ginge der erste Schritt immer in die untere Hälfte.
 
-erratum-b-20-title = Ebene 0 und die Zahl der Bits
-erratum-b-20-printed = Blätter bilden Ebene 0; so viele Bits wie Ebenen
-erratum-b-20-right = Ebene 0 hat die kleinsten möglichen Zellen; Blätter liegen auf jeder Ebene; N Ebenen sind N − 1 Verzweigungen
+erratum-b-20-title = Stufe 0 und die Zahl der Bits
+erratum-b-20-printed = Blätter bilden Stufe 0; so viele Bits wie Stufen
+erratum-b-20-right = Stufe 0 hat die kleinsten möglichen Zellen; Blätter liegen auf jeder Stufe; N Stufen sind N − 1 Verzweigungen
 erratum-b-20-why = Das oberste Bit eines Codes ist immer 0. Normiert wird das Gebiet, nicht die Werte der Knoten.
 
 erratum-b-21-title = Koordinate 1,0
 erratum-b-21-printed = Punkte in [0..1]
 erratum-b-21-right = Punkte in [0, 1)
-erratum-b-21-why = Bei sechs Ebenen hat 1,0 den Code 100000. Alle benutzten Bits sind 0, also landet der Punkt stillschweigend in der Zelle ganz links.
+erratum-b-21-why = Bei sechs Stufen hat 1,0 den Code 100000. Alle benutzten Bits sind 0, also landet der Punkt stillschweigend in der Zelle ganz links.
 
 erratum-b-22-title = Gesparte Vergleiche
-erratum-b-22-printed = Zwei je Ebene beim Quadtree, vier beim Octree
+erratum-b-22-printed = Zwei je Stufe beim Quadtree, vier beim Octree
 erratum-b-22-right = Zwei beim Quadtree, drei beim Octree
-erratum-b-22-why = Ein Vergleich je Achse. Von Ebene 7 bis 0 sind das 7 · 3 = 21 Vergleiche und 8 Blattprüfungen.
+erratum-b-22-why = Ein Vergleich je Achse. Von Stufe 7 bis 0 sind das 7 · 3 = 21 Vergleiche und 8 Blattprüfungen.
 
 erratum-b-23-title = Ecke, die der Code beschreibt
 erratum-b-23-printed = Linke obere Ecke
@@ -118,17 +118,17 @@ erratum-b-23-right = Minimum-Ecke: links, unten, hinten
 erratum-b-23-why = Zeigt y nach oben, liegen die kleinsten Koordinaten unten.
 
 erratum-b-24-title = Suche eines Bereichs
-erratum-b-24-printed = Ebene = Nummer der ersten gemeinsamen Eins; Abstieg mit den XOR-Codes
-erratum-b-24-right = Ebene = Nummer der höchsten Eins in irgendeinem XOR-Code + 1; Abstieg mit den Codes eines Punktes des Bereichs
-erratum-b-24-why = Bit k trennt Zellen unterhalb von Ebene k + 1. Eine Achse genügt, um die Ecken zu trennen, und ein Unterschied sagt nichts über den Ort. Lauter Nullen bedeuten Ebene 0.
-reading-b-24a = die Ebene ist die Nummer des Bits selbst
+erratum-b-24-printed = Stufe = Nummer der ersten gemeinsamen Eins; Abstieg mit den XOR-Codes
+erratum-b-24-right = Stufe = Nummer der höchsten Eins in irgendeinem XOR-Code + 1; Abstieg mit den Codes eines Punktes des Bereichs
+erratum-b-24-why = Bit k trennt Zellen unterhalb von Stufe k + 1. Eine Achse genügt, um die Ecken zu trennen, und ein Unterschied sagt nichts über den Ort. Lauter Nullen bedeuten Stufe 0.
+reading-b-24a = die Stufe ist die Nummer des Bits selbst
 reading-b-24b = es zählt die erste Eins, die alle Differenzen gemeinsam haben
 reading-b-24c = Abstieg mit den Differenzen
 
 erratum-b-25-title = Gemeinsamer Vorfahr
 erratum-b-25-printed = Aufsteigen, bis die erste Binärstelle im Abstandscode null ist
-erratum-b-25-right = Aufsteigen, bis das Bit der jeweiligen Ebene null ist, ab der Ebene der Zelle
-erratum-b-25-why = Die verschiedenen Bits bilden eine Kette ab der Ebene der Zelle aufwärts. Die Stelle ganz links ist immer 0, man steigt also nie auf. Die ganz rechts ändert sich nie: Ist sie 1, steigt man bis zur Wurzel.
+erratum-b-25-right = Aufsteigen, bis das Bit der jeweiligen Stufe null ist, ab der Stufe der Zelle
+erratum-b-25-why = Die verschiedenen Bits bilden eine Kette ab der Stufe der Zelle aufwärts. Die Stelle ganz links ist immer 0, man steigt also nie auf. Die ganz rechts ändert sich nie: Ist sie 1, steigt man bis zur Wurzel.
 reading-b-25-leftmost = es zählt die Stelle ganz links
 reading-b-25-rightmost = es zählt die Stelle ganz rechts
 
@@ -158,9 +158,9 @@ erratum-b-30-right = Alle außer der Wurzel haben Eltern, alle außer den Blätt
 erratum-b-30-why = An der Wurzel beginnt der Weg nach unten, an Blättern endet er.
 
 erratum-b-31-title = Wo die Punktsuche endet
-erratum-b-31-printed = Auf der untersten Ebene
-erratum-b-31-right = An einem Blatt auf beliebiger Ebene; verglichen werden die Mittelebenen
-erratum-b-31-why = Große Blätter liegen oberhalb der untersten Ebene.
+erratum-b-31-printed = Auf der untersten Stufe
+erratum-b-31-right = An einem Blatt auf beliebiger Stufe; verglichen werden die Mittelebenen
+erratum-b-31-why = Große Blätter liegen oberhalb der untersten Stufe.
 
 erratum-b-32-title = Teile der Arbeit
 erratum-b-32-printed = Drei Kapitel, ein zweiter und ein letzter Teil

@@ -154,10 +154,10 @@ target-printed = Nach der gedruckten Regel, { $rule }, sind die Codes dahinter, 
 border-inside = Diese Codes liegen im Gebiet; dahinter ist also eine Zelle.
 border-outside = Entlang { $axes } liegt der Code außerhalb des Gebiets; dahinter ist also keine Zelle.
 border-point-outside = Entlang { $axes } liegt der Punkt außerhalb des Gebiets; dahinter ist also keine Zelle.
-difference = Die Codes unterscheiden sich zuerst in Bit { $bit }, also liegt der gemeinsame Vorfahr auf Ebene { $level }.
-difference-printed = Nach der gedruckten Regel, { $rule }, hat der gemeinsame Vorfahr Ebene { $level }. Die Codes unterscheiden sich aber zuerst in Bit { $bit }, also hat er Ebene { $right }.
-difference-none = Die Codes sind gleich, also liegen beide Orte in einer kleinsten Zelle, auf Ebene 0.
-climb = Hinauf zum Elternknoten, { $node }; der gemeinsame Vorfahr liegt auf Ebene { $level }.
+difference = Die Codes unterscheiden sich zuerst in Bit { $bit }, also liegt der gemeinsame Vorfahr auf Stufe { $level }.
+difference-printed = Nach der gedruckten Regel, { $rule }, hat der gemeinsame Vorfahr Stufe { $level }. Die Codes unterscheiden sich aber zuerst in Bit { $bit }, also hat er Stufe { $right }.
+difference-none = Die Codes sind gleich, also liegen beide Orte in einer kleinsten Zelle, auf Stufe 0.
+climb = Hinauf zum Elternknoten, { $node }; der gemeinsame Vorfahr liegt auf Stufe { $level }.
 climb-done = Hinauf zum Elternknoten, { $node }; dies ist der gemeinsame Vorfahr.
 leave-one = Das Blatt wird durch seine ferne { $axes }-Ebene verlassen: { $exits }.
 leave-many = Das Blatt wird durch seine fernen Ebenen von { $axes } zugleich verlassen: { $exits }.
@@ -188,9 +188,9 @@ end-found-node = Die Suche endet: Gefunden ist { $node }, der Kinder hat.
 end-outside = Der Ort liegt außerhalb des Gebiets: Es gibt nichts zu finden.
 end-outside-axes = Die Suche endet: Entlang { $axes } läge der Nachbar außerhalb des Gebiets, es gibt also keinen.
 
-the-node = Knoten { $code } auf Ebene { $level }
-the-node-first = Knoten { $code } auf Ebene { $level }
-the-leaf = Blatt { $code } auf Ebene { $level }
+the-node = Knoten { $code } auf Stufe { $level }
+the-node-first = Knoten { $code } auf Stufe { $level }
+the-leaf = Blatt { $code } auf Stufe { $level }
 
 title = { $tree } · { $scene } · { $n ->
     [one] ein Blatt

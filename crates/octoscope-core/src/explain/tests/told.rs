@@ -72,7 +72,7 @@ fn a_mirrored_state_is_told_with_its_child() {
         &along(Algorithm::Parametric),
         [
             "State 2 is child 0 of the tree, as f(2) = 2 xor 2; it is visited: the node (0, 0) of level 2.",
-            "Zustand 2 ist Kind 0 des Baumes, denn f(2) = 2 xor 2; es wird besucht: Knoten (0, 0) auf Ebene 2.",
+            "Zustand 2 ist Kind 0 des Baumes, denn f(2) = 2 xor 2; es wird besucht: Knoten (0, 0) auf Stufe 2.",
         ],
     );
 }
@@ -85,7 +85,7 @@ fn codes_are_told_by_their_bits() {
         &along(Algorithm::Codes),
         [
             "The codes differ first in bit 2, so the common ancestor has level 3.",
-            "Die Codes unterscheiden sich zuerst in Bit 2, also liegt der gemeinsame Vorfahr auf Ebene 3.",
+            "Die Codes unterscheiden sich zuerst in Bit 2, also liegt der gemeinsame Vorfahr auf Stufe 3.",
         ],
     );
 }
@@ -122,7 +122,7 @@ fn a_child_that_is_touched_is_told_as_that() {
         &along(Algorithm::AllChildren),
         [
             "Leaf (0, 4) of level 2 is met in one point only, at t = 0.75.",
-            "Blatt (0, 4) auf Ebene 2 wird nur in einem Punkt getroffen, bei t = 0.75.",
+            "Blatt (0, 4) auf Stufe 2 wird nur in einem Punkt getroffen, bei t = 0.75.",
         ],
     );
 }
@@ -187,7 +187,7 @@ fn a_miss_beside_the_root_and_a_touch_are_told() {
         &along(Algorithm::ParametricTable),
         [
             "Leaf (0, 4) of level 2 is only touched, in one point at t = 0.75.",
-            "Blatt (0, 4) auf Ebene 2 wird nur berührt, in einem Punkt bei t = 0.75.",
+            "Blatt (0, 4) auf Stufe 2 wird nur berührt, in einem Punkt bei t = 0.75.",
         ],
     );
 }
@@ -249,14 +249,14 @@ fn the_end_of_a_search_names_what_was_found() {
         Query::Point { at: [0.9, 0.1], method: PointMethod::Codes, variants: Variants::NONE },
         [
             "The search ends: it has found the node (4, 0) of level 2, a leaf.",
-            "Die Suche endet: Gefunden ist Knoten (4, 0) auf Ebene 2, ein Blatt.",
+            "Die Suche endet: Gefunden ist Knoten (4, 0) auf Stufe 2, ein Blatt.",
         ],
     );
     check(
         Query::Region { min: [0.1, 0.1], max: [0.3, 0.3], variants: Variants::NONE },
         [
             "The search ends: it has found the node (0, 0) of level 2, which has children.",
-            "Die Suche endet: Gefunden ist Knoten (0, 0) auf Ebene 2, der Kinder hat.",
+            "Die Suche endet: Gefunden ist Knoten (0, 0) auf Stufe 2, der Kinder hat.",
         ],
     );
     let beyond = |code, direction| Query::Neighbour {
@@ -271,7 +271,7 @@ fn the_end_of_a_search_names_what_was_found() {
         beyond([0, 0], [1, 0]),
         [
             "The search ends: it has found the node (4, 0) of level 2, a leaf.",
-            "Die Suche endet: Gefunden ist Knoten (4, 0) auf Ebene 2, ein Blatt.",
+            "Die Suche endet: Gefunden ist Knoten (4, 0) auf Stufe 2, ein Blatt.",
         ],
     );
     check(
@@ -304,7 +304,7 @@ fn a_cell_that_spans_the_next_side_is_told_to_need_no_link() {
         &along(Algorithm::SametNet),
         [
             "The link through the x side leads to the node (4, 0) of level 2. It spans what lies beyond the y side as well, so no other link is followed there.",
-            "Der Verweis durch die x-Seite führt zu Knoten (4, 0) auf Ebene 2. Dieser reicht auch über die y-Seite hinaus, deshalb wird dort keinem weiteren Verweis gefolgt.",
+            "Der Verweis durch die x-Seite führt zu Knoten (4, 0) auf Stufe 2. Dieser reicht auch über die y-Seite hinaus, deshalb wird dort keinem weiteren Verweis gefolgt.",
         ],
     );
 }
