@@ -6,6 +6,8 @@ pub struct Notice {
     text: String,
     /// When it was first seen, in seconds since the program was started.
     since: Option<f64>,
+    /// The step at which it was first seen in the place of the sentence.
+    step: Option<usize>,
     /// Number of lines so far, this one included.
     number: u64,
 }
@@ -19,7 +21,7 @@ impl Notice {
 
     /// Says something instead of what was said before.
     pub fn say(&mut self, text: impl Into<String>) {
-        *self = Self { text: text.into(), since: None, number: self.number + 1 };
+        *self = Self { text: text.into(), number: self.number + 1, ..Self::default() };
     }
 
     /// Takes it away.
@@ -35,6 +37,11 @@ impl Notice {
     /// What is said.
     pub fn text(&self) -> &str {
         &self.text
+    }
+
+    /// Whether it is said of this step: of the one at which that was asked first.
+    pub fn is_of(&mut self, step: usize) -> bool {
+        !self.is_empty() && *self.step.get_or_insert(step) == step
     }
 
     /// Tells one line from another of the same words.
@@ -76,6 +83,16 @@ mod tests {
         let (short, long) = (lasts("Saved"), lasts(&"word ".repeat(30)));
         assert!((4.0..6.0).contains(&short), "{short}");
         assert!((14.0..20.0).contains(&long), "{long}");
+    }
+
+    #[test]
+    fn a_line_belongs_to_the_step_at_which_it_was_said() {
+        let mut notice = Notice::default();
+        assert!(!notice.is_of(3));
+        notice.say("Saved");
+        assert_eq!([3, 4, 3].map(|step| notice.is_of(step)), [true, false, true]);
+        notice.say("Saved");
+        assert!(notice.is_of(4));
     }
 
     #[test]

@@ -6,7 +6,7 @@ use crate::document::Document;
 use crate::look::Look;
 use crate::map::Maps;
 use crate::notice::Notice;
-use crate::panels::{formula, notice_line, query, ray, scene, show};
+use crate::panels::{formula, query, ray, scene, show};
 use crate::space::{self, Layers, Space};
 use crate::view::{PanelKind, Preset, View};
 use crate::wish::Wish;
@@ -84,9 +84,6 @@ pub fn ui<const D: usize>(
                 }
             });
         });
-    }
-    if look.is_for_hall() && view.dialog.is_none() {
-        notice_line::band(ui, look, notice);
     }
     if place == Place::BelowPicture {
         formulas_in(ui, look, document, view, place);

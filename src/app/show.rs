@@ -3,10 +3,8 @@
 use super::App;
 use crate::command::Command;
 use crate::panels::menu::Entry;
-use crate::panels::notice_line::Over;
 use crate::panels::{dialogs, menu, notice_line, sentence, timeline};
 use crate::sidebar;
-use crate::view::View;
 use crate::wish::Wish;
 use crate::with_document;
 use eframe::egui::{Align, Frame, Layout, Margin, Panel, Ui, vec2};
@@ -27,17 +25,30 @@ impl App {
                 menu::ui(ui, &self.look, &title, language, |c| self.entry(c), commands);
             });
         }
-        let margin = if hall { Margin::symmetric(16, 6) } else { Margin::symmetric(20, 12) };
+        let margin = if hall { Margin::symmetric(16, 6) } else { Margin::symmetric(20, 6) };
+        // Over a dialog it is said there.
+        let is_said_here = self.view.dialog.is_none();
         let bottom = Frame::new().fill(palette.background).inner_margin(margin);
         Panel::bottom(("sentence", hall)).frame(bottom).show(ui, |ui| {
-            let height = 60.0;
+            ui.spacing_mut().item_spacing.y = 3.0;
+            let said = is_said_here.then_some(&self.notice);
+            let slot = notice_line::slot_height(ui, &self.look, said, ui.available_width());
+            let height = if hall { 62.0 } else { 72.0 - slot };
             ui.allocate_ui(vec2(ui.available_width(), height), |ui| {
                 ui.set_min_height(height);
+                if hall && is_said_here && self.notice.is_of(step) {
+                    notice_line::for_sentence(ui, &self.look, &mut self.notice);
+                    return;
+                }
                 let text = with_document!(&self.document, d => {
                     sentence_of(&d.tree, d.traced_ray(), &d.trace, step, self.view.language)
                 });
                 sentence::ui(ui, &self.look, text, step);
             });
+            if !hall {
+                let said = is_said_here.then_some(&mut self.notice);
+                notice_line::slot(ui, &self.look, said, slot);
+            }
             let row = vec2(ui.available_width(), timeline::HEIGHT);
             ui.allocate_ui_with_layout(row, Layout::left_to_right(Align::Center), |ui| {
                 if hall {
@@ -120,12 +131,8 @@ impl App {
             Some(dialogs::Answer::Path(typed)) => self.take_path(&context, typed),
             Some(dialogs::Answer::Take(target)) => self.take(&context, target),
         }
-        let over = match self.view {
-            View { dialog: None, space: Some(space), ray, .. } => Over::Space { space, ray },
-            View { .. } => Over::Window,
-        };
-        if !self.look.is_for_hall() || self.view.dialog.is_some() {
-            notice_line::ui(&context, &self.look, &mut self.notice, over);
+        if self.view.dialog.is_some() {
+            notice_line::over_dialog(&context, &self.look, &mut self.notice);
         }
     }
 }

@@ -1,72 +1,78 @@
-//! What has just happened, over the picture.
+//! What has just happened, in a place of its own: nothing is covered, nothing moves.
 
 use crate::look::Look;
 use crate::notice::Notice;
+use crate::panels::sentence::fitted;
+use crate::widgets::rich_label;
 use eframe::egui::{
-    Align2, Area, Context, Frame, Id, Key, Label, Margin, Order, Panel, Pos2, Rect, Ui, vec2,
+    Align, Align2, Area, Context, FontId, Frame, Id, Key, Label, Layout, Margin, Order, RichText,
+    Ui, vec2,
 };
+use octoscope_core::explain::{RichText as Words, Span};
 use std::time::Duration;
 
-/// Size of the line before it is known.
-const USUAL: [f32; 2] = [460.0, 64.0];
-/// Room between the line and the edges of the view.
-const BELOW: f32 = 44.0;
+/// Height of type in the slot.
+const SIZE: f32 = 13.0;
+/// Height of the slot: that of a line.
+const LINE: f32 = 18.0;
+/// What takes the line away, and the distance to it.
+const CLOSE: f32 = 90.0;
+/// Room above a line over a dialog.
 const ABOVE: f32 = 12.0;
 
-/// What the line lies over.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Over {
-    /// The space view.
-    Space {
-        /// Where it is.
-        space: Rect,
-        /// Where the handles of its ray are.
-        ray: Option<[Pos2; 2]>,
-    },
-    /// The whole window, which may show a dialog.
-    Window,
+/// Height of the slot below the sentence in a column of this width: of a line where nothing
+/// is said, too, so that nothing moves; what takes more than that takes it from the sentence.
+pub fn slot_height(ui: &Ui, look: &Look, said: Option<&Notice>, width: f32) -> f32 {
+    let lines = said.filter(|notice| !notice.is_empty()).map(|notice| {
+        let font = FontId::proportional(look.type_size(SIZE));
+        let most = width - CLOSE;
+        ui.painter().layout(notice.text().to_owned(), font, look.palette.ink, most).size().y
+    });
+    lines.unwrap_or(0.0).max(LINE)
 }
 
-/// One line at the lower edge of the space view that says what has happened; a click
-/// takes it away, and so does time. It is at the upper edge where it would lie on the
-/// ray, and at that of the window where it would lie on a dialog.
-pub fn ui(context: &Context, look: &Look, notice: &mut Notice, over: Over) {
-    let Some(strength) = strength(context, notice) else { return };
-    let id = Id::unique("status");
-    let known = context.memory(|memory| memory.area_rect(id));
-    let size = known.map_or(USUAL.into(), |rect| rect.size());
-    let space = match over {
-        Over::Space { space, .. } => space,
-        Over::Window => context.content_rect(),
-    };
-    let [below, above] = places(space, size);
-    // Above dialogs, which it may be about, and what is written into the corner of the view.
-    let area = Area::new(id).order(Order::Tooltip);
-    let area = area.pivot(Align2::CENTER_TOP);
-    let area = match over {
-        Over::Window => area.fixed_pos(above.center_top()),
-        Over::Space { ray: Some(ray), .. } if meets(&below, ray) && !meets(&above, ray) => {
-            area.fixed_pos(above.center_top())
-        }
-        Over::Space { .. } => area.pivot(Align2::CENTER_BOTTOM).fixed_pos(below.center_bottom()),
-    };
-    area.show(context, |ui| {
+/// The slot, of this height. A click takes the line away, and so does time.
+pub fn slot(ui: &mut Ui, look: &Look, said: Option<&mut Notice>, height: f32) {
+    let width = ui.available_width();
+    ui.allocate_ui_with_layout(vec2(width, height), Layout::left_to_right(Align::Center), |ui| {
+        ui.set_min_height(height);
+        let Some(notice) = said else { return };
+        let Some(strength) = strength(ui.ctx(), notice) else { return };
         ui.multiply_opacity(strength);
-        let frame = Frame::popup(ui.style()).inner_margin(10.0).fill(look.palette.field);
-        let most = (space.width() - 90.0).clamp(160.0, 420.0);
-        frame.show(ui, |ui| line(ui, look, notice, most))
+        line(ui, look, notice, width - CLOSE);
     });
 }
 
-/// The same as a band that takes its room from the picture above: in a hall everything
-/// that is shown is to be seen.
-pub fn band(ui: &mut Ui, look: &Look, notice: &mut Notice) {
+/// The same in a hall, in the place and the type of the sentence, which it gives way to.
+pub fn for_sentence(ui: &mut Ui, look: &Look, notice: &mut Notice) {
     let Some(strength) = strength(ui.ctx(), notice) else { return };
-    let frame = Frame::new().fill(look.palette.field).inner_margin(Margin::symmetric(16, 6));
-    Panel::bottom("notice").frame(frame).show(ui, |ui| {
+    const BAR: f32 = 4.0;
+    let [width, height] = [ui.available_width(), ui.min_size().y];
+    let text = Words(vec![Span { text: notice.text().to_owned(), ..Span::default() }]);
+    let size = fitted(ui, look, &text, [width - CLOSE, height]);
+    ui.multiply_opacity(strength);
+    let shown = ui.horizontal(|ui| {
+        ui.add_space(BAR);
+        ui.scope(|ui| rich_label(ui, look, &text, size, width - CLOSE));
+        ui.button(look.text("dialog-close")).clicked()
+    });
+    let bar = shown.response.rect.with_max_x(shown.response.rect.left() + BAR);
+    ui.painter().rect_filled(bar, 2.0, look.palette.accent);
+    close(ui, notice, shown.inner);
+}
+
+/// The same at the upper edge of the window, over a dialog that it may be about.
+pub fn over_dialog(context: &Context, look: &Look, notice: &mut Notice) {
+    let Some(strength) = strength(context, notice) else { return };
+    let window = context.content_rect();
+    let area = Area::new(Id::unique("status")).order(Order::Tooltip);
+    let area = area.pivot(Align2::CENTER_TOP).fixed_pos(window.center_top() + vec2(0.0, ABOVE));
+    area.show(context, |ui| {
         ui.multiply_opacity(strength);
-        let most = ui.available_width() - 90.0;
-        line(ui, look, notice, most);
+        let frame =
+            Frame::popup(ui.style()).inner_margin(Margin::same(10)).fill(look.palette.field);
+        let most = (window.width() - CLOSE).clamp(160.0, 420.0);
+        frame.show(ui, |ui| ui.horizontal(|ui| line(ui, look, notice, most)));
     });
 }
 
@@ -82,49 +88,17 @@ fn strength(context: &Context, notice: &mut Notice) -> Option<f32> {
 
 /// What has happened, in lines of at most this width, and what takes it away.
 fn line(ui: &mut Ui, look: &Look, notice: &mut Notice, most: f32) {
-    let clicked = ui.horizontal(|ui| {
-        ui.scope(|ui| {
-            ui.set_max_width(most);
-            ui.add(Label::new(notice.text()).wrap());
-        });
-        ui.button(look.text("dialog-close")).clicked()
+    ui.scope(|ui| {
+        ui.set_max_width(most);
+        let text = RichText::new(notice.text()).size(look.type_size(SIZE));
+        ui.add(Label::new(text.color(look.palette.accent)).wrap());
     });
-    let moved_on = ui.input(|input| input.key_pressed(Key::Escape));
-    if clicked.inner || moved_on {
+    let clicked = ui.small_button(look.text("dialog-close")).clicked();
+    close(ui, notice, clicked);
+}
+
+fn close(ui: &Ui, notice: &mut Notice, clicked: bool) {
+    if clicked || ui.input(|input| input.key_pressed(Key::Escape)) {
         notice.clear();
-    }
-}
-
-/// Where a line of this size may be, what is better first.
-fn places(space: Rect, size: eframe::egui::Vec2) -> [Rect; 2] {
-    let below = space.center_bottom() - vec2(0.0, BELOW + 0.5 * size.y);
-    let above = space.center_top() + vec2(0.0, ABOVE + 0.5 * size.y);
-    [below, above].map(|centre| Rect::from_center_size(centre, size))
-}
-
-/// Whether a line from the first to the second point comes near a rectangle.
-fn meets(rect: &Rect, [from, to]: [Pos2; 2]) -> bool {
-    const NEAR: f32 = 12.0;
-    const N: u8 = 100;
-    let rect = rect.expand(NEAR);
-    (0..=N).any(|n| rect.contains(from + (to - from) * (f32::from(n) / f32::from(N))))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use eframe::egui::pos2;
-
-    #[test]
-    fn the_line_lies_above_only_where_the_ray_is_below() {
-        let space = Rect::from_min_max(pos2(0.0, 0.0), pos2(600.0, 500.0));
-        let [below, above] = places(space, USUAL.into());
-        assert!(space.contains_rect(below) && space.contains_rect(above));
-        let flat = |y: f32| [pos2(-50.0, y), pos2(650.0, y)];
-        let check = |ray, expected| assert_eq!([meets(&below, ray), meets(&above, ray)], expected);
-        check(flat(below.center().y), [true, false]);
-        check(flat(above.center().y), [false, true]);
-        check(flat(250.0), [false, false]);
-        check([pos2(300.0, -9.0), pos2(300.0, 520.0)], [true, true]);
     }
 }

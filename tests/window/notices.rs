@@ -1,9 +1,11 @@
 //! Lines that say what has just happened.
 
 use crate::desk::{Desk, spoken};
-use eframe::egui::{Key, accesskit::Role};
+use eframe::egui::{Key, Rect, accesskit::Role};
 use egui_kittest::kittest::{NodeT, Queryable};
 use egui_kittest::{Harness, Node};
+use octoscope::text::texts;
+use octoscope::view::Preset;
 use octoscope_core::gallery::Degenerate;
 use octoscope_core::text::Language;
 
@@ -39,37 +41,89 @@ fn a_notice_goes_away_when_it_is_true_no_more() {
     assert!(!desk.says(refused));
 }
 
-#[test]
-fn a_notice_lies_in_the_lower_part_of_the_space_view() {
-    let mut desk = Desk::new();
-    desk.press(Key::G);
-    let text = Degenerate::ALL[0].watch(Language::English);
-    let name = format!("{}: {text}", Degenerate::ALL[0].name(Language::English));
-    let notice = desk.get_by_role_and_label(Role::Label, &name).rect();
+/// The rectangle of the control of this id.
+fn named(desk: &Desk, id: &str) -> Option<Rect> {
+    let nodes = desk.nodes();
+    let is_it = |node: &&Node<'_>| node.accesskit_node().author_id() == Some(id);
+    nodes.iter().find(is_it).map(|node| node.rect())
+}
+
+/// What a notice covers or moves while so many rays of the gallery are gone through.
+fn faults(desk: &mut Desk, n_rays: usize, place: &str) -> Vec<String> {
+    let language = desk.state().view.language;
+    let lines =
+        Degenerate::ALL.map(|one| format!("{}: {}", one.name(language), one.watch(language)));
     let space = desk.state().view.space.unwrap();
-    assert!(space.contains_rect(notice), "{notice:?} in {space:?}");
-    assert!(notice.top() > space.center().y);
+    let mut faults = Vec::new();
+    for _ in 0..n_rays {
+        desk.press(Key::G);
+        let notice = {
+            let nodes = desk.nodes();
+            let found = nodes.iter().find(|node| lines.contains(&spoken(node)));
+            found.map(|node| node.rect())
+        };
+        let Some(notice) = notice else {
+            faults.push(format!("{place}: nothing is said"));
+            continue;
+        };
+        if !desk.ctx.content_rect().contains_rect(notice) {
+            faults.push(format!("{place}: {notice:?} is cut"));
+        }
+        let timeline = texts(language).get("timeline-name");
+        let timeline = desk.get_by_role_and_label(Role::Slider, &timeline).rect();
+        let mut read = vec![("timeline", timeline), ("picture", desk.state().view.space.unwrap())];
+        read.extend(
+            ["sentence", "formula"].map(|id| Some((id, named(desk, id)?))).into_iter().flatten(),
+        );
+        for (name, rect) in read {
+            if rect.intersects(notice) {
+                faults.push(format!("{place}: {notice:?} on {name} {rect:?}"));
+            }
+        }
+        if desk.state().view.space != Some(space) {
+            faults.push(format!(
+                "{place}: the picture is {:?} and no more {space:?}",
+                desk.state().view.space
+            ));
+        }
+    }
+    faults
 }
 
 #[test]
-fn a_notice_in_a_lecture_covers_nothing_that_the_hall_reads() {
-    for language in Language::ALL {
-        let mut desk = Desk::of(Harness::builder(), [1024.0, 768.0]);
-        desk.state_mut().view.language = language;
-        desk.press(Key::Num6);
-        let lines =
-            Degenerate::ALL.map(|one| format!("{}: {}", one.name(language), one.watch(language)));
-        for _ in lines.iter() {
-            desk.press(Key::G);
-            let nodes = desk.nodes();
-            let is_notice = |node: &&Node<'_>| lines.contains(&spoken(node));
-            let notice = nodes.iter().find(is_notice).unwrap().rect();
-            for id in ["sentence", "formula"] {
-                let is_it = |node: &&Node<'_>| node.accesskit_node().author_id() == Some(id);
-                let read = nodes.iter().find(is_it).unwrap().rect();
-                assert!(!read.intersects(notice), "{notice:?} on {id} {read:?}");
+fn a_notice_covers_nothing_and_moves_nothing() {
+    let mut all = Vec::new();
+    for size in [[1024.0, 768.0], [1280.0, 800.0]] {
+        for language in Language::ALL {
+            let mut desk = Desk::of(Harness::builder(), size);
+            desk.state_mut().view.language = language;
+            for preset in Preset::ALL {
+                desk.state_mut().view.preset = preset;
+                desk.run();
+                // Every line in both of its places, and a few in all presets.
+                let is_whole = matches!(preset, Preset::Rail | Preset::Lecture);
+                let n_rays = if is_whole { Degenerate::ALL.len() } else { 2 };
+                let place = format!("{size:?} {language:?} {preset:?}");
+                all.extend(faults(&mut desk, n_rays, &place));
             }
-            assert!(!desk.state().view.space.unwrap().intersects(notice), "{notice:?}");
         }
     }
+    assert!(all.is_empty(), "{} faults\n{}", all.len(), all.join("\n"));
+}
+
+#[test]
+fn in_a_lecture_a_notice_gives_way_to_the_sentence_of_the_next_step() {
+    let mut desk = Desk::of(Harness::builder(), [1024.0, 768.0]);
+    desk.press(Key::Num6);
+    desk.press(Key::ArrowRight);
+    desk.press(Key::G);
+    let text = Degenerate::ALL[0].watch(Language::English);
+    assert!(desk.says(&text) && named(&desk, "sentence").is_none());
+    desk.press(Key::ArrowRight);
+    assert!(!desk.says(&text) && named(&desk, "sentence").is_some());
+    // Who goes back has it again, until its time is over.
+    desk.press(Key::ArrowLeft);
+    assert!(desk.says(&text));
+    desk.press(Key::Escape);
+    assert!(!desk.says(&text) && named(&desk, "sentence").is_some());
 }
