@@ -9,7 +9,7 @@ use crate::comparison::Run;
 use crate::history::Shared;
 use crate::traced::{MOST_EVENTS, Traced};
 use octoscope_core::event::Event;
-use octoscope_core::geometry::{Aabb, Ray};
+use octoscope_core::geometry::Ray;
 use octoscope_core::paper::Verdict;
 use octoscope_core::progress::Progress;
 use octoscope_core::query::Query;
@@ -17,7 +17,7 @@ use octoscope_core::scenario::{Scenario, Source};
 use octoscope_core::scene::{Content, Cube, leaf_colours};
 use octoscope_core::trace::{Counters, Moment, Trace};
 use octoscope_core::tree::{BuildError, Recipe, Tree, build};
-use octoscope_figure::DiagramOf;
+use octoscope_figure::{Camera, DiagramOf, Page};
 use std::any::Any;
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -177,6 +177,30 @@ impl<const D: usize> Document<D> {
     }
 
     /// Mean colours of the leaves by node number, if the tree is of a picture.
+    pub fn leaf_colours(&self) -> Option<Vec<Option<[u8; 3]>>> {
+        colours_of_leaves(&self.tree, &self.content)
+    }
+
+    /// State of the algorithm after `step` events.
+    pub fn moment(&self, step: usize) -> Moment<D> {
+        Moment::after(&self.tree, &self.trace, step)
+    }
+
+    /// Moves a camera to where all that is asked about is seen on a page, from its side.
+    pub fn frame(&self, camera: &mut Camera<D>, page: Page) {
+        let (ray, query) = (&self.scenario.ray, &self.scenario.query);
+        camera.frame_question(&self.tree.domain().root_box(), ray, query, page);
+    }
+
+    /// The camera that sees all that is asked about on a page, from the usual side.
+    pub fn framed(&self, page: Page) -> Camera<D> {
+        let mut camera = Camera::framing(&self.tree.domain().root_box(), page);
+        self.frame(&mut camera, page);
+        camera
+    }
+}
+
+/// Mean colours of the leaves by node number, if the tree is of a picture.
     pub fn leaf_colours(&self) -> Option<Vec<Option<[u8; 3]>>> {
         colours_of_leaves(&self.tree, &self.content)
     }

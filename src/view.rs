@@ -12,7 +12,7 @@ use crate::export::Choice;
 use crate::lab;
 use crate::playback::Playback;
 use crate::tree_view::TreeView;
-use eframe::egui::{Pos2, Rect, Vec2};
+use eframe::egui::{Rect, Vec2};
 use octoscope_core::explain::Notation;
 use octoscope_core::query::Query;
 use octoscope_core::text::Language;
@@ -84,9 +84,6 @@ pub struct View {
     /// Where the space view was in the last frame.
     #[serde(skip)]
     pub space: Option<Rect>,
-    /// Where both handles of the ray were in it, if it has one.
-    #[serde(skip)]
-    pub ray: Option<[Pos2; 2]>,
     /// How the camera gets to where it is to be.
     #[serde(skip)]
     pub flight: Option<Flight>,
@@ -228,7 +225,6 @@ impl Default for View {
             fitted: false,
             pointed: None,
             space: None,
-            ray: None,
             flight: None,
             reduced_motion: false,
             lens: Lens::default(),

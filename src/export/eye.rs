@@ -64,11 +64,10 @@ impl Eye {
     }
 
     fn framed<const D: usize>(&self, document: &Document<D>, page: Page) -> Camera<D> {
-        let bounds = document.interesting();
-        let mut camera = Camera::framing(&bounds, page);
+        let mut camera = document.framed(page);
         camera.yaw = self.yaw_degrees.rem_euclid(360.0).to_radians();
         camera.pitch = self.pitch_degrees.to_radians();
-        camera.frame(&bounds, page);
+        document.frame(&mut camera, page);
         camera
     }
 }
@@ -149,7 +148,7 @@ mod tests {
         let document = open_built_in("quadtree-82", &Progress::default()).unwrap();
         let AnyDocument::Plane(document) = document else { panic!("not a quadtree") };
         let page = Page { width: 400.0, height: 300.0 };
-        let mut camera = Camera::framing(&document.interesting(), page);
+        let mut camera = document.framed(page);
         (camera.height, camera.target) = (camera.height / 3.0, [0.123_456, 0.7]);
         let again = Eye::of(&camera, &document, page).camera(&document, page).unwrap();
         assert!((again.height / camera.height - 1.0).abs() < 1e-3);

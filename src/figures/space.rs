@@ -21,7 +21,7 @@ pub fn space<const D: usize>(
     show: &Show,
     step: usize,
 ) -> Figure {
-    let camera = camera.unwrap_or_else(|| Camera::framing(&document.interesting(), page));
+    let camera = camera.unwrap_or_else(|| document.framed(page));
     let scenario = &document.scenario;
     let moment = document.moment(step);
     let event = step.checked_sub(1).and_then(|index| document.trace.events.get(index));

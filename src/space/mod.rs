@@ -21,9 +21,7 @@ use crate::view::{Flight, View};
 use crate::widgets::{PageInWindow, paint_on_page};
 pub use base::Layers;
 use eframe::egui::{Event, Rect, Sense, Ui, WidgetInfo, accesskit::Role};
-use octoscope_core::geometry::Aabb;
 use octoscope_core::paper::erratum_of;
-use octoscope_core::query::Query;
 use octoscope_core::trace::Moment;
 use octoscope_core::tree::NodeId;
 use octoscope_figure::{
@@ -58,14 +56,13 @@ pub fn ui<const D: usize>(ui: &mut Ui, look: &Look, space: Space<'_, D>) {
     let frame = PageInWindow { page: page_of(rect), corner: rect.min };
     let room = view.space.replace(rect);
     let kept: Option<Camera<D>> = view.camera();
-    let framed = framed(document, look.is_for_hall());
-    let mut camera = kept.unwrap_or_else(|| Camera::framing(&framed, frame.page));
+    let mut camera = kept.unwrap_or_else(|| document.framed(frame.page));
     let (before, ray) = (camera, document.scenario.ray);
     view.fitted |= kept.is_none();
     if view.fitted && kept.is_some() && room.map(|room| room.size()) != Some(rect.size()) {
-        camera.frame(&framed, frame.page);
+        document.frame(&mut camera, frame.page);
     }
-    standpoint::stand(view, &mut camera, (&framed, frame.page), document, moment);
+    standpoint::stand(view, &mut camera, frame.page, document, moment);
     if camera != before && room.map(|room| room.size()) == Some(rect.size()) {
         let seen = flight::on_the_way(ui, view, before);
         view.flight = Some(Flight::from(seen, ui.input(|input| input.time)));
@@ -89,12 +86,6 @@ pub fn ui<const D: usize>(ui: &mut Ui, look: &Look, space: Space<'_, D>) {
     if kept != before || document.scenario.ray != ray {
         view.set_camera(kept);
     }
-    let ray = Some(document.scenario.ray);
-    let ray = ray.filter(|_| matches!(document.scenario.query, Query::Ray { .. }));
-    view.ray = ray.and_then(|ray| {
-        let [from, to] = [ray.origin(), ray.at(1.0)].map(|end| frame.place(&camera, end));
-        Some([from?, to?])
-    });
     let show = shown_now(ui, view, *view.show::<D>());
     let show = &show;
 
@@ -160,20 +151,4 @@ fn expected<const D: usize>(document: &Document<D>) -> Vec<Mark<D>> {
 
 fn page_of(rect: Rect) -> Page {
     Page { width: f64::from(rect.width()), height: f64::from(rect.height()) }
-}
-
-/// What is framed in the window: what is interesting; in a hall a ray that goes far
-/// beyond the root leaves the picture, so that the tree is large.
-fn framed<const D: usize>(document: &Document<D>, is_for_hall: bool) -> Aabb<D> {
-    const BEYOND: f64 = 0.25;
-    let mut bounds = document.interesting();
-    if is_for_hall {
-        let root = document.tree.domain().root_box();
-        let beyond = BEYOND * document.tree.domain().side();
-        for e in 0..D {
-            bounds.min[e] = bounds.min[e].max(root.min[e] - beyond);
-            bounds.max[e] = bounds.max[e].min(root.max[e] + beyond);
-        }
-    }
-    bounds
 }

@@ -2,7 +2,6 @@
 
 use crate::document::Document;
 use crate::view::{Standpoint, View};
-use octoscope_core::geometry::Aabb;
 use octoscope_core::trace::Moment;
 use octoscope_figure::{Camera, Lens, Page};
 use std::f64::consts::FRAC_PI_2;
@@ -12,11 +11,10 @@ const NODE_SHARE: f64 = 0.45;
 
 /// Moves the camera to what is asked for in `view`, and behind the current node
 /// where it is to be followed: once a node, so that the mouse can look elsewhere.
-/// `everything` is what is framed where all of it is asked for.
 pub fn stand<const D: usize>(
     view: &mut View,
     camera: &mut Camera<D>,
-    (everything, page): (&Aabb<D>, Page),
+    page: Page,
     document: &Document<D>,
     moment: &Moment<D>,
 ) {
@@ -33,7 +31,7 @@ pub fn stand<const D: usize>(
             }
         }
         Some(Standpoint::Everything) => {
-            camera.frame(everything, page);
+            document.frame(camera, page);
             view.fitted = true;
         }
         Some(side @ (Standpoint::Right | Standpoint::Front | Standpoint::Above)) => {
@@ -44,7 +42,7 @@ pub fn stand<const D: usize>(
                     (-FRAC_PI_2, FRAC_PI_2)
                 }
             };
-            camera.frame(everything, page);
+            document.frame(camera, page);
             view.fitted = true;
         }
     }

@@ -45,7 +45,7 @@ fn a_turned_octree_keeps_its_side_and_is_fitted_into_every_room() {
     let room = desk.state().view.space.unwrap();
     let page = Page { width: f64::from(room.width()), height: f64::from(room.height()) };
     let mut fitted = elsewhere;
-    fitted.frame(&desk.space().interesting(), page);
+    desk.space().frame(&mut fitted, page);
     assert_eq!(elsewhere, fitted);
 
     // What was zoomed on purpose stays as it is, until all is asked for.

@@ -206,8 +206,8 @@ impl Desk {
         let name = texts(self.state().view.language).get("space-name");
         let rect = self.get_by_role_and_label(Role::Canvas, &name).rect();
         let page = Page { width: f64::from(rect.width()), height: f64::from(rect.height()) };
-        let framed = || Camera::framing(&self.plane().interesting(), page);
-        let camera = self.state().view.plane_camera.unwrap_or_else(framed);
+        let camera = self.state().view.plane_camera;
+        let camera = camera.unwrap_or_else(|| self.plane().framed(page));
         (PageInWindow { page, corner: rect.min }, camera)
     }
 

@@ -57,6 +57,8 @@ pub struct Projected {
     pub depth: f64,
 }
 
+/// Share of a page that what is framed leaves free: the page is so much larger.
+pub(crate) const MARGIN: f64 = 1.12;
 /// Half of the perspective's vertical angle of view, as a tangent.
 const HALF_ANGLE: f64 = 0.27;
 /// Nearest and farthest distance that is seen, as shares of the target's.
@@ -76,9 +78,8 @@ impl<const D: usize> Camera<D> {
         camera
     }
 
-    /// Moves to where the whole of `bounds` is seen on `page`, with a margin.
+    /// Moves to where all of `bounds` is seen on `page`, with a margin.
     pub fn frame(&mut self, bounds: &Aabb<D>, page: Page) {
-        const MARGIN: f64 = 1.12;
         self.target = bounds.centre();
         let size = bounds.size().into_iter().fold(f64::MIN_POSITIVE, f64::max);
         self.height = if D == 2 {

@@ -18,6 +18,7 @@ mod figure;
 mod flight;
 pub mod fonts;
 mod formula;
+mod framing;
 mod gif;
 mod ground;
 mod handle;

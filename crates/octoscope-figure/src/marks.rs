@@ -6,7 +6,7 @@ mod ray;
 mod sides;
 
 pub use ray::far_end;
-pub(crate) use ray::interval;
+pub(crate) use ray::{STRETCH, interval, nearest, stretch};
 
 use crate::ways::ways;
 use crate::{Mark, Role, Shape, Show};

@@ -95,6 +95,8 @@ pub enum Role {
     RayOrigin,
     /// Handle on the ray's tip.
     RayTip,
+    /// How far away the origin of the ray is, where it begins beyond the page.
+    RayAway,
     /// What of the ray lies beyond the end that it is asked up to.
     RayBeyond,
     /// The ray as the algorithm mirrors it.

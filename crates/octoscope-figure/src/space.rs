@@ -2,6 +2,7 @@
 
 mod apart;
 mod arrows;
+mod away;
 mod boxes;
 mod cross;
 mod labels;
@@ -49,6 +50,7 @@ pub fn space_figure<const D: usize>(marks: &[Mark<D>], camera: &Camera<D>, page:
     // those of the axes first, which have but one place, numbers last.
     let is_of_axis = |mark: &&Mark<D>| matches!(mark.role, Role::AxisLabel(_));
     marks.iter().filter(is_of_axis).for_each(|mark| canvas.write(mark));
+    canvas.write_away(marks, root.as_ref());
     marks.iter().filter(|mark| !is_of_axis(mark)).for_each(|mark| canvas.write(mark));
     canvas.number(marks);
 

@@ -37,7 +37,7 @@ pub fn counterexample(variant: Variant) -> AnyScenario {
             ..rays([4.0, 1.25], [-1.0, 0.5], along(table))
         }),
         Variant::B9 => Octree(rays([0.625, 0.75, 0.875], [1.0; 3], along(Algorithm::Parametric))),
-        Variant::B10 => Octree(rays([2.0; 3], [1.0; 3], along(table))),
+        Variant::B10 => Octree(rays([1.25; 3], [1.0; 3], along(table))),
         Variant::B11 => Quadtree(rays([-0.5, 0.5], [1.0; 2], along(table))),
         Variant::B18 | Variant::B19 => Quadtree(asked(2, [1, 1], point([0.375; 2], variants))),
         Variant::B21 => Quadtree(asked(1, [1, 1], point([1.0, 0.25], variants))),

@@ -26,18 +26,39 @@ impl<const D: usize> Scene<'_, D> {
 }
 
 /// Where the arrow of a ray without an end of its own ends: a little beyond the root and
-/// its handle.
+/// its handle; of a ray that misses the root, beyond the place where it is nearest to it.
 pub fn far_end<const D: usize>(tree: &Tree<D>, ray: &Ray<D>) -> [f64; D] {
     ray.at(far_parameter(tree, ray))
 }
 
 fn far_parameter<const D: usize>(tree: &Tree<D>, ray: &Ray<D>) -> f64 {
     const BEYOND: f64 = 0.06;
+    let root = tree.domain().root_box();
+    let beyond = stretch(BEYOND, &root, ray);
+    let past = nearest(root.centre(), ray) + stretch(STRETCH, &root, ray);
+    let exit = interval(ray, &root).map_or(past, |[_, exit]| exit + beyond);
+    exit.max(1.0 + beyond).min(f64::MAX)
+}
+
+/// Length of the stretch of a ray that tells where it comes from and goes, in sides of the
+/// root.
+pub(crate) const STRETCH: f64 = 0.35;
+
+/// How much t changes along a stretch of a ray of so many sides of the root.
+pub(crate) fn stretch<const D: usize>(sides: f64, root: &Aabb<D>, ray: &Ray<D>) -> f64 {
+    let side = root.size().into_iter().fold(0.0, f64::max);
     // Squares of small components would vanish; an infinite t times 0 is no place.
     let length = ray.direction().into_iter().fold(0.0, f64::hypot);
-    let beyond = BEYOND * tree.domain().side() / length;
-    let exit = interval(ray, &tree.domain().root_box()).map_or(1.0, |[_, exit]| exit + beyond);
-    exit.max(1.0 + beyond).min(f64::MAX)
+    (sides * side / length).min(f64::MAX)
+}
+
+/// Parameter at which a ray is nearest to a point, 0 or more.
+pub(crate) fn nearest<const D: usize>(point: [f64; D], ray: &Ray<D>) -> f64 {
+    let largest = ray.direction().into_iter().fold(0.0, |most: f64, d| most.max(d.abs()));
+    let along = ray.direction().map(|d| d / largest);
+    let dot = |v: [f64; D]| (0..D).map(|e| v[e] * along[e]).sum::<f64>();
+    let way = std::array::from_fn(|e| point[e] - ray.origin()[e]);
+    (dot(way) / dot(along) / largest).clamp(0.0, f64::MAX)
 }
 
 /// Parameters at which the ray's line enters and leaves a box, for showing;

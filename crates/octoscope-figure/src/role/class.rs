@@ -82,6 +82,7 @@ impl Role {
             Self::Ray => "ray",
             Self::RayOrigin => "ray-origin",
             Self::RayTip => "ray-tip",
+            Self::RayAway => "ray-away",
             Self::RayBeyond => "ray-beyond",
             Self::MirroredRay => "mirrored-ray",
             Self::Ghost => "ghost",

@@ -5,7 +5,7 @@ use super::Role;
 impl Role {
     /// One role of every kind, in the order in which they cover each other,
     /// the lowest first.
-    pub const KINDS: [Self; 129] = [
+    pub const KINDS: [Self; 130] = [
         Self::Pixel([128; 3]),
         Self::FaintNode,
         Self::InnerNode,
@@ -59,6 +59,7 @@ impl Role {
         Self::Cut(0),
         Self::Cut(1),
         Self::Cut(2),
+        Self::RayAway,
         Self::RayOrigin,
         Self::RayTip,
         Self::EntryPoint,

@@ -10,11 +10,16 @@ use octoscope_core::geometry::{Aabb, Ray};
 const HEAD: f64 = 14.0;
 
 impl<const D: usize> Canvas<'_, D> {
-    /// The ray, so long that its head lies beyond the last point on it.
+    /// The ray, so long that its head lies beyond the last point on it; one that is asked
+    /// about up to a point before that ends there.
     pub(super) fn past_last(&self, [from, to]: [[f64; D]; 2]) -> [[f64; D]; 2] {
         const ROOM: f64 = 8.0;
         const MOST: f64 = 8.0;
         let Some(last) = self.last else { return [from, to] };
+        let is_short = (0..D).map(|e| (to[e] - last[e]) * (last[e] - from[e])).sum::<f64>() < 0.0;
+        if is_short {
+            return [from, to];
+        }
         let longer = |by: f64| std::array::from_fn(|e| last[e] + by * (to[e] - last[e]));
         let reach = |end: [f64; D]| {
             let [last, end] = [last, end].map(|place| self.camera.project(self.page, place));

@@ -100,7 +100,7 @@ impl<const D: usize> Canvas<'_, D> {
     }
 
     /// The place with room where a label covers the fewest lines, the first of such.
-    fn clearest(
+    pub(super) fn clearest(
         &mut self,
         places: impl IntoIterator<Item = [f64; 2]>,
         reach: [f64; 2],
@@ -147,7 +147,7 @@ impl<const D: usize> Canvas<'_, D> {
         others.into_iter().any(|(_, line)| distance_to_segment(at, *line) < NEAR)
     }
 
-    fn is_on_page(&self, at: [f64; 2], reach: [f64; 2]) -> bool {
+    pub(super) fn is_on_page(&self, at: [f64; 2], reach: [f64; 2]) -> bool {
         let page = [self.page.width, self.page.height];
         (0..2).all(|e| (reach[e]..=page[e] - reach[e]).contains(&at[e]))
     }

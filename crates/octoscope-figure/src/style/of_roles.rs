@@ -100,6 +100,10 @@ impl Style {
             Role::Ray => Self { fill: Some(p.ray), ..line(p.ray, 2.2) },
             Role::RayOrigin => Self { fill: Some(p.background), radius: 7.0, ..line(p.ray, 2.2) },
             Role::RayTip => Self { fill: Some(p.ray), radius: 5.5, ..line(p.background, 1.0) },
+            Role::RayAway => Self {
+                fill: Some(p.background),
+                ..line(p.ray, 1.8).lettered(p.ray, 12.0, Weight::Strong)
+            },
             Role::RayBeyond => Self { dash: Dash::Dotted, ..line(p.ray.faded(0.85), 1.5) },
             Role::MirroredRay => Self {
                 fill: Some(p.ray.faded(0.75)),

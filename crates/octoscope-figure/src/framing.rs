@@ -1,0 +1,109 @@
+//! What a picture of a question frames: the root, and what tells where its ray comes from.
+
+use crate::camera::{MARGIN, corners};
+use crate::marks::{STRETCH, interval, nearest, stretch};
+use crate::{Camera, Page};
+use octoscope_core::geometry::{Aabb, Ray};
+use octoscope_core::query::Query;
+
+/// The root alone would be so much larger at most: it keeps about two thirds of its size.
+const MOST: f64 = 1.55;
+/// The same where nothing of the ray would be seen otherwise: half its size.
+const MOST_OF_ALL: f64 = 2.0;
+
+impl<const D: usize> Camera<D> {
+    /// Moves to where the whole root is seen on `page`, with a margin, and as much as can
+    /// be of what is asked: of a ray its origin if that is near enough, else the stretch
+    /// before the root, or the nearest where it misses the root; then its tip. The root
+    /// keeps about two thirds of the size that it has alone. Keeps the side from which it
+    /// is seen.
+    pub fn frame_question(&mut self, root: &Aabb<D>, ray: &Ray<D>, query: &Query<D>, page: Page) {
+        let mut seen: Vec<[f64; D]> = corners(root).collect();
+        self.frame_points(&seen, page);
+        let alone = self.height;
+        for Wish { most, choices } in wishes(root, ray, query) {
+            for choice in choices {
+                let more: Vec<_> = seen.iter().copied().chain(choice).collect();
+                let mut trial = *self;
+                trial.frame_points(&more, page);
+                if trial.height <= most * alone {
+                    (*self, seen) = (trial, more);
+                    break;
+                }
+            }
+        }
+    }
+
+    /// Moves to where all of `points` are seen on `page`, in its middle, with a margin.
+    fn frame_points(&mut self, points: &[[f64; D]], page: Page) {
+        let Some(bounds) = Aabb::around(points.iter().copied()) else { return };
+        self.frame(&bounds, page);
+        if D == 2 {
+            return;
+        }
+        // A box around them would be larger than what is seen of them.
+        for _ in 0..16 {
+            let places = points.iter().map(|&point| Some(self.project(page, point)?.at));
+            let Some(places) = places.collect::<Option<Vec<[f64; 2]>>>() else {
+                self.height *= 2.0;
+                continue;
+            };
+            let reach = |e: usize, farther: fn(f64, f64) -> f64| {
+                places.iter().map(|place| place[e]).reduce(farther).unwrap_or(0.0)
+            };
+            let [min, max] = [f64::min, f64::max].map(|farther| [0, 1].map(|e| reach(e, farther)));
+            let [across, along] = [0, 1].map(|e| 0.5 * (min[e] + max[e]));
+            self.pan(page, 0.5 * page.width - across, 0.5 * page.height - along);
+            let share = ((max[0] - min[0]) / page.width).max((max[1] - min[1]) / page.height);
+            self.height *= share * MARGIN;
+        }
+    }
+}
+
+/// What is wished to be seen beside the root.
+struct Wish<const D: usize> {
+    /// How much larger the root alone may be.
+    most: f64,
+    /// The points of each choice, the best first; the first that there is room for is taken.
+    choices: Vec<Vec<[f64; D]>>,
+}
+
+/// All wishes, one after the other.
+fn wishes<const D: usize>(root: &Aabb<D>, ray: &Ray<D>, query: &Query<D>) -> Vec<Wish<D>> {
+    let wish = |points: Vec<[f64; D]>| Wish { most: MOST, choices: vec![points] };
+    match *query {
+        Query::Ray { .. } => {
+            let mut all = beginnings(root, ray);
+            all.push(wish(vec![ray.at(1.0)]));
+            all
+        }
+        Query::Point { at, .. } => vec![wish(vec![at])],
+        Query::Region { min, max, .. } => vec![wish(vec![min, max])],
+        Query::Neighbour { .. } => Vec::new(),
+    }
+}
+
+/// Stretches of the ray that tell where it comes from.
+fn beginnings<const D: usize>(root: &Aabb<D>, ray: &Ray<D>) -> Vec<Wish<D>> {
+    let stretch = stretch(STRETCH, root, ray);
+    let at = |t: f64| ray.at(t.clamp(0.0, f64::MAX));
+    match interval(ray, root) {
+        Some([enter, exit]) if exit >= 0.0 => {
+            let choices = vec![vec![ray.origin()], vec![at(enter - stretch)]];
+            vec![Wish { most: MOST, choices }]
+        }
+        Some(_) | None => {
+            let near = nearest(root.centre(), ray);
+            let [before, behind] = [near - stretch, near + stretch].map(at);
+            let (origin, near) = (ray.origin(), at(near));
+            let choices = vec![
+                vec![origin, behind],
+                vec![before, behind],
+                vec![before, near],
+                vec![near, behind],
+            ];
+            let last = Wish { most: MOST_OF_ALL, choices: vec![vec![near]] };
+            vec![Wish { most: MOST, choices }, last]
+        }
+    }
+}
