@@ -1,6 +1,7 @@
 //! The formulas of a step: with symbols, and below with its numbers.
 
 use super::formula_breaks::{formula_lines, without_bars};
+use super::formula_short::{Told, told_in};
 use super::sheet::Sheet;
 use super::subject::Subject;
 use crate::formula::{FormulaType, SetFormula};
@@ -28,7 +29,8 @@ const TIGHT: Spacing = Spacing { leading: 4.0, gap: 12.0, row_gap: 8.0 };
 /// fits, symbols above numbers; closer together before the type becomes smaller, and
 /// broken over lines, then with fractions in a line, where no type is small enough. The
 /// page is as high as what is on it. No type is smaller than `least` page units: rather
-/// the numbers are left out, then the last statements.
+/// what is computed stands with its numbers alone, then with what comes of it, then the
+/// last statements are left out.
 pub fn formula_figure(statements: &[Statement], most: Page, least: f64) -> Figure {
     let smallest = FormulaType::most_for(least);
     let is_fitting = |figure: &Figure| {
@@ -41,16 +43,21 @@ pub fn formula_figure(statements: &[Statement], most: Page, least: f64) -> Figur
             Some(set(statements, most.width, of, (spacing, lines))).filter(is_fitting)
         })
     };
-    let bare = |statement: &Statement| Statement { numbers: None, ..statement.clone() };
-    let symbols: Vec<Statement> = statements.iter().map(bare).collect();
     let either = |statements: &[Statement]| {
         [Lines::Whole, Lines::Broken, Lines::Low]
             .into_iter()
             .find_map(|lines| set_in(statements, lines))
     };
-    let fewer = || (1..=symbols.len()).rev().find_map(|n| either(&symbols[..n]));
+    let shorter = |told: Told| -> Vec<Statement> {
+        statements.iter().map(|statement| told_in(statement, told)).collect()
+    };
+    let fewer = || {
+        let results = shorter(Told::Result);
+        (1..results.len()).rev().find_map(|n| either(&results[..n]))
+    };
     let smaller = FormulaType { step: SMALLEST.min(smallest), most: smallest };
-    let found = either(statements).or_else(|| if least > 0.0 { fewer() } else { None });
+    let found = Told::ALL.into_iter().find_map(|told| either(&shorter(told)));
+    let found = found.or_else(|| if least > 0.0 { fewer() } else { None });
     found.unwrap_or_else(|| set(statements, most.width, smaller, (TIGHT, Lines::Broken)))
 }
 

@@ -91,7 +91,7 @@ fn in_brackets(formula: Formula) -> Formula {
 }
 
 /// Parts of rows within rows, in their order.
-fn flat(parts: &[Formula]) -> Vec<Formula> {
+pub fn flat(parts: &[Formula]) -> Vec<Formula> {
     let parts = parts.iter().flat_map(|part| match part {
         Formula::Row(inner) => flat(inner),
         Formula::Symbol { .. }

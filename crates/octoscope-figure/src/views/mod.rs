@@ -11,6 +11,7 @@ mod codes;
 mod exercise;
 mod formula;
 mod formula_breaks;
+mod formula_short;
 mod kind;
 pub mod lab;
 mod legend;
