@@ -201,28 +201,6 @@ impl<const D: usize> Document<D> {
 }
 
 /// Mean colours of the leaves by node number, if the tree is of a picture.
-    pub fn leaf_colours(&self) -> Option<Vec<Option<[u8; 3]>>> {
-        colours_of_leaves(&self.tree, &self.content)
-    }
-
-    /// State of the algorithm after `step` events.
-    pub fn moment(&self, step: usize) -> Moment<D> {
-        Moment::after(&self.tree, &self.trace, step)
-    }
-
-    /// The root and, where they are near it, both handles of the ray.
-    pub fn interesting(&self) -> Aabb<D> {
-        let root = self.tree.domain().root_box();
-        let side = self.tree.domain().side();
-        let near = |p: &[f64; D]| (0..D).all(|e| (p[e] - root.centre()[e]).abs() <= 2.5 * side);
-        let ray = self.scenario.ray;
-        let handles = [ray.origin(), ray.at(1.0)].into_iter().filter(near);
-        let points = [root.min, root.max].into_iter().chain(handles);
-        Aabb::around(points).unwrap_or(root)
-    }
-}
-
-/// Mean colours of the leaves by node number, if the tree is of a picture.
 pub fn colours_of_leaves<const D: usize>(
     tree: &Tree<D>,
     content: &Content<D>,

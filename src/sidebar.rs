@@ -6,7 +6,7 @@ use crate::document::Document;
 use crate::look::Look;
 use crate::map::Maps;
 use crate::notice::Notice;
-use crate::panels::{formula, query, ray, scene, show};
+use crate::panels::{formula, paper, query, ray, scene, show};
 use crate::space::{self, Layers, Space};
 use crate::view::{PanelKind, Preset, View};
 use crate::wish::Wish;
@@ -110,9 +110,9 @@ fn is_low(panel: PanelKind) -> bool {
         Neighbour, Paper, Rail, Region, Stack, Tables, Tree, Variables, WayDown, WhyNot,
     };
     match panel {
-        Rail | Codes | WayDown | Links | Halves | Grid => true,
-        Cuts | Children | Tables | Region | Neighbour | Paper | Automaton | Listing | Variables
-        | Stack | Counters | Compare | Tree | WhyNot | Map => false,
+        Rail | Codes | WayDown | Links | Halves | Grid | Paper => true,
+        Cuts | Children | Tables | Region | Neighbour | Automaton | Listing | Variables | Stack
+        | Counters | Compare | Tree | WhyNot | Map => false,
     }
 }
 
@@ -148,7 +148,11 @@ fn formulas_in<const D: usize>(
             view.notation,
             view.language,
         );
-        formula::ui(ui, look, &told, view.notation);
+        let why = paper::why(look, &document.scenario.query);
+        match why.filter(|_| told.is_empty() && place == Place::BelowPanel) {
+            Some(why) => formula::words_instead(ui, look, &why),
+            None => formula::ui(ui, look, &told, view.notation),
+        }
     });
 }
 

@@ -3,9 +3,9 @@
 use crate::command::Command;
 use crate::look::Look;
 use crate::shortcut;
-use crate::widgets::paint_formula;
+use crate::widgets::{paint_formula, rich_job, rich_label};
 use eframe::egui::{Rect, Sense, Ui, WidgetInfo, accesskit::Role, vec2};
-use octoscope_core::explain::{Notation, Statement, spoken};
+use octoscope_core::explain::{Notation, RichText, Statement, spoken};
 use octoscope_figure::Page;
 use octoscope_figure::views::{FormulaRows, formula_figure, formula_height};
 
@@ -49,4 +49,17 @@ pub fn ui(ui: &mut Ui, look: &Look, statements: &[Statement], notation: Notation
     let why = look.texts.format("notation-now", &arguments);
     let place = Rect::from_min_size(corner, size);
     paint_formula(ui, look, place, &figure, response.on_hover_text_at_pointer(why));
+}
+
+/// Words in the room of the formulas of a step that has none: the first of them, and of the
+/// others those that fit.
+pub fn words_instead(ui: &mut Ui, look: &Look, words: &[RichText]) {
+    const SIZE: f32 = 13.0;
+    let width = ui.available_width();
+    for (index, text) in words.iter().enumerate() {
+        let height = ui.painter().layout_job(rich_job(text, look, SIZE, width)).size().y;
+        if index == 0 || height <= ui.available_height() {
+            rich_label(ui, look, text, SIZE, width);
+        }
+    }
 }

@@ -2,8 +2,7 @@
 
 use crate::look::Look;
 use crate::notice::Notice;
-use crate::panels::sentence::fitted;
-use crate::widgets::rich_label;
+use crate::widgets::{fitting_size, rich_label};
 use eframe::egui::{
     Align, Align2, Area, Context, FontId, Frame, Id, Key, Label, Layout, Margin, Order, RichText,
     Ui, vec2,
@@ -49,7 +48,7 @@ pub fn for_sentence(ui: &mut Ui, look: &Look, notice: &mut Notice) {
     const BAR: f32 = 4.0;
     let [width, height] = [ui.available_width(), ui.min_size().y];
     let text = Words(vec![Span { text: notice.text().to_owned(), ..Span::default() }]);
-    let size = fitted(ui, look, &text, [width - CLOSE, height]);
+    let size = fitting_size(ui, look, &text, [width - CLOSE, height]);
     ui.multiply_opacity(strength);
     let shown = ui.horizontal(|ui| {
         ui.add_space(BAR);

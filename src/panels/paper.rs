@@ -1,5 +1,9 @@
 //! The paper lab: rules as printed against corrected.
 
+mod hall;
+
+pub use hall::why;
+
 use crate::document::Found;
 use crate::look::Look;
 use crate::widgets::{printed_and_right, rich_label};
@@ -20,27 +24,19 @@ pub fn ui<const D: usize>(
     query: &mut Query<D>,
     verdict: &Found<Verdict>,
 ) -> Option<Wish> {
+    if look.is_for_hall() {
+        return hall::ui(ui, look, query, verdict);
+    }
     let mut wish = None;
-    let misprints = |variant: &Variant| erratum_of(*variant).is_some();
-    let own: Vec<Variant> =
-        Variant::ALL.into_iter().filter(misprints).filter(|&v| query.takes(v)).collect();
+    let own = misprints_of(query);
     if own.is_empty() {
         ui.add(Label::new(quiet(look, look.text("paper-none"))).wrap());
     }
     ui.horizontal_wrapped(|ui| {
-        for variant in own {
-            let mut variants = query.variants();
-            let mut on = variants.has(variant);
-            let title = misprint_title(variant, look.texts.language());
-            let response = ui.toggle_value(&mut on, variant.id());
-            if response.on_hover_text(title.unwrap_or_default()).changed() {
-                variants = if on { variants.with(variant) } else { variants.without(variant) };
-                *query = query.with_variants(variants);
-            }
-        }
+        own.into_iter().for_each(|variant| switch(ui, look, query, variant));
     });
 
-    let printed: Vec<Variant> = query.variants_at_work().iter().filter(misprints).collect();
+    let printed = printed_in(query);
     for &variant in &printed {
         if let Some(erratum) = erratum_of(variant) {
             ui.add_space(4.0);
@@ -63,6 +59,30 @@ pub fn ui<const D: usize>(
     wish
 }
 
+/// The misprints that a query can follow.
+fn misprints_of<const D: usize>(query: &Query<D>) -> Vec<Variant> {
+    let is_misprint = |variant: &Variant| erratum_of(*variant).is_some();
+    Variant::ALL.into_iter().filter(is_misprint).filter(|&v| query.takes(v)).collect()
+}
+
+/// Those that it follows.
+fn printed_in<const D: usize>(query: &Query<D>) -> Vec<Variant> {
+    let is_misprint = |variant: &Variant| erratum_of(*variant).is_some();
+    query.variants_at_work().iter().filter(is_misprint).collect()
+}
+
+/// Turns one of them on and off.
+fn switch<const D: usize>(ui: &mut Ui, look: &Look, query: &mut Query<D>, variant: Variant) {
+    let mut variants = query.variants();
+    let mut on = variants.has(variant);
+    let title = misprint_title(variant, look.texts.language());
+    let response = ui.toggle_value(&mut on, variant.id());
+    if response.on_hover_text(title.unwrap_or_default()).changed() {
+        variants = if on { variants.with(variant) } else { variants.without(variant) };
+        *query = query.with_variants(variants);
+    }
+}
+
 /// Whether the run goes wrong, where, and a search for another question that does.
 fn judged<const D: usize>(
     ui: &mut Ui,
@@ -82,20 +102,7 @@ fn judged<const D: usize>(
             return None;
         }
     };
-    let told = match (verdict.first_wrong_step, verdict.detour) {
-        (Some(step), _) => Some(look.texts.format("paper-wrong", &[("step", step.into())])),
-        (None, Some(step)) => {
-            let [steps, right] = verdict.n_steps;
-            let arguments =
-                [("steps", steps.into()), ("right", right.into()), ("step", step.into())];
-            Some(look.texts.format("paper-longer", &arguments))
-        }
-        (None, None) => None,
-    };
-    let told = told.map_or(RichText::new(look.text("paper-agrees")), |told| {
-        RichText::new(told).strong().color(look.palette.ray)
-    });
-    ui.add(Label::new(told).wrap());
+    ui.add(Label::new(told_of(look, verdict, "paper-longer")).wrap());
     if let Some(step) = verdict.first_step_off()
         && ui.button(look.text("paper-go")).clicked()
     {
@@ -114,17 +121,42 @@ fn judged<const D: usize>(
     wish
 }
 
-/// What is printed, what is right, and why: as formulas where these tell it.
-fn explained(ui: &mut Ui, look: &Look, erratum: &Erratum, variants: &[Variant]) {
+/// Whether a run goes wrong, and where; `longer` is the key of what is said of a detour.
+fn told_of(look: &Look, verdict: &Verdict, longer: &str) -> RichText {
+    let told = match (verdict.first_wrong_step, verdict.detour) {
+        (Some(step), _) => look.texts.format("paper-wrong", &[("step", step.into())]),
+        (None, Some(step)) => {
+            let [steps, right] = verdict.n_steps;
+            let arguments =
+                [("steps", steps.into()), ("right", right.into()), ("step", step.into())];
+            look.texts.format(longer, &arguments)
+        }
+        (None, None) => return RichText::new(look.text("paper-agrees")),
+    };
+    RichText::new(told).strong().color(look.palette.ray)
+}
+
+/// What is printed and what is right: as formulas where these tell it.
+fn both_rules(ui: &mut Ui, look: &Look, erratum: &Erratum, variants: &[Variant]) {
     let misprints: Vec<_> = variants.iter().filter_map(|&v| misprint_formula(v)).collect();
     misprints.iter().for_each(|misprint| printed_and_right(ui, look, misprint));
+    if !misprints.is_empty() {
+        return;
+    }
     for (key, part) in [("paper-printed", "printed"), ("paper-right", "right")] {
-        if misprints.is_empty() {
-            ui.label(quiet(look, look.text(key)));
-            let text = RichText::new(told(look, erratum, part)).monospace().size(13.0);
-            ui.add(Label::new(text).wrap());
+        let [caption, text] = [look.text(key), told(look, erratum, part)];
+        if look.is_for_hall() {
+            hall::rule(ui, look, &caption, &text);
+        } else {
+            ui.label(quiet(look, caption));
+            ui.add(Label::new(RichText::new(text).monospace().size(13.0)).wrap());
         }
     }
+}
+
+/// The same, and why.
+fn explained(ui: &mut Ui, look: &Look, erratum: &Erratum, variants: &[Variant]) {
+    both_rules(ui, look, erratum, variants);
     let why = Words::with_subscripts(&told(look, erratum, "why"));
     let width = ui.available_width();
     rich_label(ui, look, &why, 15.0, width);

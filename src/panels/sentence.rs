@@ -1,15 +1,14 @@
 //! The sentence of the step, readable from the back row.
 
 use crate::look::Look;
-use crate::widgets::{rich_job, rich_label};
+use crate::widgets::{fitting_size, rich_label};
 use eframe::egui::Ui;
 use octoscope_core::explain::{RichText, Span};
 
 /// With less room than this, in points, the type is smaller.
 const NARROW: f32 = 640.0;
-/// Heights of type; the largest that fits is taken.
-const SIZES: [f32; 7] = [22.0, 20.0, 18.0, 17.0, 16.0, 15.0, SMALLEST];
-const SMALLEST: f32 = 14.0;
+/// Height of type in all other rooms, where the sentence fits.
+const LARGEST: f32 = 22.0;
 
 /// The sentence of `step`, in large type, before the first step with the key
 /// that begins; a screen reader is told when it changes. Pointing at it shows the
@@ -21,8 +20,8 @@ pub fn ui(ui: &mut Ui, look: &Look, mut sentence: RichText, step: usize) {
     }
     let width = ui.available_width();
     // Nothing moves from step to step: a long sentence has smaller type.
-    let largest = if look.is_for_hall() || width >= NARROW { SIZES[0] } else { 18.0 };
-    let size = fitted(ui, look, &sentence, [width, ui.min_size().y]).min(largest);
+    let largest = if look.is_for_hall() || width >= NARROW { LARGEST } else { 18.0 };
+    let size = fitting_size(ui, look, &sentence, [width, ui.min_size().y]).min(largest);
     let mut response = rich_label(ui, look, &sentence, size, width);
     let digits = digits(&sentence);
     if !digits.is_empty() {
@@ -32,15 +31,6 @@ pub fn ui(ui: &mut Ui, look: &Look, mut sentence: RichText, step: usize) {
         node.set_live(eframe::egui::accesskit::Live::Polite);
         node.set_author_id("sentence");
     });
-}
-
-/// Height of the largest type in which a text fits into a room.
-pub fn fitted(ui: &Ui, look: &Look, text: &RichText, [width, most]: [f32; 2]) -> f32 {
-    let height = |size| {
-        let job = rich_job(text, look, size, width);
-        ui.painter().layout_job(job).size().y
-    };
-    SIZES.into_iter().find(|&size| height(size) <= most).unwrap_or(SMALLEST)
 }
 
 /// The numbers that are told in short, each once, with all their digits.

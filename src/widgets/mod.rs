@@ -36,7 +36,7 @@ pub use page_in_window::PageInWindow;
 pub use paint::paint_on_page;
 pub use panel_heading::{Place, panel_heading};
 pub use ranged_field::{MOST_SEED, ranged_field};
-pub use rich::{rich_job, rich_label};
+pub use rich::{fitting_size, rich_job, rich_label};
 pub use segments::{explained_segments, segments};
 pub use slider_field::slider_field;
 pub use step_slider::step_slider;

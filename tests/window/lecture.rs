@@ -9,8 +9,14 @@ use egui_kittest::kittest::{NodeT, Queryable};
 use egui_kittest::{Harness, Node};
 use octoscope::text::texts;
 use octoscope::view::Preset;
+use octoscope::with_document;
+use octoscope_core::explain::{Formula, Statement, formulas};
+use octoscope_core::paper::{counterexample, erratum_of};
 use octoscope_core::scenario::built_in;
 use octoscope_core::text::Language;
+use octoscope_core::traverse::Variant;
+use octoscope_figure::views::formula_figure;
+use octoscope_figure::{Form, Page};
 
 /// What a projector shows, in points.
 const PROJECTOR: [f32; 2] = [1024.0, 768.0];
@@ -58,7 +64,7 @@ fn each_text(shape: &Shape, see: &mut impl FnMut(&TextShape)) {
 impl Desk {
     /// How far what explains the step goes on below its room, which ends above the
     /// sentence, or above formulas in the same column; 0 if it does not.
-    fn overflow(&self) -> f32 {
+    pub fn overflow(&self) -> f32 {
         let name = texts(self.state().view.language).get("space-name");
         let space = self.get_by_role_and_label(Role::Canvas, &name).rect();
         let nodes = self.nodes();
@@ -110,4 +116,134 @@ fn everything_in_a_lecture_is_read_from_the_back_row_at_once() {
     }
     assert!(n_texts > 1000, "{n_texts}");
     assert!(faults.is_empty(), "{} of {n_texts}\n{}", faults.len(), faults.join("\n"));
+}
+
+/// A lecture on a counterexample, where one goes wrong as printed.
+fn lecture_on(variant: Variant, size: [f32; 2], language: Language) -> Desk {
+    let mut desk = Desk::of(Harness::builder(), size);
+    desk.open_scenario(&counterexample(variant));
+    let view = &mut desk.state_mut().view;
+    (view.language, view.preset) = (language, Preset::Lecture);
+    desk.run();
+    desk
+}
+
+fn misprints() -> impl Iterator<Item = Variant> {
+    Variant::ALL.into_iter().filter(|&variant| erratum_of(variant).is_some())
+}
+
+#[test]
+fn the_paper_lab_of_a_lecture_is_read_at_once_and_leaves_the_picture_its_height() {
+    let mut faults = Vec::new();
+    for variant in misprints() {
+        for language in Language::ALL {
+            let mut desk = lecture_on(variant, PROJECTOR, language);
+            for share in [0.0, 0.5, 1.0] {
+                desk.go_to(&At::Share(share));
+                let place = format!("{} {language:?} {share}", variant.id());
+                let overflow = desk.overflow();
+                if overflow > 0.5 {
+                    faults.push(format!("{place}: scrolls by {overflow}"));
+                }
+                let small = painted(&desk).into_iter().filter(|(_, size)| *size < LEAST - 0.01);
+                faults.extend(small.map(|(text, size)| format!("{place}: {size:.1} {text}")));
+                let space = desk.state().view.space.unwrap().height();
+                let window = desk.ctx.content_rect().height();
+                if space < 0.74 * window {
+                    faults.push(format!("{place}: the picture has {space} of {window}"));
+                }
+            }
+        }
+    }
+    assert!(faults.is_empty(), "{}\n{}", faults.len(), faults.join("\n"));
+}
+
+/// Steps whose formulas are shown without what comes of them, in the room that they have
+/// in the window.
+fn bare_steps(desk: &mut Desk, place: &str) -> Vec<String> {
+    // Where a step has none, words may be in their place.
+    let room = (1..=desk.state().document().n_events()).find_map(|step| {
+        let length = desk.state().document().n_events();
+        desk.state_mut().view.playback.go_to(step, length);
+        desk.step();
+        Some(named(desk, "formula")?.size())
+    });
+    let Some(room) = room else { return vec![format!("{place}: no room")] };
+    let page = Page { width: f64::from(room.x), height: f64::from(room.y) };
+    let least = f64::from(Preset::Lecture.least_type());
+    let document = desk.state().document();
+    let bare = |step: usize, told: &[Statement]| {
+        let figure = formula_figure(told, page, least);
+        let is_large =
+            figure.page.width <= page.width + 0.01 && figure.page.height <= page.height + 0.01;
+        let letters: Vec<String> = figure
+            .spelled_out()
+            .drawn
+            .iter()
+            .filter_map(|drawn| match &drawn.form {
+                Form::Text { text, .. } => Some(text.plain()),
+                _ => None,
+            })
+            .collect();
+        let is_shown = |told: &Statement| {
+            let numbers = told.numbers.as_ref().and_then(last_number);
+            numbers.is_none_or(|number| letters.contains(&number))
+        };
+        (!is_large || !told.iter().all(is_shown))
+            .then(|| format!("{place}: step {step}: {letters:?}"))
+    };
+    let view = &desk.state().view;
+    with_document!(document, d => {
+        let told = |step| formulas(&d.tree, d.traced_ray(), &d.trace, step, view.notation, view.language);
+        (1..=d.trace.events.len()).filter_map(|step| bare(step, &told(step))).collect()
+    })
+}
+
+/// The last number of a formula, as it is written.
+fn last_number(formula: &Formula) -> Option<String> {
+    match formula {
+        Formula::Row(parts) => parts.iter().rev().find_map(last_number),
+        Formula::Number { shown: text, .. } | Formula::Digits(text) => Some(text.clone()),
+        Formula::Sub { body, .. } | Formula::Sup { body, .. } | Formula::Fenced { body, .. } => {
+            last_number(body)
+        }
+        Formula::Fraction { under, .. } => last_number(under),
+        Formula::Symbol { .. } | Formula::Words(_) | Formula::Sign(_) | Formula::Over { .. } => {
+            None
+        }
+    }
+}
+
+/// The control of this id.
+fn named(desk: &Desk, id: &str) -> Option<Rect> {
+    let nodes = desk.nodes();
+    let is_named = |node: &&Node<'_>| node.accesskit_node().author_id() == Some(id);
+    nodes.iter().find(is_named).map(|node| node.rect())
+}
+
+#[test]
+fn a_lecture_shows_what_a_misprint_computes_with_its_numbers() {
+    let mut bare = Vec::new();
+    for variant in misprints() {
+        for (size, language) in
+            [(PROJECTOR, Language::German), ([1280.0, 800.0], Language::English)]
+        {
+            let mut desk = lecture_on(variant, size, language);
+            bare.extend(bare_steps(&mut desk, &format!("{} {size:?}", variant.id())));
+        }
+    }
+    assert!(bare.is_empty(), "{}\n{}", bare.len(), bare.join("\n"));
+}
+
+#[test]
+fn a_lecture_shows_what_every_algorithm_computes_with_its_numbers() {
+    let mut bare = Vec::new();
+    for (_, scene) in SCENES {
+        for question in Question::all() {
+            let mut desk = lecture(scene, Language::German);
+            question.ask(&mut desk);
+            bare.extend(bare_steps(&mut desk, &format!("{scene} {}", question.name())));
+        }
+    }
+    assert!(bare.is_empty(), "{}\n{}", bare.len(), bare.join("\n"));
 }

@@ -435,6 +435,7 @@ paper-too-large = Der Baum ist zu groß, um Blatt für Blatt geprüft zu werden.
 paper-coming = Der Lauf wird Blatt für Blatt geprüft …
 paper-agrees = Bei dieser Eingabe schadet die gedruckte Regel nicht.
 paper-longer = Kommt zum richtigen Ergebnis, aber mit { $steps } Schritten statt { $right }. Der Umweg beginnt bei Schritt { $step }.
+paper-longer-short = Richtig, aber in { $steps } statt { $right } Schritten, ab Schritt { $step }.
 paper-marks = Gepunktet ist, was richtig wäre; durchgestrichen, was gemeldet wird, obwohl es falsch ist.
 paper-wrong = Geht bei Schritt { $step } schief.
 paper-go = Zu diesem Schritt

@@ -435,6 +435,7 @@ paper-too-large = The tree is too large to be checked leaf by leaf.
 paper-coming = The run is being checked leaf by leaf …
 paper-agrees = On this input the printed rule does no harm.
 paper-longer = Comes to the right result, but by { $steps } steps instead of { $right }. The detour begins at step { $step }.
+paper-longer-short = Right, but in { $steps } steps instead of { $right }, from step { $step } on.
 paper-marks = Dotted is what would be right; crossed out, what is reported although it is wrong.
 paper-wrong = Goes wrong at step { $step }.
 paper-go = Go to that step
