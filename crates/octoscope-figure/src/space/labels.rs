@@ -79,7 +79,11 @@ impl<const D: usize> Canvas<'_, D> {
     /// middle; where it covers the fewest lines.
     fn write_in(&mut self, mark: &Mark<D>, (at, bounds): ([f64; D], &Aabb<D>), text: &str) {
         let place = |world| self.camera.project(self.page, world).map(|p| p.at);
-        let reach = text_reach(mark.role, text);
+        // A child's number lies on paler ground, a disc.
+        let reach = match text_reach(mark.role, text) {
+            [across, along] if mark.role == Role::ChildIndex => [across.max(along); 2],
+            reach => reach,
+        };
         let [width, height] = self.extent(bounds);
         if width <= 2.0 * reach[0] + 4.0 || height <= 2.0 * reach[1] + 2.0 {
             return;

@@ -1,0 +1,156 @@
+//! Letters and numbers of a scene: none covers another, and the ray covers none of an axis.
+
+#![allow(clippy::unwrap_used, reason = "a test may panic")]
+
+use octoscope_core::gallery::Degenerate;
+use octoscope_core::paper::{counterexample, erratum_of};
+use octoscope_core::progress::Progress;
+use octoscope_core::scenario::{AnyScenario, Scenario, built_in};
+use octoscope_core::trace::{Moment, record};
+use octoscope_core::traverse::Variant;
+use octoscope_core::tree::{Tree, build};
+use octoscope_figure::{
+    Camera, Drawn, Figure, Form, Page, Part, Role, Show, axes, marks, metrics, space_figure,
+};
+
+const PAGES: [Page; 3] = [
+    Page { width: 336.0, height: 290.0 },
+    Page { width: 449.0, height: 365.0 },
+    Page { width: 608.0, height: 510.0 },
+];
+
+/// What is written, and where: middle and half extents, as high as capitals are.
+fn written(figure: &Figure) -> Vec<(&Drawn, [[f64; 2]; 2])> {
+    let areas = figure.drawn.iter().filter_map(|drawn| match &drawn.form {
+        Form::Text { at, anchor, text } => {
+            let (width, size) = (metrics::width(drawn.role, text), metrics::size(drawn.role));
+            let middle = [at[0] + (0.5 - anchor.share()) * width, at[1]];
+            Some((drawn, [middle, [0.5 * width, 0.37 * size]]))
+        }
+        Form::Polygon(_) | Form::Polyline(_) | Form::Circle { .. } | Form::Formula { .. } => None,
+    });
+    areas.collect()
+}
+
+/// Discs behind numbers: their middles and radii.
+fn discs(figure: &Figure) -> impl Iterator<Item = (Role, [f64; 2], f64)> {
+    figure.drawn.iter().filter_map(|drawn| match drawn.form {
+        Form::Circle { centre, radius }
+            if matches!(drawn.role, Role::OrderNumber | Role::ChildIndex) =>
+        {
+            Some((drawn.role, centre, radius))
+        }
+        _ => None,
+    })
+}
+
+fn overlaps(figure: &Figure) -> Vec<String> {
+    let written = written(figure);
+    let mut faults = Vec::new();
+    for (index, (a, [at, reach])) in written.iter().enumerate() {
+        let told = format!("{:?} {:?}", a.role, a.form);
+        for (b, [other, extent]) in &written[..index] {
+            if (0..2).all(|e| (at[e] - other[e]).abs() < reach[e] + extent[e] - 0.01) {
+                faults.push(format!("{told} on {:?} {:?}", b.role, b.form));
+            }
+        }
+        for (role, centre, radius) in discs(figure) {
+            let beyond = [0, 1].map(|e| ((centre[e] - at[e]).abs() - reach[e]).max(0.0));
+            // A number lies in the middle of its own.
+            let is_own = (centre[0] - at[0]).hypot(centre[1] - at[1]) < 0.01;
+            if !is_own && beyond[0].hypot(beyond[1]) < radius - 0.01 {
+                faults.push(format!("{role:?} at {centre:?} on {told}"));
+            }
+        }
+        let is_of_axis = matches!(a.role, Role::AxisLabel(_));
+        if is_of_axis && rays(figure).any(|line| meets(line, *at, *reach)) {
+            faults.push(format!("the ray on {told}"));
+        }
+    }
+    faults
+}
+
+fn rays(figure: &Figure) -> impl Iterator<Item = [[f64; 2]; 2]> {
+    figure.drawn.iter().filter_map(|drawn| match (&drawn.form, drawn.role, drawn.part) {
+        (Form::Polyline(points), Role::Ray, Part::Edge) => Some([points[0], points[1]]),
+        _ => None,
+    })
+}
+
+/// Whether a line meets a rectangle.
+fn meets([from, to]: [[f64; 2]; 2], at: [f64; 2], reach: [f64; 2]) -> bool {
+    (0..=400).any(|n| {
+        let share = f64::from(n) / 400.0;
+        (0..2).all(|e| (from[e] + share * (to[e] - from[e]) - at[e]).abs() < reach[e])
+    })
+}
+
+fn tree_of<const D: usize>(scenario: &Scenario<D>) -> Tree<D> {
+    let (content, grid) = (scenario.source.content().unwrap(), scenario.grid().unwrap());
+    build(&content, grid, &scenario.recipe, &Progress::default()).unwrap()
+}
+
+fn faults<const D: usize>(name: &str, scenario: &Scenario<D>) -> Vec<String> {
+    let tree = tree_of(scenario);
+    let trace = record(&tree, &scenario.ray, &scenario.query);
+    let show = Show::at_first::<D>();
+    let mut faults = Vec::new();
+    for page in PAGES {
+        let root = tree.domain().root_box();
+        let mut camera = Camera::framing(&root, page);
+        camera.frame_question(&root, &scenario.ray, &scenario.query, page);
+        // Some steps of long runs, all kinds of them.
+        for step in (0..=trace.events.len()).step_by(1 + trace.events.len() / 24) {
+            let moment = Moment::after(&tree, &trace, step);
+            let event = step.checked_sub(1).and_then(|index| trace.events.get(index));
+            let mut all = axes(tree.domain(), &show, &camera);
+            all.extend(marks(&tree, &scenario.ray, &scenario.query, &moment, event, &show));
+            all.sort_by_cached_key(|mark| mark.role.layer());
+            let figure = space_figure(&all, &camera, page);
+            let place = format!("{name} {}, step {step}", page.width);
+            faults.extend(overlaps(&figure).into_iter().map(|fault| format!("{place}: {fault}")));
+        }
+    }
+    faults
+}
+
+fn faults_of(name: &str, scenario: &AnyScenario) -> Vec<String> {
+    match scenario {
+        AnyScenario::Quadtree(scenario) => faults(name, scenario),
+        AnyScenario::Octree(scenario) => faults(name, scenario),
+    }
+}
+
+/// A scene along every ray of the gallery.
+fn along_the_gallery(id: &str) -> Vec<(String, AnyScenario)> {
+    let scenario = built_in(id).unwrap();
+    let rays = Degenerate::ALL.into_iter().filter_map(|kind| {
+        let mut scenario = scenario.clone();
+        match &mut scenario {
+            AnyScenario::Quadtree(scenario) => scenario.ray = kind.ray(&tree_of(scenario))?,
+            AnyScenario::Octree(scenario) => scenario.ray = kind.ray(&tree_of(scenario))?,
+        }
+        Some((format!("{id} {kind:?}"), scenario))
+    });
+    rays.collect()
+}
+
+#[test]
+fn no_label_covers_another_along_the_rays_of_the_gallery_and_no_ray_one_of_an_axis() {
+    let all = ["quadtree-82", "points-3d"].into_iter().flat_map(along_the_gallery);
+    let all: Vec<String> = all.flat_map(|(name, scenario)| faults_of(&name, &scenario)).collect();
+    assert!(all.is_empty(), "{}\n{}", all.len(), all.join("\n"));
+}
+
+#[test]
+fn no_label_of_a_scene_covers_another_and_no_ray_an_axis() {
+    let scenes = ["quadtree-82", "points-3d"].map(|id| (id, built_in(id).unwrap()));
+    let misprints = Variant::ALL.into_iter().filter(|&variant| erratum_of(variant).is_some());
+    let misprints = misprints.map(|variant| (variant.id(), counterexample(variant)));
+    let all: Vec<String> = scenes
+        .into_iter()
+        .chain(misprints)
+        .flat_map(|(name, scenario)| faults_of(name, &scenario))
+        .collect();
+    assert!(all.is_empty(), "{}\n{}", all.len(), all.join("\n"));
+}
