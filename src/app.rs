@@ -294,7 +294,7 @@ impl eframe::App for App {
         ui.reset_style();
 
         if self.view.blank {
-            let blank = Frame::new().fill(self.look.palette.background);
+            let blank = Frame::new().fill(self.look.palette.blank);
             CentralPanel::default().frame(blank).show(ui, |_| {});
             let woken = context
                 .input(|input| input.pointer.any_pressed() || input.key_pressed(Key::Escape));

@@ -47,6 +47,8 @@ pub struct Palette {
     pub rejected: Color32,
     /// Over what is not to be looked at.
     pub shade: Color32,
+    /// All of a window that shows nothing.
+    pub blank: Color32,
     /// What is chosen.
     pub accent: Color32,
     /// Text on what is chosen.

@@ -43,6 +43,7 @@ fn palette(theme: Theme) -> Palette {
         current_line: color32(palette.current_outline),
         rejected: color32(palette.rejected),
         shade: color32(palette.shade),
+        blank: color32(palette.blank),
         accent: color32(palette.accent),
         on_accent: color32(palette.on_accent),
     }

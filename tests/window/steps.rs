@@ -1,11 +1,12 @@
 //! Stepping, playing and the presenter's keys.
 
 use crate::desk::{Desk, spoken};
-use eframe::egui::{Key, accesskit::Role, vec2};
+use eframe::egui::{Color32, Key, Shape, accesskit::Role, vec2};
 use egui_kittest::Node;
 use egui_kittest::kittest::{NodeT, Queryable};
 use octoscope_core::event::Event;
 use octoscope_core::explain::number;
+use octoscope_figure::Theme;
 
 #[test]
 fn the_rail_and_the_sentence_tell_all_digits_when_pointed_at() {
@@ -201,6 +202,23 @@ fn a_blank_screen_shows_nothing_and_comes_back() {
         assert!(desk.texts().is_empty(), "{:?}", desk.texts());
         desk.press(wake);
         assert_eq!(desk.texts(), before, "{wake:?}");
+    }
+}
+
+#[test]
+fn a_blank_screen_is_black_in_every_theme() {
+    let mut desk = Desk::new();
+    desk.press(Key::B);
+    for theme in Theme::ALL {
+        desk.state_mut().view.theme = theme;
+        desk.run();
+        let window = desk.ctx.content_rect();
+        let shapes = &desk.output().shapes;
+        let mut fills = shapes.iter().filter_map(|clipped| match &clipped.shape {
+            Shape::Rect(shape) if shape.rect.contains_rect(window) => Some(shape.fill),
+            _ => None,
+        });
+        assert_eq!(fills.next_back(), Some(Color32::BLACK), "{theme:?}");
     }
 }
 

@@ -126,6 +126,8 @@ pub struct Palette {
     pub ancestor: Colour,
     /// Over what is not to be looked at, covering in part.
     pub shade: Colour,
+    /// All of a window that shows nothing: a hall is to be dark then.
+    pub blank: Colour,
     /// Selected and ticked things.
     pub accent: Colour,
     /// Text on the accent.
@@ -171,6 +173,7 @@ impl Palette {
             rejected: Colour::hex(0x7033a6),
             ancestor: Colour::hex(0x6e8fae),
             shade: Colour::hex(0x000000).faded(0.6),
+            blank: Colour::hex(0x000000),
             accent: Colour::hex(0x00619e),
             on_accent: Colour::hex(0xffffff),
         };
@@ -209,6 +212,7 @@ impl Palette {
                 rejected: Colour::hex(0xc9b9f7),
                 ancestor: Colour::hex(0x96a1bf),
                 shade: Colour::hex(0x000000).faded(0.7),
+                blank: Colour::hex(0x000000),
                 accent: Colour::hex(0x66b7ff),
                 on_accent: Colour::hex(0x12161b),
             },
