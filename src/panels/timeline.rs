@@ -184,7 +184,7 @@ fn paint_badge(painter: &Painter, look: &Look, tip: Pos2) {
     painter.add(Shape::convex_polygon(corners, look.palette.accent, Stroke::NONE));
 }
 
-/// One tick an event, coloured by its kind; of crowded ones the tallest.
+/// One tick an event; of crowded ones the tallest.
 fn paint_ticks<const D: usize>(
     painter: &Painter,
     look: &Look,
@@ -192,29 +192,52 @@ fn paint_ticks<const D: usize>(
     step: usize,
     track: Rect,
 ) {
+    /// Least distance of two ticks, and what ticks of the usual width have between them.
+    const CLOSEST: f32 = 2.5;
+    const LOOSE: f32 = 4.0;
     let length = trace.events.len();
-    let columns = (track.width() / 2.0).max(1.0) as usize;
-    let per_column = length.div_ceil(columns).max(1);
+    let distance = track.width() / length.max(1) as f32;
+    let per_column = ((CLOSEST / distance).ceil() as usize).max(1);
+    let width = if distance * per_column as f32 >= LOOSE { 2.0 } else { 1.0 };
     for (column, events) in trace.events.chunks(per_column).enumerate() {
-        let tallest =
-            events.iter().map(|event| tick(look, event)).max_by(|a, b| a.0.total_cmp(&b.0));
-        let Some((height, color)) = tallest else { continue };
+        let tallest = events.iter().map(|event| tick(look, event));
+        let tallest = tallest.max_by(|a, b| a.height().total_cmp(&b.height()));
+        let Some(Tick { up, down, color }) = tallest else { continue };
         let n = column * per_column + events.len();
         let x = lerp(track.x_range(), n as f32 / length as f32);
+        // Thin lines are crisp on whole pixels alone.
+        let x = if width < 2.0 { painter.round_to_pixel_center(x) } else { x };
         let color = if n <= step { color } else { color.gamma_multiply(0.4) };
-        let reach = track.height() * 0.5 * height;
-        let middle = track.center().y;
-        painter.vline(x, middle - reach..=middle + reach, Stroke::new(2.0, color));
+        let (reach, middle) = (track.height() * 0.5, track.center().y);
+        painter.vline(x, middle - up * reach..=middle + down * reach, Stroke::new(width, color));
     }
 }
 
-/// Height, 0 to 1, and colour of an event's tick.
-fn tick<const D: usize>(look: &Look, event: &Event<D>) -> (f32, Color32) {
+/// What stands for an event on the ruler.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Tick {
+    /// How far it goes up and down from the line, 0 to 1.
+    up: f32,
+    down: f32,
+    color: Color32,
+}
+
+impl Tick {
+    fn height(&self) -> f32 {
+        self.up + self.down
+    }
+}
+
+/// The tick of an event: its kind is in its height and its side, and in no colour that
+/// means an axis.
+fn tick<const D: usize>(look: &Look, event: &Event<D>) -> Tick {
     let palette = &look.palette;
+    let even = |reach: f32, color| Tick { up: reach, down: reach, color };
+    let computed = even(0.2, palette.quiet);
     match event {
-        Event::Leaf { .. } | Event::Found { .. } => (0.9, palette.axes[1]),
-        Event::Touch { .. } => (0.7, palette.rejected),
-        Event::Clip { .. } | Event::Sort { .. } | Event::End(_) => (0.9, palette.ink),
+        Event::Leaf { .. } | Event::Found { .. } => even(0.9, palette.ink),
+        Event::Clip { .. } | Event::Sort { .. } | Event::End(_) => even(0.9, palette.ink),
+        Event::Touch { .. } => even(0.7, palette.rejected),
         Event::Visit { .. }
         | Event::Enter { .. }
         | Event::Pop { .. }
@@ -222,7 +245,7 @@ fn tick<const D: usize>(look: &Look, event: &Event<D>) -> (f32, Color32) {
         | Event::Facing { .. }
         | Event::Rope { .. }
         | Event::Follow { .. }
-        | Event::Compare { .. } => (0.45, palette.axes[2]),
+        | Event::Compare { .. } => Tick { up: 0.0, down: 0.6, color: palette.quiet },
         Event::First { .. }
         | Event::Step { .. }
         | Event::Classify { .. }
@@ -231,17 +254,16 @@ fn tick<const D: usize>(look: &Look, event: &Event<D>) -> (f32, Color32) {
         | Event::Exits { .. }
         | Event::Leave { .. }
         | Event::Target { .. }
-        | Event::Push { .. } => (0.45, palette.current_line),
-        Event::Grid { .. } | Event::Cross { .. } => (0.45, palette.current_line),
-        Event::Encode { .. } | Event::Corners { .. } | Event::Begin { .. } => (0.45, palette.quiet),
+        | Event::Push { .. } => even(0.4, palette.current_line),
+        Event::Grid { .. } | Event::Cross { .. } => even(0.4, palette.current_line),
         Event::Difference { .. }
         | Event::Climb { .. }
         | Event::Resume { .. }
-        | Event::Parent { .. } => (0.45, palette.axes[0]),
-        Event::Halve { .. } | Event::Cuts { .. } | Event::Skip { .. } | Event::Up { .. } => {
-            (0.2, palette.quiet)
-        }
-        Event::Border { .. } | Event::Test { .. } => (0.2, palette.quiet),
+        | Event::Up { .. }
+        | Event::Parent { .. } => Tick { up: 0.6, down: 0.0, color: palette.quiet },
+        Event::Encode { .. } | Event::Corners { .. } | Event::Begin { .. } => computed,
+        Event::Halve { .. } | Event::Cuts { .. } | Event::Skip { .. } => computed,
+        Event::Border { .. } | Event::Test { .. } => computed,
     }
 }
 
@@ -269,6 +291,10 @@ fn button(ui: &mut Ui, look: &Look, icon: Icon, command: Command) -> Response {
         let stroke = Stroke::new(2.0, look.palette.axes[2]);
         ui.painter().rect_stroke(rect, 6.0, stroke, eframe::egui::StrokeKind::Inside);
     }
+    if matches!(icon, Icon::Play | Icon::Pause) {
+        // It runs on by itself: told from what goes by one step.
+        ui.painter().circle_stroke(rect.center(), 15.0, Stroke::new(1.5, look.palette.ink));
+    }
     paint_icon(ui.painter(), icon, rect.shrink(10.0), look.palette.ink);
     response.on_hover_text(format!("{name} ({})", shortcut::all_shown(look, row.keys)))
 }
@@ -293,10 +319,40 @@ fn paint_icon(painter: &Painter, icon: Icon, rect: Rect, color: Color32) {
     };
     match icon {
         Icon::First => painter.extend([bar(0.08), triangle(1.0, 0.2)]),
-        Icon::Back => painter.extend([triangle(0.85, 0.1)]),
-        Icon::Play => painter.extend([triangle(0.0, 1.0)]),
-        Icon::Pause => painter.extend([bar(0.25), bar(0.75)]),
-        Icon::Forward => painter.extend([triangle(0.15, 0.9)]),
+        Icon::Back => painter.extend([triangle(0.9, 0.1)]),
+        Icon::Play => painter.extend([triangle(0.2, 0.95)]),
+        Icon::Pause => painter.extend([bar(0.3), bar(0.7)]),
+        Icon::Forward => painter.extend([triangle(0.1, 0.9)]),
         Icon::Last => painter.extend([triangle(0.0, 0.8), bar(0.92)]),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::document::AnyDocument;
+    use crate::open::open_built_in;
+    use crate::theme;
+    use octoscope_core::progress::Progress;
+    use octoscope_core::text::Language;
+    use octoscope_core::trace::record;
+    use octoscope_core::traverse::Algorithm;
+    use octoscope_figure::Theme;
+
+    #[test]
+    fn no_tick_has_the_colour_of_an_axis() {
+        let document = open_built_in("quadtree-82", &Progress::default()).unwrap();
+        let AnyDocument::Plane(document) = document else { panic!("not a quadtree") };
+        for theme in Theme::ALL {
+            let look = theme::look(Language::English, theme);
+            for algorithm in Algorithm::ALL {
+                let query = document.scenario.query.with_algorithm(algorithm);
+                let trace = record(&document.tree, &document.scenario.ray, &query);
+                for event in &trace.events {
+                    let tick = tick(&look, event);
+                    assert!(!look.palette.axes.contains(&tick.color), "{theme:?} {event:?}");
+                }
+            }
+        }
     }
 }
