@@ -155,7 +155,7 @@ impl Preset {
         let about_rays = matches!(query, Query::Ray { .. });
         let chosen: &[PanelKind] = match self {
             // The path through the tree is what the codes say, bit by bit.
-            Self::Bits if own.is_none() => &[Codes, Tree, Counters],
+            Self::Bits if matches!(own, None | Some(Codes)) => &[Codes, Tree, Counters],
             Self::Bits => &[Codes, Neighbour, Counters],
             // In space, rail and automaton fill a side each.
             Self::Rail if D == 2 => &[Rail, Automaton, Codes, Counters],
