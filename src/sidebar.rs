@@ -10,7 +10,10 @@ use crate::panels::{formula, paper, query, ray, scene, show};
 use crate::space::{self, Layers, Space};
 use crate::view::{PanelKind, Preset, View};
 use crate::wish::Wish;
-use eframe::egui::{CentralPanel, Frame, Margin, Panel, Rangef, ScrollArea, Ui, UiBuilder};
+use eframe::egui::{
+    CentralPanel, Color32, Frame, Margin, Mesh, Panel, Rangef, Rect, ScrollArea, Ui, UiBuilder,
+    pos2,
+};
 use octoscope_core::explain::formulas;
 use octoscope_core::query::Query;
 use octoscope_figure::views::FormulaRows;
@@ -19,6 +22,9 @@ use octoscope_figure::views::FormulaRows;
 const NARROW: f32 = 900.0;
 /// Windows of more than this have room for two columns of panels.
 const WIDE: f32 = 1200.0;
+/// Windows of more than this, in points of type that has grown with them, are wider than
+/// their picture is high.
+const SPACIOUS: f32 = 1400.0;
 /// Lectures in windows of less than this, in points, have narrower panels.
 const LECTURE_WIDE: f32 = 700.0;
 /// The space view keeps at least this, in points; less in a narrow window.
@@ -52,7 +58,7 @@ pub fn ui<const D: usize>(
     if shown && !narrow {
         let left = Panel::left("question").frame(frame).default_size(QUESTION);
         left.size_range(240.0..=360.0).show(ui, |ui| {
-            scrolled(ui, |ui| scene = question(ui, look, document, view, notice));
+            scrolled(ui, look, |ui| scene = question(ui, look, document, view, notice));
         });
     }
     let panels = view.panels(&document.scenario.query);
@@ -72,7 +78,7 @@ pub fn ui<const D: usize>(
             if place == Place::BelowPanel {
                 formulas_in(ui, look, document, view, place);
             }
-            scrolled(ui, |ui| {
+            scrolled(ui, look, |ui| {
                 if question_first {
                     scene = question(ui, look, document, view, notice);
                     ui.separator();
@@ -163,7 +169,7 @@ fn width(preset: Preset, panels: &[PanelKind], room: f32) -> f32 {
         Preset::Lecture if room < LECTURE_WIDE && panels == [PanelKind::Rail] => 288.0,
         Preset::Lecture if room < LECTURE_WIDE => 304.0,
         Preset::Lecture => 320.0,
-        Preset::Compare | Preset::Map if room >= WIDE => 440.0,
+        Preset::Compare | Preset::Map if (WIDE..SPACIOUS).contains(&room) => 440.0,
         Preset::Bits
         | Preset::Rail
         | Preset::Automaton
@@ -173,23 +179,47 @@ fn width(preset: Preset, panels: &[PanelKind], room: f32) -> f32 {
         | Preset::Map => {
             if room < WIDE {
                 320.0
-            } else {
+            } else if room < SPACIOUS {
                 392.0
+            } else {
+                456.0
             }
         }
     }
 }
 
-/// Shows something in all the room there is, scrolled if it is higher. It never
-/// widens the room, so that widths stay the same from step to step.
-fn scrolled(ui: &mut Ui, add: impl FnOnce(&mut Ui)) {
+/// Shows something in all the room there is, scrolled if it is higher, and fading out
+/// where it goes on below. It never widens the room, so that widths stay the same from
+/// step to step.
+fn scrolled(ui: &mut Ui, look: &Look, add: impl FnOnce(&mut Ui)) {
+    const BAR: f32 = 8.0;
     let rect = ui.available_rect_before_wrap();
     let mut inside = ui.new_child(UiBuilder::new().id_salt("scrolled").max_rect(rect));
-    ScrollArea::vertical().auto_shrink(false).show(&mut inside, |ui| {
-        ui.set_max_width(rect.width() - 8.0);
+    let shown = ScrollArea::vertical().auto_shrink(false).show(&mut inside, |ui| {
+        ui.set_max_width(rect.width() - BAR);
         add(ui);
     });
+    let below = shown.content_size.y - shown.state.clamped_offset().y - shown.inner_rect.height();
+    if below > 1.0 {
+        fade_out(&inside, look.palette.panel, rect.with_max_x(rect.right() - BAR));
+    }
     ui.advance_cursor_after_rect(rect);
+}
+
+/// Lets what is painted sink into the ground at the lower edge of a column.
+fn fade_out(ui: &Ui, ground: Color32, column: Rect) {
+    const HEIGHT: f32 = 36.0;
+    let mut mesh = Mesh::default();
+    for (y, color) in
+        [(column.bottom() - HEIGHT, ground.gamma_multiply(0.0)), (column.bottom(), ground)]
+    {
+        for x in [column.left(), column.right()] {
+            mesh.colored_vertex(pos2(x, y), color);
+        }
+    }
+    mesh.add_triangle(0, 1, 2);
+    mesh.add_triangle(1, 2, 3);
+    ui.painter().add(mesh);
 }
 
 fn question<const D: usize>(

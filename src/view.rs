@@ -132,6 +132,10 @@ impl View {
     const SMALLEST_ROOM: Vec2 = Vec2::new(600.0, 440.0);
     /// What the coarsest projector shows, in points.
     const PROJECTOR: Vec2 = Vec2::new(1024.0, 768.0);
+    /// What the panels of a preset fill, in points; in more, type and lines are larger.
+    const COMPOSED: Vec2 = Vec2::new(1280.0, 800.0);
+    /// How much larger at most: whoever sits at a large screen wants to see more, too.
+    const MOST_LARGER: f32 = 1.5;
 
     /// Larger or smaller type and lines, within the limits.
     pub fn change_scale(&mut self, factor: f32) {
@@ -196,9 +200,14 @@ impl View {
     pub fn zoom(&self, room: Vec2) -> f32 {
         let largest = (room / Self::SMALLEST_ROOM).min_elem();
         // A finer projector throws no larger picture: a lecture fills it the same way.
-        let fineness = (room / Self::PROJECTOR).min_elem().max(1.0);
-        let fineness = if self.preset == Preset::Lecture { fineness } else { 1.0 };
-        (self.scale * self.preset.scale() * fineness).min(largest.max(1.0))
+        let share = if self.preset == Preset::Lecture {
+            (room / Self::PROJECTOR).min_elem().max(1.0)
+        } else {
+            // In steps, so that it is not set anew at every size that a window passes.
+            let share = (room / Self::COMPOSED).min_elem().clamp(1.0, Self::MOST_LARGER);
+            (share * 20.0 + 0.01).floor() / 20.0
+        };
+        (self.scale * self.preset.scale() * share).min(largest.max(1.0))
     }
 }
 
@@ -246,6 +255,7 @@ impl Default for View {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use octoscope_core::query::PointMethod;
     use octoscope_core::traverse::{Variant, Variants};
 
     #[test]
@@ -286,6 +296,14 @@ mod tests {
     }
 
     #[test]
+    fn a_point_is_sought_in_its_codes_and_in_the_tree() {
+        let (method, variants) = (PointMethod::default(), Variants::NONE);
+        let query = Query::<2>::Point { at: [0.5; 2], method, variants };
+        let expected = [PanelKind::Codes, PanelKind::Tree, PanelKind::Counters];
+        assert_eq!(Preset::Bits.panels(&query), expected);
+    }
+
+    #[test]
     fn every_panel_is_in_the_list_once() {
         let mut ids: Vec<_> = PanelKind::ALL.map(PanelKind::id).to_vec();
         ids.sort_unstable();
@@ -300,6 +318,22 @@ mod tests {
         assert_eq!(view.zoom(Vec2::new(400.0, 300.0)), 1.0);
         view.scale = 0.7;
         assert_eq!(view.zoom(Vec2::new(400.0, 300.0)), 0.7);
+    }
+
+    #[test]
+    fn a_large_window_has_larger_type_and_the_user_the_last_word() {
+        let mut view = View::default();
+        let mut check = |scale, size: [f32; 2], zoom: f32| {
+            view.scale = scale;
+            let found = view.zoom(Vec2::from(size));
+            assert!((found - zoom).abs() < 1e-6, "{size:?} {scale}: {found}");
+        };
+        check(1.0, [1280.0, 800.0], 1.0);
+        check(1.0, [1280.0, 3000.0], 1.0);
+        check(1.0, [1440.0, 900.0], 1.1);
+        check(1.0, [1920.0, 1080.0], 1.35);
+        check(1.0, [3840.0, 2160.0], 1.5);
+        check(0.8, [1920.0, 1080.0], 1.08);
     }
 
     #[test]

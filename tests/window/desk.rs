@@ -40,6 +40,9 @@ impl Desk {
     pub fn of(builder: HarnessBuilder<App>, size: [f32; 2]) -> Self {
         let builder = builder.with_size(size).with_step_dt(1.0 / 60.0).with_max_steps(60);
         let mut desk = Self(builder.build_eframe(|creation| App::first(creation)));
+        // A large window has larger type; the harness has set its size once more since then.
+        let zoom = desk.ctx.zoom_factor();
+        desk.set_size(vec2(size[0], size[1]) / zoom);
         desk.run();
         desk
     }

@@ -1,11 +1,11 @@
 //! Everything has its room, and keeps it from step to step.
 
 use crate::desk::{Desk, sample, spoken};
-use eframe::egui::{Key, Rect, accesskit::Role};
+use eframe::egui::{Key, Rect, Shape, accesskit::Role};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT, Queryable};
 use octoscope::text::texts;
-use octoscope::view::{Preset, View};
+use octoscope::view::{PanelKind, Preset, View};
 use octoscope::with_document;
 use octoscope_core::query::Query;
 use octoscope_core::text::Language;
@@ -61,6 +61,18 @@ fn room(scene: &str, language: Language) -> f32 {
 
 #[test]
 fn at_1280_by_800_nothing_scrolls() {
+    check_that_nothing_scrolls([1280.0, 800.0], 1.0);
+}
+
+#[test]
+fn at_1920_by_1080_nothing_scrolls() {
+    // A high window has larger type than a low one of this width.
+    check_that_nothing_scrolls([1920.0, 1080.0], 0.9);
+}
+
+/// Checks the panels of a window of this size; `scale` gives a high one of its width the
+/// same type.
+fn check_that_nothing_scrolls(size: [f32; 2], scale: f32) {
     let presets = [
         Preset::Bits,
         Preset::Rail,
@@ -73,8 +85,12 @@ fn at_1280_by_800_nothing_scrolls() {
     for (scene, language) in
         SCENES.into_iter().flat_map(|scene| Language::ALL.map(|language| (scene, language)))
     {
-        let room = room(scene, language);
-        let mut desk = desk([1280.0, TALL], scene, language, Preset::Bits);
+        let low = desk(size, scene, language, Preset::Bits);
+        let (room, width) = (low.space_view().bottom() - 8.0, low.ctx.content_rect().width());
+        let mut desk = desk([size[0], TALL], scene, language, Preset::Bits);
+        desk.state_mut().view.scale = scale;
+        desk.run();
+        assert!((desk.ctx.content_rect().width() - width).abs() < 1.0);
         for preset in presets {
             desk.state_mut().view.preset = preset;
             for share in [0.3, 0.6, 1.0] {
@@ -86,6 +102,33 @@ fn at_1280_by_800_nothing_scrolls() {
             }
         }
     }
+}
+
+/// Whether what stands to the right of the picture fades out at its lower edge.
+fn fades_out(desk: &Desk) -> bool {
+    let space = desk.space_view();
+    let is_fading = |shape: &Shape| {
+        let Shape::Mesh(mesh) = shape else { return false };
+        let Some((first, last)) = mesh.vertices.first().zip(mesh.vertices.last()) else {
+            return false;
+        };
+        first.color.a() == 0
+            && last.color.a() == 255
+            && first.pos.x >= space.right()
+            && (last.pos.y - space.bottom()).abs() < 16.0
+    };
+    desk.output().shapes.iter().any(|clipped| is_fading(&clipped.shape))
+}
+
+#[test]
+fn a_column_that_goes_on_below_fades_out_there() {
+    let mut desk = desk([1280.0, 800.0], SCENES[0], Language::English, Preset::Rail);
+    assert!(!fades_out(&desk));
+    for panel in [PanelKind::Listing, PanelKind::Stack] {
+        desk.state_mut().view.arrangement().add(panel);
+    }
+    desk.run();
+    assert!(fades_out(&desk));
 }
 
 #[test]
