@@ -4,7 +4,7 @@ use crate::document::Document;
 use crate::look::Look;
 use crate::widgets::{explained_segments, heading, number_field, segments, tick};
 use eframe::egui::containers::menu::{MenuButton, MenuConfig};
-use eframe::egui::{ComboBox, Grid, PopupCloseBehavior, RichText, Ui};
+use eframe::egui::{Align, ComboBox, Grid, Layout, PopupCloseBehavior, RichText, Ui};
 use octoscope_core::explain::algorithm_name;
 use octoscope_core::geometry::AXIS_NAMES;
 use octoscope_core::locate::{Direction, NeighbourMethod, Reach};
@@ -124,7 +124,7 @@ fn ray_query<const D: usize>(
     let label = look.text("query-algorithm");
     // High enough for all of them at once.
     let combo = ComboBox::from_id_salt("algorithm").height(560.0);
-    let combo = combo.width(ui.available_width() - 8.0).truncate();
+    let combo = combo.width(ui.available_width()).truncate();
     let shown = combo.selected_text(name(*algorithm)).show_ui(ui, |ui| {
         ui.spacing_mut().item_spacing.y = 0.0;
         ui.spacing_mut().interact_size.y = 21.0;
@@ -143,7 +143,10 @@ fn ray_query<const D: usize>(
         choices.map(|(choice, key)| (choice, look.text(key), look.text(&format!("{key}-why"))));
     ui.horizontal(|ui| {
         explained_segments(ui, arithmetic, &choices);
-        rules::<D>(ui, look, *algorithm, &mut options.variants);
+        // Apart: it is no third choice beside them.
+        ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+            rules::<D>(ui, look, *algorithm, &mut options.variants);
+        });
     });
     let mut first = options.stop_at == StopAt::FirstFull;
     let response = ui.checkbox(&mut first, look.text("query-first-full"));
@@ -224,14 +227,17 @@ fn fields<const D: usize>(
     points: &mut [&mut [f64; D]],
     side: f64,
 ) {
-    Grid::new(key).num_columns(1 + points.len()).spacing([8.0, 4.0]).show(ui, |ui| {
+    const GAP: f32 = 8.0;
+    let name = ui.spacing().interact_size.x;
+    let width = 0.5 * (ui.available_width() - name) - GAP;
+    Grid::new(key).num_columns(1 + points.len()).spacing([GAP, 4.0]).show(ui, |ui| {
         for axis in 0..D {
             let color = look.palette.axes[axis];
             ui.label(RichText::new(AXIS_NAMES[axis]).strong().color(color));
             for (n, point) in points.iter_mut().enumerate() {
                 let name = format!("{} {}{}", look.text(key), AXIS_NAMES[axis], n);
                 ui.scope(|ui| {
-                    ui.set_max_width(84.0);
+                    ui.set_max_width(width);
                     number_field(ui, look, &name, &mut point[axis], side / 256.0, color);
                 });
             }

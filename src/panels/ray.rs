@@ -2,15 +2,21 @@
 
 use crate::look::Look;
 use crate::widgets::{heading, number_field};
-use eframe::egui::{Grid, RichText, Ui};
+use eframe::egui::{FontId, Grid, RichText, Ui};
 use octoscope_core::geometry::{AXIS_NAMES, Ray};
 
 /// Fields for origin and direction; writes to `ray` what makes a ray. Returns
 /// why the last entry makes none.
 pub fn ui<const D: usize>(ui: &mut Ui, look: &Look, ray: &mut Ray<D>, side: f64) -> Option<String> {
     let (mut origin, mut direction) = (ray.origin(), ray.direction());
-    Grid::new("ray").num_columns(3).spacing([8.0, 4.0]).show(ui, |ui| {
-        heading(ui, look, &look.text("panel-ray"), "");
+    const GAP: f32 = 12.0;
+    let title = look.text("panel-ray");
+    let font = FontId::new(14.0, look.strong_family());
+    let name = ui.painter().layout_no_wrap(title.clone(), font, look.palette.ink).size().x;
+    let name = name.max(ui.spacing().interact_size.x);
+    let width = 0.5 * (ui.available_width() - name) - GAP;
+    Grid::new("ray").num_columns(3).spacing([GAP, 4.0]).show(ui, |ui| {
+        heading(ui, look, &title, "");
         for key in ["ray-origin", "ray-direction"] {
             ui.label(RichText::new(look.text(key)).size(13.0).color(look.palette.quiet));
         }
@@ -23,7 +29,7 @@ pub fn ui<const D: usize>(ui: &mut Ui, look: &Look, ray: &mut Ray<D>, side: f64)
             {
                 let name = format!("{} {}", look.text(key), AXIS_NAMES[axis]);
                 ui.scope(|ui| {
-                    ui.set_max_width(84.0);
+                    ui.set_max_width(width);
                     number_field(ui, look, &name, value, side / 256.0, color);
                 });
             }

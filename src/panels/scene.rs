@@ -25,7 +25,7 @@ pub fn ui<const D: usize>(
         Source::File { path, .. } => path.clone(),
         Source::Inline(_) => look.text("scene-inline"),
     };
-    let combo = ComboBox::from_id_salt("scene").width(ui.available_width() - 8.0).truncate();
+    let combo = ComboBox::from_id_salt("scene").width(ui.available_width()).truncate();
     let combo = combo.selected_text(&source).show_ui(ui, |ui| {
         for scene in BUILT_IN {
             let name = look.text(&format!("scene-{}", scene.id));

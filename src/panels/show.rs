@@ -54,8 +54,9 @@ pub fn ui(ui: &mut Ui, look: &Look, show: &mut Show, of: Of) {
     };
     let widths: Vec<f32> = names.iter().map(|name| width(name) + 20.0).collect();
     let widest = |first: usize| widths.iter().skip(first).step_by(2).copied().fold(0.0, f32::max);
-    let gap = 8.0;
-    let n_columns = if widest(0) + gap + widest(1) <= ui.available_width() { 2 } else { 1 };
+    let spare = ui.available_width() - widest(0) - widest(1);
+    let n_columns = if spare >= 8.0 { 2 } else { 1 };
+    let gap = spare.clamp(8.0, 24.0);
     // Low rows, for the sake of low windows.
     ui.spacing_mut().interact_size.y = 22.0;
     let grid = Grid::new("show").num_columns(n_columns).spacing([gap, 0.0]);

@@ -18,7 +18,14 @@ pub fn slider_field<N: Numeric>(
     drag_speed: f64,
     set: impl FnOnce(Slider<'_>) -> Slider<'_>,
 ) -> Response {
+    /// Widths of the field, and of the shortest slider.
+    const FIELD: f32 = 52.0;
+    const SHORTEST: f32 = 60.0;
     let row = ui.horizontal(|ui| {
+        let spacing = ui.spacing_mut();
+        spacing.interact_size.x = FIELD;
+        let room = FIELD + spacing.item_spacing.x;
+        ui.spacing_mut().slider_width = (ui.available_width() - room).max(SHORTEST);
         let clamping = SliderClamping::Edits;
         let slider = Slider::new(value, range[0]..=range[1]).clamping(clamping);
         let response = ui.add(set(slider).show_value(false));

@@ -245,7 +245,7 @@ show-content-why = Punkte, Bild oder Körper, aus denen der Baum gebaut ist
 show-empty-leaves-why = Blätter, in denen nichts liegt
 show-ancestors-why = Knoten von der Wurzel bis zum aktuellen
 show-children-why = Kinder des aktuellen Knotens, nicht gewählte gestrichelt
-show-more = Zellen, Schnitt, Abstand
+show-more = welche Zellen, in welchem Abstand
 show-inner-nodes = innere Knoten
 show-inner-nodes-why = Auch innere Knoten abseits des Wegs, nicht nur Blätter
 show-levels = Stufen
@@ -299,7 +299,7 @@ timeline-name = Schritt der Aufzeichnung
 timeline-speed = Geschwindigkeit
 timeline-wrong = Schritt { $step } ist der erste, der schiefgeht
 timeline-cut = Der Lauf ist länger: Nach so vielen Schritten endet die Aufzeichnung
-timeline-why = Ein Strich je Schritt. Hoch und grün: ein Blatt oder Ergebnis. Blau: in einen Knoten hinein. Gelb: Das nächste Kind, die nächste Zelle oder Ebene wird gewählt. Orange: hinauf zu einem Vorfahren. Violett: nur berührt. Grau: gerechnet.
+timeline-why = Ein Strich je Schritt. Hoch: ein Blatt oder Ergebnis, Anfang und Ende. Von der Linie nach unten: in einen Knoten hinein. Nach oben: hinauf zu einem Vorfahren. Gelb: Das nächste Kind, die nächste Zelle oder Ebene wird gewählt. Violett: nur berührt. Kurz: gerechnet.
 timeline-rounded = Schritte mit Dreieck: Gleitkommazahlen würden irren
 
 tree-name = Baumansicht

@@ -245,7 +245,7 @@ show-content-why = The points, the picture or the solids from which the tree is 
 show-empty-leaves-why = Leaves that hold nothing
 show-ancestors-why = Nodes from the root to the current one
 show-children-why = Children of the current node, those not taken dashed
-show-more = cells, cut, distance
+show-more = which cells, how far apart
 show-inner-nodes = inner nodes
 show-inner-nodes-why = Inner nodes off the path too, not leaves alone
 show-levels = levels
@@ -299,7 +299,7 @@ timeline-name = Step of the trace
 timeline-speed = Speed
 timeline-wrong = Step { $step } is the first one that goes wrong
 timeline-cut = The run is longer: the trace ends after so many steps
-timeline-why = A tick for every step. Tall green: a leaf or a result. Blue: into a node. Yellow: the next child, cell or plane is chosen. Orange: up, to an ancestor. Purple: only touched. Grey: computed.
+timeline-why = A tick for every step. Tall: a leaf or a result, and where it begins and ends. Down from the line: into a node. Up from it: back to an ancestor. Yellow: the next child, cell or plane is chosen. Purple: only touched. Short: computed.
 timeline-rounded = Steps with a triangle: doubles would err
 
 tree-name = Tree view
