@@ -46,13 +46,18 @@ pub fn slot(ui: &mut Ui, look: &Look, said: Option<&mut Notice>, height: f32) {
 pub fn for_sentence(ui: &mut Ui, look: &Look, notice: &mut Notice) {
     let Some(strength) = strength(ui.ctx(), notice) else { return };
     const BAR: f32 = 4.0;
-    let [width, height] = [ui.available_width(), ui.min_size().y];
+    const BESIDE: f32 = 12.0;
+    let most = ui.available_width() - CLOSE - BAR - BESIDE;
+    let height = ui.min_size().y;
     let text = Words(vec![Span { text: notice.text().to_owned(), ..Span::default() }]);
-    let size = fitting_size(ui, look, &text, [width - CLOSE, height]);
+    let size = fitting_size(ui, look, &text, [most, height]);
     ui.multiply_opacity(strength);
     let shown = ui.horizontal(|ui| {
-        ui.add_space(BAR);
-        ui.scope(|ui| rich_label(ui, look, &text, size, width - CLOSE));
+        ui.add_space(BAR + BESIDE);
+        ui.scope(|ui| {
+            ui.set_max_width(most);
+            rich_label(ui, look, &text, size, most);
+        });
         ui.button(look.text("dialog-close")).clicked()
     });
     let bar = shown.response.rect.with_max_x(shown.response.rect.left() + BAR);

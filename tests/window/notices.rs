@@ -69,6 +69,11 @@ fn faults(desk: &mut Desk, n_rays: usize, place: &str) -> Vec<String> {
         if !desk.ctx.content_rect().contains_rect(notice) {
             faults.push(format!("{place}: {notice:?} is cut"));
         }
+        let close = texts(language).get("dialog-close");
+        let close = desk.get_by_role_and_label(Role::Button, &close).rect();
+        if !desk.ctx.content_rect().contains_rect(close) || close.intersects(notice) {
+            faults.push(format!("{place}: {close:?} closes {notice:?}"));
+        }
         let timeline = texts(language).get("timeline-name");
         let timeline = desk.get_by_role_and_label(Role::Slider, &timeline).rect();
         let mut read = vec![("timeline", timeline), ("picture", desk.state().view.space.unwrap())];
