@@ -2,7 +2,7 @@
 
 use super::rich::{on_axis, strong};
 use super::teller::Teller;
-use super::words::{Decided, chain, distinct, equation, relation, t, typographic};
+use super::words::{Decided, chain, distinct, equation, far_planes, relation, t, typographic};
 use crate::event::Halves;
 use crate::geometry::{AXIS_NAMES, Axes};
 use crate::query::Query;
@@ -199,10 +199,11 @@ impl<const D: usize> Teller<'_, D> {
         let is_child = self.mask().is_empty() && !variants.has(Variant::B2Morton);
         let name = if is_child { "child" } else { "state" };
         let child = words.say(name, &[("state", state.0.to_string())]);
+        let planes = far_planes(variants.child_of_state(state, Axes::NONE));
         let mut arguments = vec![
             ("child", child),
             ("axes", words.axes(axes)),
-            ("exits", chain(exits, "1", axes, self.decided())),
+            ("exits", chain(exits, planes, axes, self.decided())),
         ];
         let one = axes.count() == 1;
         if let Some(next) = next {

@@ -159,7 +159,7 @@ impl<const D: usize> Teller<'_, D> {
                     (false, false) => "cross-out-many",
                 };
                 let cell = tuple(cell.map(|c| c.to_string().replace('-', "−")));
-                let planes = chain(next, "Max", axes, self.decided());
+                let planes = chain(next, ["Max"; D], axes, self.decided());
                 let arguments = [("axes", words.axes(axes)), ("cell", cell), ("planes", planes)];
                 words.say(key, &arguments) + &self.tie(next, axes)
             }
@@ -263,7 +263,7 @@ impl<const D: usize> Teller<'_, D> {
                 let key = if axes.count() == 1 { "exits-one" } else { "exits-many" };
                 words.say(
                     key,
-                    &[("planes", planes), ("exits", chain(exits, "1", axes, self.decided()))],
+                    &[("planes", planes), ("exits", chain(exits, ["1"; D], axes, self.decided()))],
                 )
             }
             Event::Target { from, to, axes, .. } => words.say(
@@ -295,7 +295,7 @@ impl<const D: usize> Teller<'_, D> {
                     key,
                     &[
                         ("axes", words.axes(axes)),
-                        ("exits", chain(exits, "1", axes, self.decided())),
+                        ("exits", chain(exits, ["1"; D], axes, self.decided())),
                     ],
                 )
             }

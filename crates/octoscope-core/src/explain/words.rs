@@ -161,6 +161,12 @@ pub(super) fn t(axis: usize, plane: &str) -> String {
     with_sub(axis, "t", &format!("{}{plane}", AXIS_NAMES[axis]))
 }
 
+/// Names of the far planes of a child, which are planes of its parent: the mid one below
+/// it, and its own far one above.
+pub(super) fn far_planes<const D: usize>(child: Child<D>) -> [&'static str; D] {
+    std::array::from_fn(|e| if child.is_upper(e) { "1" } else { "m" })
+}
+
 /// "t_x1 = 0.5": a parameter with its value.
 pub(super) fn equation(name: &str, value: &str) -> String {
     format!("{name} = {}", strong(value))
@@ -190,11 +196,11 @@ pub(super) enum Decided {
     ExactlyOneByOne,
 }
 
-/// "t_x1 = 0.2 < t_y1 = 0.5": parameters at planes of all axes, in order, those
-/// of `first` in front of equal ones.
+/// "t_x1 = 0.2 < t_ym = 0.5": parameters at planes of all axes, called as `planes` says,
+/// in order, those of `first` in front of equal ones.
 pub(super) fn chain<const D: usize>(
     values: [f64; D],
-    plane: &str,
+    planes: [&str; D],
     first: Axes<D>,
     decided: Decided,
 ) -> String {
@@ -222,7 +228,7 @@ pub(super) fn chain<const D: usize>(
             };
             chain.push_str(&format!(" {sign} "));
         }
-        chain.push_str(&equation(&t(e, plane), &texts[e]));
+        chain.push_str(&equation(&t(e, planes[e]), &texts[e]));
     }
     chain
 }

@@ -4,6 +4,7 @@ use super::Statement;
 use super::numbers::{number, told_apart};
 use super::term::{Formula, Sign, row};
 use super::writer::Writer;
+use crate::explain::words::far_planes;
 use crate::geometry::Axes;
 use crate::trace::Frame;
 use crate::traverse::Variant;
@@ -90,8 +91,7 @@ impl<const D: usize> Writer<'_, D> {
         axes: Axes<D>,
         next: Option<Child<D>>,
     ) -> Vec<Statement> {
-        let halves = self.halves(state);
-        let planes: [&str; D] = std::array::from_fn(|e| if halves.is_upper(e) { "1" } else { "m" });
+        let planes = far_planes(self.halves(state));
         let letter = self.notation.child();
         let (and, or) = (self.notation.and(), self.notation.or());
         let (from, mask) = (self.index_of(state), self.mask_of(axes));
