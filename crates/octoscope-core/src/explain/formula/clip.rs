@@ -5,7 +5,8 @@ use super::numbers::{equal, number, operand, told_apart};
 use super::term::{Formula, Sign, row};
 use super::writer::Writer;
 use crate::query::Query;
-use crate::traverse::Variant;
+use crate::traverse::{Variant, slabs};
+use crate::tree::NodeId;
 
 impl<const D: usize> Writer<'_, D> {
     /// t_min = max(t_x0, t_y0), or the other limit.
@@ -16,7 +17,7 @@ impl<const D: usize> Writer<'_, D> {
         values: [f64; D],
         value: f64,
     ) -> Statement {
-        let one = Formula::from("t").sub(row!["e", plane]);
+        let one = Formula::from("t").sub(format!("e{plane}").as_str());
         let all = self.over_axes(operator, |e| self.t(e, plane), one);
         let left = self.of_node(Formula::from("t").sub(name));
         Statement {
@@ -147,26 +148,33 @@ impl<const D: usize> Writer<'_, D> {
 
     /// A node by itself: whether the latest near plane, or the ray's begin, comes before
     /// the first far one.
-    pub(super) fn tested(&self, interval: Option<[f64; 2]>, touch: bool) -> Statement {
+    pub(super) fn tested(
+        &self,
+        node: NodeId,
+        interval: Option<[f64; 2]>,
+        touch: bool,
+    ) -> Statement {
         let sign = match (interval, touch) {
             (Some(_), false) => Sign::Less,
             (Some(_), true) => Sign::Equal,
             (None, _) => Sign::GreaterOrEqual,
         };
-        let bound = |operator: &'static str, plane: &str| {
-            let one = Formula::from("t").sub(row!["e", plane]);
-            row![Formula::Over { operator, limit: Box::new("e".into()) }, one]
+        let (level, code) = (self.tree.level(node), self.tree.code(node));
+        let (near, far) = slabs(self.tree.domain(), self.ray, level, code);
+        let all: Vec<f64> = near.into_iter().chain(far).collect();
+        let shown = crate::explain::number::distinct(&all);
+        let value = |n: usize| Formula::Number { value: all[n], shown: shown[n].clone() };
+        let compared = |near: &dyn Fn(usize) -> Formula, far: &dyn Fn(usize) -> Formula| {
+            let latest = Formula::call("max", (0..D).map(near).chain([0.into()]));
+            row![latest, sign, Formula::call("min", (0..D).map(far))]
         };
-        let from = Formula::call("max", [bound("max", "0"), 0.into()]);
         let follows = self.word(match (interval, touch) {
             (Some(_), false) => "formula-hit",
             (Some(_), true) => "formula-touch",
             (None, _) => "formula-miss",
         });
-        let numbers = interval.map(|interval| {
-            let [enter, exit] = told_apart(interval);
-            row![enter, sign, exit]
-        });
-        Statement { symbols: row![from, sign, bound("min", "1"), Sign::Implies, follows], numbers }
+        let symbols = compared(&|e| self.t(e, "0"), &|e| self.t(e, "1"));
+        let numbers = compared(&|e| value(e), &|e| value(D + e));
+        Statement { symbols: row![symbols, Sign::Implies, follows], numbers: Some(numbers) }
     }
 }

@@ -103,7 +103,16 @@ impl<const D: usize> Writer<'_, D> {
                 // Downwards the upper half comes first.
                 let (passed, xor) = (i64::from(passed.contains(e)), self.notation.xor());
                 symbols.extend([passed.into(), xor.into(), Formula::on(e, "a", "")]);
-                numbers.push(row![Sign::Implies, passed, xor, 1, Sign::Equal, bit]);
+                numbers.push(row![
+                    Sign::Implies,
+                    self.bit(e),
+                    Sign::Equal,
+                    passed,
+                    xor,
+                    1,
+                    Sign::Equal,
+                    bit
+                ]);
             } else {
                 symbols.push(bit.into());
             }

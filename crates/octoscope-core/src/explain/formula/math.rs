@@ -70,6 +70,7 @@ fn symbol(name: &str) -> String {
     let set = match name {
         "′" => "\\prime".to_owned(),
         "Δ" => "\\Delta".to_owned(),
+        "ℓ" => "\\ell".to_owned(),
         "max" | "min" => format!("\\{name}"),
         name => escaped(name),
     };
@@ -112,6 +113,7 @@ mod tests {
         check(Formula::Digits("−∞".to_owned()), "-\\infty");
         check(Formula::Words("kein Treffer".to_owned()), "\\textrm{kein Treffer}");
         check("loc".into(), "\\mathrm{loc}");
+        check("ℓ".into(), "\\ell");
         let coloured = math(&Formula::on(1, "t", "m"), Some(["ax", "ay", "az"]));
         assert_eq!(coloured, "{\\textcolor{ay}{t}}_{\\textcolor{ay}{ym}}");
     }

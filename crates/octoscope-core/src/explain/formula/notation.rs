@@ -81,7 +81,8 @@ impl Notation {
     /// Letter of a level.
     pub(super) fn level(self) -> &'static str {
         match self {
-            Self::Seed | Self::Revelles => "l",
+            // A plain l is hard to tell from 1 and I.
+            Self::Seed | Self::Revelles => "ℓ",
             Self::FriskenPerry => "k",
         }
     }

@@ -103,7 +103,7 @@ impl<const D: usize> Writer<'_, D> {
     pub(super) fn skip(&self, exit: f64, behind: bool) -> Statement {
         let far = self.before.frame().and_then(Frame::planes).map_or([exit; D], |[_, far]| far);
         let sign = if behind { Sign::Less } else { Sign::GreaterOrEqual };
-        let one = Formula::from("t").sub(row!["e", "1"]);
+        let one = Formula::from("t").sub("e1");
         let follows = if behind { self.word("formula-skip") } else { self.word("formula-go-on") };
         Statement {
             symbols: row![

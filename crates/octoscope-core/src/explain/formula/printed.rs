@@ -96,27 +96,27 @@ pub fn misprint_formula(variant: Variant) -> Option<Misprint> {
             row![limit("min"), Sign::LessOrEqual, limit("max")],
             row![limit("min"), Sign::Less, limit("max")],
         ],
-        Variant::B19 => [Formula::from("l"), row!["l", Sign::Minus, 1].fenced(Fence::Round)]
+        Variant::B19 => [Formula::from("ℓ"), row!["ℓ", Sign::Minus, 1].fenced(Fence::Round)]
             .map(|by| bit_of(Formula::on(X, "c", ""), by)),
         Variant::B21 => [Sign::LessOrEqual, Sign::Less]
             .map(|sign| row![0, Sign::LessOrEqual, Formula::coordinate(X, ""), sign, 1]),
         Variant::B24a => {
             let highest = highest(Sign::Or);
             [
-                row!["l", Sign::Equal, highest.clone()],
-                row!["l", Sign::Equal, 1, Sign::Plus, highest],
+                row!["ℓ", Sign::Equal, highest.clone()],
+                row!["ℓ", Sign::Equal, 1, Sign::Plus, highest],
             ]
         }
         Variant::B24b => {
-            [Sign::And, Sign::Or].map(|sign| row!["l", Sign::Equal, 1, Sign::Plus, highest(sign)])
+            [Sign::And, Sign::Or].map(|sign| row!["ℓ", Sign::Equal, 1, Sign::Plus, highest(sign)])
         }
         Variant::B24c => ["Δ", "c"].map(|name| {
-            let by = row!["l", Sign::Minus, 1].fenced(Fence::Round);
+            let by = row!["ℓ", Sign::Minus, 1].fenced(Fence::Round);
             bit_of(Formula::on(X, name, ""), by)
         }),
         Variant::B28 => {
             let (c, next) = (Formula::on(X, "c", ""), Formula::on(X, "c", "").sup("′"));
-            let side = Formula::from(2).sup("l");
+            let side = Formula::from(2).sup("ℓ");
             [
                 row![next.clone(), Sign::Equal, c.clone(), Sign::Minus, side],
                 row![next, Sign::Equal, c, Sign::Minus, 1],

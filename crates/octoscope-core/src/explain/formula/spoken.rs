@@ -32,6 +32,7 @@ fn words(formula: &Formula, texts: &Texts) -> String {
             }
             row
         }
+        Formula::Symbol { name, .. } if name == "ℓ" => "l".to_owned(),
         Formula::Symbol { name, .. } => name.clone(),
         Formula::Number { shown, .. } => shown.clone(),
         Formula::Digits(text) | Formula::Words(text) => text.clone(),

@@ -77,7 +77,7 @@ impl<const D: usize> Writer<'_, D> {
                         sign,
                         i64::from(is_up),
                         Sign::Implies,
-                        s.sup("′"),
+                        s.clone().sup("′"),
                         Sign::Equal,
                         left,
                     ],
@@ -90,6 +90,8 @@ impl<const D: usize> Writer<'_, D> {
                         sign,
                         i64::from(is_up),
                         Sign::Implies,
+                        s.sup("′"),
+                        Sign::Equal,
                         i64::from(common[e]),
                     ]),
                 }

@@ -28,7 +28,7 @@ impl<const D: usize> Writer<'_, D> {
             Event::Clip { near, far, enter, exit, hit, .. } => {
                 self.clip(near, far, [enter, exit], hit)
             }
-            Event::Test { interval, touch, .. } => vec![self.tested(interval, touch)],
+            Event::Test { node, interval, touch, .. } => vec![self.tested(node, interval, touch)],
             Event::Visit { state, near, far, .. } => {
                 state.map_or(Vec::new(), |state| self.visit(state, near, far))
             }
