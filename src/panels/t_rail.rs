@@ -10,7 +10,7 @@ use octoscope_core::explain::{Span, approx, number};
 use octoscope_core::trace::{Moment, Trace};
 use octoscope_core::tree::{NodeId, Tree};
 use octoscope_figure::DiagramOf;
-use octoscope_figure::views::{RailFigure, place_note, rail_of, t_rail};
+use octoscope_figure::views::{RailFigure, rail_of, t_rail};
 
 /// One bar per axis from t0 to t1 with tm, in rows of height `row`; dragging goes to the leaf at that t.
 /// Returns what is pointed at.
@@ -29,9 +29,7 @@ pub fn ui<const D: usize>(
     let Some(rail) = t_rail(&look.texts, (of.tree, of.ray), moment, size, least) else {
         let size = vec2(width, row * D as f32 + 34.0);
         let (rect, response) = ui.allocate_exact_size(size, Sense::click_and_drag());
-        let misses = moment.current.is_some_and(|leaf| moment.missed.last() == Some(&leaf));
-        let hint = look.text(if misses { "t-rail-missed" } else { "t-rail-none" });
-        let hint = RichText::new(hint).color(look.palette.quiet);
+        let hint = RichText::new(look.text("t-rail-none")).color(look.palette.quiet);
         let middle = UiBuilder::new().max_rect(rect).layout(Layout::top_down(Align::Center));
         let mut middle = ui.new_child(middle);
         middle.add_space(rect.height() / 2.0 - 20.0);
@@ -76,7 +74,7 @@ fn digits(ui: &mut Ui, look: &Look, rail: &RailFigure) {
 /// The node or the cell of which the rail tells.
 pub fn note<const D: usize>(look: &Look, tree: &Tree<D>, moment: &Moment<D>) -> String {
     let of = rail_of(moment);
-    of.map_or_else(String::new, |of| place_note(&look.texts, of.place(tree)))
+    of.map_or_else(String::new, |of| of.note(&look.texts, tree))
 }
 
 /// What is pointed at on the rail.

@@ -20,7 +20,10 @@ neighbour-outside = Randbit im Rahmen: außerhalb des Gebiets auf { $axes }, dah
 neighbour-ancestor = Aufgestiegen zu Stufe { $climbed } von { $level }.
 node-note = Stufe { $level }, Codes { $codes }
 t-rail-none = Zeigt die Parameter t, sobald der Strahl auf die Wurzel zugeschnitten ist.
-t-rail-missed = Der Strahl trifft dieses Blatt nicht, es gibt also keine Parameter t.
+t-rail-missed = Austritt { $exit } vor Eintritt { $enter }: verfehlt
+t-rail-behind = Austritt { $exit } ≤ 0, hinter dem Ursprung: verfehlt
+t-rail-last-leaf = letztes Blatt, { $place }
+t-rail-cell = Zelle, { $place }
 t-rail-enter = Eintritt
 t-rail-exit = Austritt
 automaton-mask = a = { $mask }: Zustand i ist Kind i xor { $mask }

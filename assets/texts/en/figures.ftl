@@ -20,7 +20,10 @@ neighbour-outside = Border bit framed: outside the domain on { $axes }, there is
 neighbour-ancestor = Climbed to level { $climbed } of { $level }.
 node-note = level { $level }, codes { $codes }
 t-rail-none = Shows the parameters t once the ray is clipped.
-t-rail-missed = The ray does not meet this leaf, so there are no parameters t.
+t-rail-missed = exit { $exit } before enter { $enter }: missed
+t-rail-behind = exit { $exit } ≤ 0, behind the origin: missed
+t-rail-last-leaf = last leaf, { $place }
+t-rail-cell = cell, { $place }
 t-rail-enter = enter
 t-rail-exit = exit
 automaton-mask = a = { $mask }: state i is child i xor { $mask }

@@ -103,6 +103,7 @@ impl<const D: usize> Moment<D> {
     pub fn apply(&mut self, tree: &Tree<D>, event: &Event<D>) {
         self.step += 1;
         self.counters.add(event);
+        self.grid.iter_mut().for_each(|grid| grid.left = None);
         match *event {
             Event::Clip { near, far, enter, exit, hit, mirror } => {
                 let interval = [enter, exit];
@@ -164,14 +165,16 @@ impl<const D: usize> Moment<D> {
             Event::Grid { cell, next, .. } => {
                 let near = self.clip.map_or([0.0; D], |clip| clip.near);
                 let enter = near.into_iter().fold(0.0, f64::max);
-                self.grid = Some(GridCell { enter, cell: Some(cell), next, crossed: Axes::NONE });
+                let (cell, crossed, left) = (Some(cell), Axes::NONE, None);
+                self.grid = Some(GridCell { enter, cell, next, crossed, left });
             }
             Event::Cross { next, axes, cell, ahead, .. } => {
                 let enter = next.into_iter().fold(f64::INFINITY, f64::min);
                 let code = cell.map(|c| u32::try_from(c).unwrap_or(u32::MAX));
                 let inside = code.iter().all(|&c| c < tree.domain().grid_size());
                 let cell = inside.then_some(code);
-                self.grid = Some(GridCell { enter, cell, next: ahead, crossed: axes });
+                let left = Some(next);
+                self.grid = Some(GridCell { enter, cell, next: ahead, crossed: axes, left });
             }
             Event::Parent { node, child, direction, common, .. } => {
                 self.current = Some(node);

@@ -86,6 +86,8 @@ pub struct GridCell<const D: usize> {
     pub next: [f64; D],
     /// Axes of the planes that were crossed into it.
     pub crossed: Axes<D>,
+    /// Parameters of the planes that were ahead before, in the step that crosses.
+    pub left: Option<[f64; D]>,
 }
 
 /// The way from a node up, down again or across to its neighbour.

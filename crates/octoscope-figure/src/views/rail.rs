@@ -2,6 +2,7 @@
 
 use octoscope_core::explain::distinct;
 use octoscope_core::geometry::Ray;
+use octoscope_core::text::Texts;
 use octoscope_core::trace::{HalvingPlane, Moment};
 use octoscope_core::traverse::slabs;
 use octoscope_core::tree::{Code, NodeId, Tree};
@@ -11,6 +12,8 @@ use octoscope_core::tree::{Code, NodeId, Tree};
 pub enum RailOf<const D: usize> {
     /// A node.
     Node(NodeId),
+    /// The leaf that was reported last, while the algorithm is elsewhere.
+    LastLeaf(NodeId),
     /// A cell of the finest grid.
     Cell(Code<D>),
 }
@@ -19,8 +22,18 @@ impl<const D: usize> RailOf<D> {
     /// Level and codes.
     pub fn place(self, tree: &Tree<D>) -> (u8, Code<D>) {
         match self {
-            Self::Node(node) => (tree.level(node), tree.code(node)),
+            Self::Node(node) | Self::LastLeaf(node) => (tree.level(node), tree.code(node)),
             Self::Cell(code) => (0, code),
+        }
+    }
+
+    /// What it is in words, by its level and codes.
+    pub fn note(self, texts: &Texts, tree: &Tree<D>) -> String {
+        let place = super::place_note(texts, self.place(tree));
+        match self {
+            Self::Node(_) => place,
+            Self::LastLeaf(_) => texts.format("t-rail-last-leaf", &[("place", place.into())]),
+            Self::Cell(_) => texts.format("t-rail-cell", &[("place", place.into())]),
         }
     }
 }
@@ -40,16 +53,23 @@ pub(super) struct Rail<const D: usize> {
     far: Option<[f64; D]>,
     /// How the far planes are called.
     far_name: &'static str,
+    /// Parameters of the far planes of the cell that is left in this step.
+    left: Option<[f64; D]>,
+    /// Whether the ray was found to miss the node.
+    pub is_missed: bool,
 }
 
 /// Planes are shown in their place up to so many lengths of an interval outside it.
 const NEAR: f64 = 3.0;
 
 impl<const D: usize> Rail<D> {
-    /// Of the leaf that was just reported, the node on top of the stack, the leaf
+    /// Of the node that was just tested, the leaf that was just reported, the node on top of the stack, the leaf
     /// that is left, or the root; `None` as long as no parameter is known.
     pub fn of(moment: &Moment<D>) -> Option<Self> {
         let leaf = moment.leaves.last().copied();
+        if let Some(tested) = Self::of_tested(moment) {
+            return Some(tested);
+        }
         if let Some(frame) = moment.frame() {
             // A leaf has no frame of its own where the stack holds parents only.
             let is_of_parent = leaf.is_some_and(|leaf| moment.current == Some(leaf.node))
@@ -71,30 +91,49 @@ impl<const D: usize> Rail<D> {
         if let Some((grid, cell)) = moment.grid.and_then(|grid| Some((grid, grid.cell?))) {
             let exit = grid.next.into_iter().fold(f64::INFINITY, f64::min);
             let rail = Self::of_node(NodeId::ROOT, [grid.enter, exit]);
-            let far = Some(grid.next);
-            return Some(Self { of: RailOf::Cell(cell), far, far_name: "Max", ..rail });
+            let (far, left) = (Some(grid.next), grid.left);
+            return Some(Self { of: RailOf::Cell(cell), far, far_name: "Max", left, ..rail });
         }
         if let Some(leaf) = leaf {
             let rail = Self::of_node(leaf.node, [leaf.enter, leaf.exit]);
-            return Some(Self { far: moment.exits.map(|exits| exits.exits), ..rail });
-        }
-        if let (Some(interval), Some(node)) = (moment.tested, moment.current) {
-            return Some(Self::of_node(node, interval));
+            let is_here = moment.current == Some(leaf.node);
+            let of = if is_here { rail.of } else { RailOf::LastLeaf(leaf.node) };
+            return Some(Self { of, far: moment.exits.map(|exits| exits.exits), ..rail });
         }
         let clip = moment.clip?;
         let root = Self::of_node(NodeId::ROOT, clip.interval);
         Some(Self { near: Some(clip.near), far: Some(clip.far), ..root })
     }
 
+    /// Of the node that was tested by itself in the last step, if that was a test.
+    fn of_tested(moment: &Moment<D>) -> Option<Self> {
+        let node = moment.current?;
+        // Once a node is entered, it is no longer its test that is told.
+        if moment.frame().is_some_and(|frame| frame.node == node) {
+            return None;
+        }
+        let is_missed = moment.tested.is_none() && moment.missed.last() == Some(&node);
+        let interval = if is_missed { Some([f64::NAN; 2]) } else { moment.tested };
+        Some(Self { is_missed, ..Self::of_node(node, interval?) })
+    }
+
     /// The same, with the planes of the node along `ray` if there would be none at all.
     pub fn with_planes(self, tree: &Tree<D>, ray: &Ray<D>) -> Self {
-        let RailOf::Node(node) = self.of else { return self };
+        let (RailOf::Node(node) | RailOf::LastLeaf(node)) = self.of else { return self };
         let is_told = self.near.or(self.mid).or(self.far).is_some() || self.halving.is_some();
         if is_told {
             return self;
         }
         let (near, far) = slabs(tree.domain(), ray, tree.level(node), tree.code(node));
-        Self { near: Some(near), far: Some(far), ..self }
+        let interval = if self.is_missed {
+            [
+                near.into_iter().fold(f64::NEG_INFINITY, f64::max),
+                far.into_iter().fold(f64::INFINITY, f64::min),
+            ]
+        } else {
+            self.interval
+        };
+        Self { near: Some(near), far: Some(far), interval, ..self }
     }
 
     /// Of a node of which only the interval is known in which the ray is in it.
@@ -107,6 +146,8 @@ impl<const D: usize> Rail<D> {
             halving: None,
             far: None,
             far_name: "1",
+            left: None,
+            is_missed: false,
         }
     }
 
@@ -123,6 +164,15 @@ impl<const D: usize> Rail<D> {
         let all = known.into_iter().filter_map(|(t, name)| Some((t?[axis], name)));
         let halving = self.halving.filter(|plane| plane.axis == axis);
         all.chain(halving.map(|plane| (plane.at, "m"))).collect()
+    }
+
+    /// The value of a plane of an axis; in the step that crosses it, the one before too.
+    pub fn value(&self, axis: usize, t: f64) -> String {
+        let before = self.left.map(|left| left[axis]).filter(|&before| before != t);
+        match before {
+            Some(before) => format!("{} → {}", self.told(before), self.told(t)),
+            None => self.told(t),
+        }
     }
 
     /// A parameter in as few digits as tell it from those next to it.
@@ -209,10 +259,48 @@ mod tests {
     #[test]
     fn in_the_grid_the_rail_is_that_of_the_cell() {
         let (cell, next, crossed) = (Some([4, 10]), [0.5, 0.75], Axes::NONE);
-        let grid = Some(GridCell { enter: 0.25, cell, next, crossed });
+        let grid = Some(GridCell { enter: 0.25, cell, next, crossed, left: None });
         let rail = Rail::<2>::of(&Moment { grid, ..Moment::default() }).unwrap();
         assert_eq!((rail.of, rail.interval), (RailOf::Cell([4, 10]), [0.25, 0.5]));
         assert_eq!(rail.stops(1), [(0.75, "Max")]);
+    }
+
+    #[test]
+    fn a_step_across_a_plane_tells_its_parameter_before_and_after() {
+        let (cell, next, crossed) = (Some([17, 18]), [0.7855, 0.7984], Axes::one(1));
+        let grid = GridCell { enter: 0.748, cell, next, crossed, left: Some([0.7855, 0.748]) };
+        let at = |grid| Rail::<2>::of(&Moment { grid: Some(grid), ..Moment::default() }).unwrap();
+        let rail = at(grid);
+        let values = [0, 1].map(|axis| rail.value(axis, next[axis]));
+        assert_eq!(values, ["0.7855", "0.748 → 0.7984"]);
+        assert_eq!(at(GridCell { left: None, ..grid }).value(1, next[1]), "0.7984");
+    }
+
+    #[test]
+    fn a_missed_leaf_is_left_before_it_is_entered() {
+        let Some(AnyScenario::Quadtree(scenario)) = built_in("quadtree-82") else { panic!() };
+        let (content, grid) = (scenario.source.content().unwrap(), scenario.grid().unwrap());
+        let tree = build(&content, grid, &scenario.recipe, &Progress::default()).unwrap();
+        let ray = Ray::new([-1.0, 3.0], [2.0, -1.0]).unwrap();
+        let node = NodeId::ROOT;
+        let moment = Moment { current: Some(node), missed: vec![node], ..Moment::default() };
+        let rail = Rail::<2>::of(&moment).unwrap().with_planes(&tree, &ray);
+        assert_eq!(
+            (rail.of, rail.interval, rail.is_missed),
+            (RailOf::Node(node), [2.0, 1.0], true)
+        );
+    }
+
+    #[test]
+    fn the_rail_of_the_last_leaf_says_that_the_search_is_elsewhere() {
+        use octoscope_core::trace::LeafOnRay;
+        let leaf = NodeId::ROOT;
+        let leaves = vec![LeafOnRay { node: leaf, enter: 0.0, exit: 1.0 }];
+        let at = |current| {
+            let moment = Moment::<2> { leaves: leaves.clone(), current, ..Moment::default() };
+            Rail::of(&moment).unwrap().of
+        };
+        assert_eq!([at(Some(leaf)), at(None)], [RailOf::Node(leaf), RailOf::LastLeaf(leaf)]);
     }
 
     #[test]

@@ -69,8 +69,7 @@ pub(super) fn view<const D: usize>(subject: &Subject<D>, width: f64) -> Option<F
     let of = (subject.tree, subject.ray);
     let rail = t_rail(subject.texts, of, subject.moment, [width, ROW], 0.0)?;
     let mut sheet = Sheet::default();
-    let of = rail_of(subject.moment)?;
-    let text = super::place_note(subject.texts, of.place(subject.tree));
+    let text = rail_of(subject.moment)?.note(subject.texts, subject.tree);
     sheet.text(Role::Note, [0.0, 8.0], Anchor::Start, text);
     sheet.place(rail.figure.drawn, [0.0, HEAD]);
     Some(sheet.figure([width, rail.figure.page.height + HEAD]))
@@ -200,7 +199,8 @@ impl<const D: usize> Drawing<'_, D> {
     fn label(&self, axis: usize, t: f64, plane: &str, with_value: bool) -> Label {
         let is_odd = !t.is_finite();
         let x = if t.is_nan() { 0.5 * (self.track[0] + self.track[1]) } else { self.x_of(t) };
-        let value = if with_value { format!(" {}", self.rail.told(t)) } else { String::new() };
+        let value =
+            if with_value { format!(" {}", self.rail.value(axis, t)) } else { String::new() };
         let text = joined([parameter(axis, plane), value.into()]);
         let width = metrics::width_of_least(Role::Words, &text, self.least);
         Label { at: [x - 0.5 * width, 0.0], width, text, is_odd }
@@ -239,6 +239,16 @@ impl<const D: usize> Drawing<'_, D> {
     fn ends(&self, sheet: &mut Sheet, texts: &Texts, ends: [f64; 2]) {
         const GAP: f64 = 14.0;
         let y = self.bottom() + 27.0;
+        if self.rail.is_missed {
+            let [enter, exit] = ends.map(|t| self.rail.told(t));
+            let is_behind = ends[1] <= 0.0 && ends[0] <= ends[1];
+            let key = if is_behind { "t-rail-behind" } else { "t-rail-missed" };
+            let arguments = [("enter", enter.into()), ("exit", exit.into())];
+            let text = texts.format(key, &arguments);
+            let middle = 0.5 * (self.track[0] + self.track[1]);
+            sheet.text(Role::Note, [middle, y], Anchor::Middle, text);
+            return;
+        }
         let texts: Vec<(f64, RichText)> = ["t-rail-enter", "t-rail-exit"]
             .into_iter()
             .zip(ends)
