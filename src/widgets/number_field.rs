@@ -9,10 +9,16 @@ use eframe::egui::{
     text_edit::TextEditState,
     vec2,
 };
-use octoscope_core::explain::signed_number as number;
+use octoscope_core::explain::signed_number;
 
 /// Room between a number and the border of its field.
 const PADDING: f32 = 8.0;
+
+/// `x` as short as it reads back, with the minus that is shown everywhere; a field takes
+/// the one of the keyboard as well.
+pub(super) fn number(x: f64) -> String {
+    signed_number(x).replace('-', "−")
+}
 
 /// Field for a number in `color`, called `name` by a screen reader. It takes
 /// decimals, fractions such as 3/4 and hexadecimal floats such as 0x1.8p-1. A
@@ -97,7 +103,7 @@ fn shortened(x: f64, fits: impl Fn(&str) -> bool) -> String {
         let ends = (point + 2..mantissa.len()).rev().chain([point]);
         ends.map(|end| format!("{}…{exponent}", &mantissa[..end])).find(|text| fits(text))
     };
-    let scientific = format!("{x:e}");
+    let scientific = format!("{x:e}").replace('-', "−");
     cut(&whole).or_else(|| cut(&scientific)).unwrap_or_else(|| "…".to_owned())
 }
 
@@ -118,7 +124,15 @@ fn simple(text: &str) -> Option<f64> {
 
 #[cfg(test)]
 mod tests {
-    use super::{parse, shortened};
+    use super::{number, parse, shortened};
+
+    #[test]
+    fn a_shown_number_has_the_minus_of_the_texts_and_reads_back() {
+        for (x, shown) in [(-0.16, "−0.16"), (-1e-300, "−1e−300"), (-0.0, "−0")] {
+            assert_eq!(number(x), shown);
+            assert_eq!(parse(shown).map(f64::to_bits), Some(x.to_bits()));
+        }
+    }
 
     #[test]
     fn numbers_are_read_in_three_notations() {
@@ -136,10 +150,10 @@ mod tests {
         };
         check(0.25, "0.25");
         check(1.0 / 3.0, "0.333333…");
-        check(-200.0 / 3.0, "-66.6666…");
-        check(1.0 / 3.0 * 1e-300, "3.3…e-301");
+        check(-200.0 / 3.0, "−66.6666…");
+        check(1.0 / 3.0 * 1e-300, "3.3…e−301");
         check(1_234_567_890_123.0, "1.234…e12");
-        check(-1.234_567e-300, "-1…e-300");
+        check(-1.234_567e-300, "−1…e−300");
     }
 
     #[test]

@@ -1,12 +1,11 @@
 //! A number of a known range that can be dragged and typed.
 
-use super::number_field::parse;
+use super::number_field::{number, parse};
 use super::typed_field::{Typing, typed_field};
 use crate::look::Look;
 use eframe::egui::accesskit::Role;
 use eframe::egui::emath::Numeric;
 use eframe::egui::{DragValue, Response, SliderClamping, Ui, WidgetInfo};
-use octoscope_core::explain::number;
 
 /// The largest seed that a field takes: larger whole numbers are not all in its numbers.
 pub const MOST_SEED: u64 = 1 << 53;
