@@ -139,10 +139,16 @@ fn ray_query<const D: usize>(
     shown.response.on_hover_text(label);
     let choices =
         [(Arithmetic::Doubles, "arithmetic-doubles"), (Arithmetic::Exact, "arithmetic-exact")];
-    let choices =
-        choices.map(|(choice, key)| (choice, look.text(key), look.text(&format!("{key}-why"))));
+    // What tests every leaf by itself does so exactly, whatever is chosen for the others.
+    let is_fixed = *algorithm == Algorithm::Exhaustive;
+    let choices = choices.map(|(choice, key)| {
+        let why = if is_fixed { "arithmetic-fixed-why" } else { &format!("{key}-why") };
+        (choice, look.text(key), look.text(why))
+    });
     ui.horizontal(|ui| {
-        explained_segments(ui, arithmetic, &choices);
+        let mut shown = if is_fixed { Arithmetic::Exact } else { *arithmetic };
+        ui.add_enabled_ui(!is_fixed, |ui| explained_segments(ui, &mut shown, &choices));
+        *arithmetic = if is_fixed { *arithmetic } else { shown };
         // Apart: it is no third choice beside them.
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             rules::<D>(ui, look, *algorithm, &mut options.variants);

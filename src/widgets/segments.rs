@@ -26,7 +26,8 @@ pub fn explained_segments<T: Copy + PartialEq>(
         ui.spacing_mut().button_padding = vec2(6.0, 4.0);
         for (choice, name, why) in choices {
             let name = RichText::new(name).size(14.0);
-            ui.selectable_value(value, *choice, name).on_hover_text(why);
+            let segment = ui.selectable_value(value, *choice, name);
+            segment.on_hover_text(why).on_disabled_hover_text(why);
         }
     });
 }

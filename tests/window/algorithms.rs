@@ -1,8 +1,9 @@
 //! Every algorithm is chosen, stepped through and explained.
 
 use crate::desk::{Desk, sample};
-use eframe::egui::{Key, accesskit::Role};
-use egui_kittest::kittest::Queryable;
+use eframe::egui::Key;
+use eframe::egui::accesskit::{Role, Toggled};
+use egui_kittest::kittest::{NodeT, Queryable};
 use octoscope_core::explain::algorithm_name;
 use octoscope_core::query::Query;
 use octoscope_core::text::Language;
@@ -188,4 +189,22 @@ fn the_rail_says_that_a_tested_leaf_is_missed() {
         desk.sentence().ends_with("is not met by the ray.")
     });
     assert!(missed && desk.says("The ray does not meet this leaf"));
+}
+
+#[test]
+fn the_oracle_is_shown_as_exact_and_offers_nothing_else() {
+    let mut desk = Desk::new();
+    let offers = |desk: &Desk| {
+        ["doubles", "exact"].map(|name| {
+            let node = desk.get_by_role_and_label(Role::Button, name);
+            let node = node.accesskit_node();
+            (node.is_disabled(), node.toggled() == Some(Toggled::True))
+        })
+    };
+    let [(doubles, is_chosen), (exact, _)] = offers(&desk);
+    assert!(!doubles && !exact && is_chosen);
+    desk.choose_algorithm(Algorithm::Exhaustive, Language::English);
+    assert_eq!(offers(&desk), [(true, false), (true, true)]);
+    desk.choose_algorithm(Algorithm::Parametric, Language::English);
+    assert_eq!(offers(&desk), [(false, true), (false, false)], "what was chosen before");
 }

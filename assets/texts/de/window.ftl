@@ -219,6 +219,7 @@ arithmetic-doubles = Gleitkomma
 arithmetic-doubles-why = Die Parameter t sind 64-Bit-Gleitkommazahlen und werden gerundet, wie in einem üblichen Programm.
 arithmetic-exact = exakt
 arithmetic-exact-why = Die Parameter t werden als exakte Brüche verglichen; die Schritte sagen, wo Gleitkommazahlen irren würden.
+arithmetic-fixed-why = Jedes Blatt wird immer exakt geprüft: Am Ergebnis werden die anderen Verfahren gemessen.
 point-codes = durch Codes
 point-comparison = durch Vergleiche
 reach-equal = gleich groß oder größer

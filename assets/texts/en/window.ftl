@@ -219,6 +219,7 @@ arithmetic-doubles = doubles
 arithmetic-doubles-why = Parameters t are 64-bit floating-point numbers and round, as in a usual program.
 arithmetic-exact = exact
 arithmetic-exact-why = Parameters t are compared as exact fractions; the steps tell where doubles would err.
+arithmetic-fixed-why = Every leaf is always tested exactly: the result is what other algorithms are held against.
 point-codes = by codes
 point-comparison = by comparison
 reach-equal = equal or larger
