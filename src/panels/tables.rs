@@ -38,39 +38,78 @@ impl Table {
     }
 }
 
+/// What a step has reached.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Kind {
+    /// A parent.
+    Up,
+    /// The mirrored child.
+    Mirrored,
+    /// A child on the side that faces where the way came from.
+    Facing,
+}
+
+impl Kind {
+    /// The tables that tell how it is reached.
+    fn tables(self, lookup: Lookup) -> &'static [Table] {
+        match (self, lookup) {
+            (Self::Facing, Lookup::Tables | Lookup::Bits) => &[Table::Adjacent],
+            (Self::Up | Self::Mirrored, Lookup::Bits) => &[Table::Common],
+            (Self::Up, Lookup::Tables) => &[Table::Adjacent, Table::Common],
+            (Self::Mirrored, Lookup::Tables) => &[Table::Reflect],
+        }
+    }
+}
+
 /// Which entries a step has used.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Used<const D: usize> {
     direction: [i8; D],
     child: Child<D>,
-    /// Whether a parent or a mirrored child was reached.
-    down: bool,
+    kind: Kind,
     lookup: Lookup,
 }
 
 /// A step of the way: the node that was reached, and the entries used.
 type Step<const D: usize> = (NodeId, Used<D>);
 
-/// Steps of the way to the neighbour since the last leaf.
+/// Steps of the last way to a neighbour.
 struct Way<const D: usize> {
     up: Vec<Step<D>>,
     down: Vec<Step<D>>,
+    /// Whether a leaf was reached since then: it is told, but quietly.
+    is_over: bool,
 }
 
 impl<const D: usize> Way<D> {
     fn of(past: &[Event<D>]) -> Self {
         let starts = |event: &Event<D>| matches!(event, Event::Leaf { .. } | Event::Begin { .. });
-        let start = past.iter().rposition(starts).unwrap_or(0);
-        let mut way = Self { up: Vec::new(), down: Vec::new() };
-        for event in &past[start..] {
+        let goes_up = |event: &Event<D>| matches!(event, Event::Parent { .. });
+        let Some(last) = past.iter().rposition(goes_up) else {
+            return Self { up: Vec::new(), down: Vec::new(), is_over: false };
+        };
+        let start = past[..last].iter().rposition(starts).unwrap_or(0);
+        let length = past[last..].iter().position(starts);
+        let end = length.map_or(past.len(), |length| last + length);
+        let mut way = Self { up: Vec::new(), down: Vec::new(), is_over: length.is_some() };
+        for event in &past[start..end] {
+            if let &Event::Facing { child, node } = event
+                && let Some((_, used)) = way.up.first()
+            {
+                // It faces where the way came from.
+                let direction = used.direction.map(|sign| -sign);
+                let lookup = Lookup::Bits;
+                let kind = Kind::Facing;
+                way.down.push((node, Used { direction, child, kind, lookup }));
+            }
             if let &Event::Parent { node, child, direction, lookup, .. } = event {
-                way.up.push((node, Used { direction, child, down: false, lookup }));
+                way.up.push((node, Used { direction, child, kind: Kind::Up, lookup }));
             }
             if let &Event::Mirror { child, node, .. } = event {
                 // The last parent's child is mirrored first.
                 let parent = way.up.len().checked_sub(way.down.len() + 1);
                 if let Some((_, used)) = parent.and_then(|index| way.up.get(index)) {
-                    way.down.push((node, Used { child, down: true, ..*used }));
+                    way.down.push((node, Used { child, kind: Kind::Mirrored, ..*used }));
                 }
             }
         }
@@ -92,12 +131,13 @@ pub fn ui<const D: usize>(ui: &mut Ui, look: &Look, tree: &Tree<D>, past: &[Even
         Some(used) => {
             let direction = named(used.direction);
             let arguments = [("direction", direction.into()), ("child", used.child.0.into())];
-            let key = match used.lookup {
-                Lookup::Tables => "tables-used",
-                Lookup::Bits => "tables-used-bits",
+            let key = match (way.is_over, used.kind, used.lookup) {
+                (true, _, _) => "tables-used-before",
+                (false, Kind::Up | Kind::Mirrored, Lookup::Bits) => "tables-used-bits",
+                (false, Kind::Facing, _) | (false, _, Lookup::Tables) => "tables-used",
             };
             caption(ui, look, look.texts.format(key, &arguments));
-            children(ui, look, used);
+            children(ui, look, used, way.is_over);
         }
         None => caption(ui, look, look.text("tables-none")),
     }
@@ -138,26 +178,25 @@ fn gap<const D: usize>(ui: &Ui) -> f32 {
 }
 
 /// The three tables for one direction.
-fn children<const D: usize>(ui: &mut Ui, look: &Look, used: Used<D>) {
+fn children<const D: usize>(ui: &mut Ui, look: &Look, used: Used<D>, is_over: bool) {
+    // What is over is lit no more than what is beside it.
+    let [strong, line] = if is_over { [Lit::Line, Lit::No] } else { [Lit::Used, Lit::Line] };
     let grid = Grid::new("children").num_columns(1 + Child::<D>::COUNT);
     let spacing = [gap::<D>(ui), 0.0];
     grid.spacing(spacing).min_col_width(COLUMN).min_row_height(18.0).show(ui, |ui| {
         caption(ui, look, look.text("tables-child"));
         for child in Child::<D>::all() {
-            let tone = if child == used.child { Lit::Line } else { Lit::No };
+            let tone = if child == used.child { line } else { Lit::No };
             ui.label(lit(look, child.0.to_string(), tone));
         }
         ui.end_row();
         for table in Table::ALL {
-            let in_use = match used.lookup {
-                Lookup::Tables => (table == Table::Reflect) == used.down,
-                Lookup::Bits => table == Table::Common,
-            };
+            let in_use = used.kind.tables(used.lookup).contains(&table);
             caption(ui, look, table.name());
             for child in Child::<D>::all() {
                 let tone = match (in_use, child == used.child) {
-                    (true, true) => Lit::Used,
-                    (true, false) | (false, true) => Lit::Line,
+                    (true, true) => strong,
+                    (true, false) | (false, true) => line,
                     (false, false) => Lit::No,
                 };
                 entry(ui, look, table, used.direction, child, tone);
@@ -197,14 +236,20 @@ fn entry<const D: usize>(
 /// The nodes of one way, each with the child that led there.
 fn list<const D: usize>(ui: &mut Ui, look: &Look, tree: &Tree<D>, steps: &[Step<D>]) {
     for (n, (node, used)) in steps.iter().enumerate() {
-        let child = if used.down { reflected(used.direction, used.child) } else { used.child };
+        let child = match used.kind {
+            Kind::Mirrored => reflected(used.direction, used.child),
+            Kind::Up | Kind::Facing => used.child,
+        };
         let codes = tree.code(*node).map(|c| c.to_string()).join(", ");
         let arguments = [
             ("child", child.0.into()),
             ("level", tree.level(*node).into()),
             ("codes", codes.into()),
         ];
-        let key = if used.down { "tables-step-down" } else { "tables-step-up" };
+        let key = match used.kind {
+            Kind::Up => "tables-step-up",
+            Kind::Mirrored | Kind::Facing => "tables-step-down",
+        };
         let text = RichText::new(look.texts.format(key, &arguments)).size(13.0);
         let color = if n + 1 == steps.len() { look.palette.ink } else { look.palette.quiet };
         let label = ui.label(text.color(color));
@@ -304,6 +349,34 @@ mod tests {
         let told: Vec<_> =
             way.down.iter().map(|(_, used)| (used.child.0, used.direction)).collect();
         assert_eq!(told, [(2, [1, 0]), (3, [1, 1])]);
-        assert_eq!(way.last().map(|used| used.down), Some(true));
+        assert_eq!(way.last().map(|used| used.kind), Some(Kind::Mirrored));
+    }
+
+    fn up(child: u8, direction: [i8; 2]) -> Event<2> {
+        let (node, common, lookup) = (NodeId::ROOT, [0; 2], Lookup::Tables);
+        Event::Parent { node, child: Child(child), direction, common, lookup }
+    }
+
+    #[test]
+    fn a_child_that_faces_the_way_lies_on_the_lit_side() {
+        let facing = Event::<2>::Facing { child: Child(0), node: NodeId::ROOT };
+        let used = Way::of(&[up(1, [1, 0]), facing]).last().unwrap();
+        assert_eq!((used.child, used.direction), (Child(0), [-1, 0]));
+        assert_eq!(used.kind.tables(used.lookup), [Table::Adjacent]);
+        assert!(adjacent(used.direction, used.child));
+    }
+
+    #[test]
+    fn the_last_look_up_stays_in_sight_when_a_leaf_is_reached() {
+        let leaf = Event::<2>::Leaf { node: NodeId::ROOT, enter: 0.0, exit: 1.0, full: false };
+        let check = |past: &[Event<2>], used: Option<u8>, is_over: bool| {
+            let way = Way::of(past);
+            assert_eq!(way.last().map(|used| used.child.0), used);
+            assert_eq!(way.is_over, is_over);
+        };
+        check(&[leaf], None, false);
+        check(&[leaf, up(3, [1, 0])], Some(3), false);
+        check(&[leaf, up(3, [1, 0]), leaf], Some(3), true);
+        check(&[leaf, up(3, [1, 0]), leaf, up(1, [1, 0])], Some(1), false);
     }
 }

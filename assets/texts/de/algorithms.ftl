@@ -40,7 +40,8 @@ way-down-pushed = verschoben nach
 way-down-target = Codes dahinter
 
 tables-none = Zeigt die benutzten Einträge, sobald ein Nachbar gesucht wird.
-tables-used = Richtung { $direction }, Kind { $child }: Warum steht ein Eintrag da? Darauf zeigen.
+tables-used = Richtung { $direction }, Kind { $child }. Regel: auf den Eintrag zeigen.
+tables-used-before = Zuletzt nachgesehen: Richtung { $direction }, Kind { $child }.
 tables-used-bits = Richtung { $direction }, Kind { $child }: aus den Bits gelesen, ohne Tabelle.
 tables-child = Kind
 tables-yes = ja

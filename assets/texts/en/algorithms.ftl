@@ -40,7 +40,8 @@ way-down-pushed = pushed to
 way-down-target = codes beyond
 
 tables-none = Shows the used entries once a neighbour is looked for.
-tables-used = Direction { $direction }, child { $child }: why is an entry so? Point at it.
+tables-used = Direction { $direction }, child { $child }. Point at an entry for its rule.
+tables-used-before = Looked up last: direction { $direction }, child { $child }.
 tables-used-bits = Direction { $direction }, child { $child }: read from the bits, without a table.
 tables-child = child
 tables-yes = yes
