@@ -18,13 +18,11 @@ pub fn ui<const D: usize>(
     moment: &Moment<D>,
     past: &[Event<D>],
 ) {
-    let inner = |node: &NodeId| !tree.node(*node).is_leaf();
-    let Some(parent) = moment.stack.iter().rev().map(|frame| frame.node).find(inner) else {
+    let Some((parent, tests)) = at_work(tree, moment, past) else {
         caption(ui, look, look.text("children-none"));
         return;
     };
     let mask = moment.clip.map_or(Axes::NONE, |clip| clip.mirror);
-    let tests = tests_of(tree, parent, past);
     let codes = tree.code(parent).map(|c| c.to_string()).join(", ");
     let arguments = [("level", tree.level(parent).into()), ("codes", codes.into())];
     caption(ui, look, look.texts.format("node-note", &arguments));
@@ -71,16 +69,61 @@ pub fn ui<const D: usize>(
     });
 }
 
-/// Tests of the children of `parent` since it was entered last.
-fn tests_of<const D: usize>(
+/// Tests of nodes, with the interval in which the ray is in each.
+type Tests = Vec<(NodeId, Option<[f64; 2]>)>;
+
+/// The node whose children are told and their tests: as long as none of its own is
+/// tested, a node is told as a child of its parent.
+fn at_work<const D: usize>(
     tree: &Tree<D>,
-    parent: NodeId,
+    moment: &Moment<D>,
     past: &[Event<D>],
-) -> Vec<(NodeId, Option<[f64; 2]>)> {
+) -> Option<(NodeId, Tests)> {
+    let nodes = moment.stack.iter().rev().map(|frame| frame.node);
+    let inner = nodes.filter(|node| !tree.node(*node).is_leaf());
+    let mut all = inner.map(|node| (node, tests_of(tree, node, past)));
+    let first = all.next()?;
+    if first.1.is_empty() { all.next().or(Some(first)) } else { Some(first) }
+}
+
+/// Tests of the children of `parent` since it was entered last.
+fn tests_of<const D: usize>(tree: &Tree<D>, parent: NodeId, past: &[Event<D>]) -> Tests {
     let entered = |event: &Event<D>| matches!(event, Event::Visit { node, .. } if *node == parent);
     let start = past.iter().rposition(entered).unwrap_or(past.len());
     let tests = past[start..].iter().filter_map(|event| {
         if let Event::Test { node, interval, .. } = event { Some((*node, *interval)) } else { None }
     });
     tests.filter(|(node, _)| tree.parent(*node) == Some(parent)).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use octoscope_core::progress::Progress;
+    use octoscope_core::query::{Arithmetic, Query};
+    use octoscope_core::scenario::{AnyScenario, built_in};
+    use octoscope_core::trace::record;
+    use octoscope_core::traverse::{Algorithm, Options};
+    use octoscope_core::tree::build;
+
+    #[test]
+    fn a_child_that_is_visited_is_told_beside_its_siblings_until_its_own_are_tested() {
+        let Some(AnyScenario::Quadtree(scenario)) = built_in("quadtree-82") else { panic!() };
+        let (content, grid) = (scenario.source.content().unwrap(), scenario.grid().unwrap());
+        let tree = build(&content, grid, &scenario.recipe, &Progress::default()).unwrap();
+        let (algorithm, options) = (Algorithm::AllChildren, Options::default());
+        let query = Query::Ray { algorithm, options, arithmetic: Arithmetic::Doubles };
+        let trace = record(&tree, &scenario.ray, &query);
+        let mut moment = Moment::default();
+        let mut n_inner = 0;
+        for (index, event) in trace.events.iter().enumerate() {
+            moment.apply(&tree, event);
+            let Event::Visit { node, state: Some(_), .. } = *event else { continue };
+            let (parent, tests) = at_work(&tree, &moment, &trace.events[..=index]).unwrap();
+            assert_eq!(Some(parent), tree.parent(node));
+            assert_eq!(tests.last().map(|test| test.0), Some(node));
+            n_inner += usize::from(!tree.node(node).is_leaf());
+        }
+        assert!(n_inner > 2);
+    }
 }
