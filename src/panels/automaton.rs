@@ -46,7 +46,7 @@ pub fn ui<const D: usize>(
         paint_figure(ui, look, rect, &diagram);
         ui.vertical(|ui| {
             caption(ui, if D == 2 { "automaton-table-1" } else { "automaton-table-3" });
-            let setting = Setting { id: "exit-table", gap: 8.0, least: 28.0 };
+            let setting = Setting { id: "exit-table", gap: 14.0, least: 28.0 };
             table(ui, look, &automaton.exit_table(&look.texts), setting);
         });
     });

@@ -61,9 +61,11 @@ impl<const D: usize> Automaton<D> {
     /// transitions between them and the lit one.
     pub fn diagram(&self, side: f64) -> Figure {
         let mut sheet = Sheet::default();
+        // Above and at the right there is room for an arrow out of the diagram.
+        let reach = 0.5 * (side - NEAR - EXIT);
         let place = |state: Child<D>| {
             let halves = self.variants.child_of_state(state, Axes::NONE);
-            corner(halves, 0.5 * side, 0.5 * side - 20.0)
+            corner(halves, [NEAR + reach, EXIT + reach], reach)
         };
         self.draw_transitions(&mut sheet, &place);
         self.draw_states(&mut sheet, [side; 2], &place);
@@ -135,6 +137,16 @@ impl<const D: usize> Automaton<D> {
             && axes.count() > 1
         {
             arrow(sheet, Role::TransitionTogether, [place(from), place(to)]);
+        }
+        // Out of the node, through the planes that have nothing behind them in it.
+        if let (Some(from), Some((axes, None))) = (self.state, self.step) {
+            let halves = self.variants.child_of_state(from, Axes::NONE);
+            for axis in axes.iter().filter(|&axis| halves.is_upper(axis)) {
+                let ([x, y], [along, up]) = (place(from), outwards(axis));
+                // From the rim on, as there is nothing to end at.
+                let to = [x + (EXIT + 13.0) * along, y + (EXIT + 13.0) * up];
+                arrow(sheet, Role::TransitionTaken(axis), [[x, y], to]);
+            }
         }
     }
 
@@ -212,15 +224,28 @@ pub(super) fn view<const D: usize>(subject: &Subject<D>, width: f64) -> Figure {
 }
 
 /// Place of a state: x to the right, y up, z towards the upper right.
-fn corner<const D: usize>(state: Child<D>, centre: f64, reach: f64) -> [f64; 2] {
+fn corner<const D: usize>(state: Child<D>, centre: [f64; 2], reach: f64) -> [f64; 2] {
     let bit = |axis: usize| if axis < D && state.is_upper(axis) { 1.0 } else { -1.0 };
     let [x, y] = if D == 2 {
         [bit(0), -bit(1)]
     } else {
         [0.68 * bit(0) + 0.32 * bit(2), -0.68 * bit(1) - 0.27 * bit(2)]
     };
-    [centre + reach * x, centre + reach * y]
+    [centre[0] + reach * x, centre[1] + reach * y]
 }
+
+/// Where a state's arrow along an axis points, of length 1.
+fn outwards(axis: usize) -> [f64; 2] {
+    match axis {
+        0 => [1.0, 0.0],
+        1 => [0.0, -1.0],
+        _ => [0.764, -0.645],
+    }
+}
+
+/// Room beside the states: at the left and below, and for arrows at the right and above.
+const NEAR: f64 = 20.0;
+const EXIT: f64 = 32.0;
 
 /// Arrow between two states, up to their rims.
 fn arrow(sheet: &mut Sheet, role: Role, [from, to]: [[f64; 2]; 2]) {
@@ -236,5 +261,39 @@ fn tone(in_row: bool, used: bool) -> Tone {
         (_, true) => Tone::Used,
         (true, false) => Tone::Line,
         (false, false) => Tone::Plain,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Form, Part};
+    use octoscope_core::traverse::Variants;
+
+    /// Heads of the lit arrows when a state is left through a plane.
+    fn lit<const D: usize>(state: u8, axis: usize) -> Vec<Role> {
+        let state = Child::<D>(state);
+        let (axes, next) = (Axes::one(axis), transition(state, axis));
+        let event = Event::Step { state, exits: [0.0; D], axes, next };
+        let automaton = Automaton::of(&Moment::default(), Some(&event), Variants::NONE);
+        let figure = automaton.diagram(120.0);
+        let extent = figure.extent().unwrap();
+        assert!(extent.min[0] >= 0.0 && extent.min[1] >= 0.0, "{extent:?}");
+        assert!(extent.max[0] <= 120.0 && extent.max[1] <= 120.0, "{extent:?}");
+        let heads = figure
+            .drawn
+            .iter()
+            .filter(|drawn| drawn.part == Part::Head && matches!(drawn.form, Form::Polygon(_)));
+        let lit = heads.filter(|drawn| matches!(drawn.role, Role::TransitionTaken(_)));
+        lit.map(|drawn| drawn.role).collect()
+    }
+
+    #[test]
+    fn an_arrow_is_lit_when_a_child_is_left_also_out_of_the_node() {
+        assert_eq!(lit::<2>(0, 0), [Role::TransitionTaken(0)]);
+        assert_eq!(lit::<2>(2, 0), [Role::TransitionTaken(0)], "the end");
+        for axis in 0..3 {
+            assert_eq!(lit::<3>(7, axis), [Role::TransitionTaken(axis)], "the end");
+        }
     }
 }
