@@ -3,29 +3,37 @@
 use crate::look::Look;
 use crate::widgets::bit_table;
 use eframe::egui::{RichText, Ui};
+use octoscope_core::event::Event;
 use octoscope_core::trace::Moment;
 use octoscope_core::traverse::Variants;
 use octoscope_core::tree::Tree;
 use octoscope_figure::views::{Spacing, child_rule, code_table};
 
-/// How the bits of a level number the children.
-pub fn note<const D: usize>(look: &Look) -> String {
-    child_rule::<D>(&look.texts)
+/// Whose codes they are.
+pub fn note<const D: usize>(
+    look: &Look,
+    tree: &Tree<D>,
+    moment: &Moment<D>,
+    variants: Variants,
+) -> String {
+    code_table(&look.texts, tree, moment, None, variants).of
 }
 
 /// Codes of the place that is looked for, as the rules of the query take them, else of
-/// the current node.
+/// the current node. `event` is what has just happened.
 pub fn ui<const D: usize>(
     ui: &mut Ui,
     look: &Look,
     tree: &Tree<D>,
     moment: &Moment<D>,
+    event: Option<&Event<D>>,
     variants: Variants,
 ) {
-    let codes = code_table(&look.texts, tree, moment, variants);
+    let codes = code_table(&look.texts, tree, moment, event, variants);
     bit_table(ui, look, &codes.table, Spacing::Wide, &look.text("panel-codes"));
+    let known = format!("{}; {}", codes.morton, child_rule::<D>(&look.texts));
+    ui.label(RichText::new(known).size(13.0).color(look.palette.quiet));
     if let Some(child) = codes.child {
         ui.label(RichText::new(child).size(14.0));
     }
-    ui.label(RichText::new(codes.morton).size(13.0).color(look.palette.quiet));
 }

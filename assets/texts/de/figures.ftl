@@ -1,7 +1,9 @@
 # Texte von Tafeln und Abbildungen, die dasselbe zeigen, auf Deutsch.
 
 codes-child-rule = Kind = { $rule }
-codes-child = Bit { $bit } jedes Codes: { $bits }, also Kind { $child } ({ $morton } in Morton-Reihenfolge).
+codes-child = Bit { $bit } jedes Codes: { $bits }, also Kind { $child } ({ $morton } in Morton-Ordnung).
+codes-of-cell = Zelle { $codes }
+codes-of-wanted = gesucht: Zelle { $codes }
 codes-child-printed = Die gedruckte Regel nimmt die Codes für diese: { $bits }, also Kind { $child } (in Morton-Ordnung { $morton }).
 codes-none = Noch wird nichts gesucht oder besucht.
 codes-morton = Morton-Code { $code }

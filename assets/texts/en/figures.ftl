@@ -1,7 +1,9 @@
 # Texts of panels and figures that show the same, in English.
 
 codes-child-rule = child = { $rule }
-codes-child = Bit { $bit } of every code: { $bits }, so child { $child } ({ $morton } in Morton order).
+codes-child = Bit { $bit } of every code: { $bits }, so child { $child } ({ $morton } in Morton order).
+codes-of-cell = cell { $codes }
+codes-of-wanted = looked for: cell { $codes }
 codes-child-printed = The printed rule takes the codes for these: { $bits }, so child { $child } ({ $morton } in Morton order).
 codes-none = Nothing is looked for or visited yet.
 codes-morton = Morton code { $code }

@@ -3,7 +3,7 @@
 use super::sheet::Sheet;
 use super::words::{on_axis, strong};
 use crate::{Anchor, Figure, Role, metrics};
-use octoscope_core::explain::RichText;
+use octoscope_core::explain::{RichText, Span};
 
 /// One row of bits.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -39,9 +39,11 @@ pub struct BitTable {
     pub carries: Option<Carries>,
     /// What is concluded from a bit of the last row, below it.
     pub conclusion: Option<Conclusion>,
-    /// Least room for the names of rows: tables one below the other have their
-    /// columns so.
+    /// Least room for the names of rows: tables one below the other
+    /// have their columns in line so.
     pub name_room: f64,
+    /// The same for the notes.
+    pub note_room: f64,
     /// Whether the row of bit numbers is left out.
     pub headless: bool,
 }
@@ -102,10 +104,8 @@ impl Measures {
     const WIDEST: f64 = 30.0;
 
     fn of(table: &BitTable, width: f64) -> Self {
-        let widest = |of: &dyn Fn(&BitRow) -> f64| table.rows.iter().map(of).fold(0.0, f64::max);
         let name_width = table.name_width().max(table.name_room);
-        let note_width =
-            widest(&|row| metrics::width(Role::Note, &row.note.as_str().into())) + 10.0;
+        let note_width = table.note_width().max(table.note_room);
         let columns = f64::from(table.width);
         let beside = (width - name_width - note_width) / columns;
         let (pitch, note_height) = if beside < Self::NARROW {
@@ -118,12 +118,37 @@ impl Measures {
 }
 
 impl BitRow {
+    /// Its name; what stands after a low line is a subscript.
     fn title(&self) -> RichText {
-        match self.axis {
-            Some(axis) => on_axis(axis, self.name.as_str()),
-            None => strong(self.name.as_str()),
+        let (name, below) = self.name.split_once('_').unwrap_or((&self.name, ""));
+        let mut title = match self.axis {
+            Some(axis) => on_axis(axis, name),
+            None => strong(name),
+        };
+        if !below.is_empty() {
+            title.0.push(Span {
+                text: below.to_owned(),
+                axis: self.axis,
+                sub: true,
+                ..Span::default()
+            });
         }
+        title
     }
+}
+
+/// Gives tables that stand one below the other the same room for names and for notes.
+pub(super) fn in_line<'a>(tables: impl Iterator<Item = &'a mut BitTable>, [name, note]: [f64; 2]) {
+    for table in tables {
+        (table.name_room, table.note_room) = (name, note);
+    }
+}
+
+/// The room that names and notes of all of these tables need.
+pub(super) fn room_of<'a>(tables: impl Iterator<Item = &'a BitTable>) -> [f64; 2] {
+    tables.fold([0.0; 2], |[name, note]: [f64; 2], table| {
+        [name.max(table.name_width()), note.max(table.note_width())]
+    })
 }
 
 impl BitTable {
@@ -138,6 +163,13 @@ impl BitTable {
         let carries = self.carries.iter();
         let carries = carries.map(|c| metrics::width(Role::Note, &c.name.as_str().into()));
         (names.chain(carries).fold(0.0, f64::max) + 10.0).max(22.0)
+    }
+
+    /// Room that its notes take.
+    pub fn note_width(&self) -> f64 {
+        let notes = self.rows.iter();
+        let notes = notes.map(|row| metrics::width(Role::Note, &row.note.as_str().into()));
+        notes.fold(0.0, f64::max) + 10.0
     }
 
     /// The table on a page of this width; the bit numbers stand above, the most

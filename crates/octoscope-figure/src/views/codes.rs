@@ -1,19 +1,23 @@
 //! Location codes, bit by bit.
 
-use super::bits::{BitRow, BitTable, Spacing};
+use super::bits::{BitRow, BitTable, Spacing, in_line};
+use super::columns::columns;
 use super::sheet::Sheet;
 use super::subject::Subject;
 use crate::{Anchor, Figure, Role};
+use octoscope_core::event::Event;
 use octoscope_core::explain::number;
 use octoscope_core::geometry::AXIS_NAMES;
 use octoscope_core::text::Texts;
 use octoscope_core::trace::Moment;
 use octoscope_core::traverse::{Variant, Variants};
-use octoscope_core::tree::{Tree, branch, morton};
+use octoscope_core::tree::{Code, NodeId, Tree, branch, morton};
 
 /// Codes of a place as a table, and what is read off them.
 #[derive(Clone, Debug, PartialEq)]
 pub struct CodeTable {
+    /// Whose codes they are, in words; empty as long as there are none.
+    pub of: String,
     /// A row an axis.
     pub table: BitTable,
     /// The child that the framed bits select, in words.
@@ -22,45 +26,91 @@ pub struct CodeTable {
     pub morton: String,
 }
 
-/// Codes of the place that is looked for, as the rules of the query take them, else of
-/// the current node.
-pub fn code_table<const D: usize>(
-    texts: &Texts,
-    tree: &Tree<D>,
-    moment: &Moment<D>,
-    variants: Variants,
-) -> CodeTable {
+/// What the codes are those of.
+enum CodesOf<const D: usize> {
+    /// A cell of the grid that is walked through.
+    Cell(Code<D>),
+    /// The smallest cell of the place that is looked for.
+    Wanted(Code<D>),
+    /// The current node.
+    Node(NodeId),
+}
+
+impl<const D: usize> CodesOf<D> {
+    fn of(moment: &Moment<D>) -> Option<Self> {
+        let cell = moment.grid.and_then(|grid| grid.cell);
+        let wanted = moment.codes.map(|codes| codes.code);
+        cell.map(Self::Cell).or(wanted.map(Self::Wanted)).or(moment.current.map(Self::Node))
+    }
+
+    fn code(&self, tree: &Tree<D>) -> Code<D> {
+        match *self {
+            Self::Cell(code) | Self::Wanted(code) => code,
+            Self::Node(node) => tree.code(node),
+        }
+    }
+
+    /// In words.
+    fn note(&self, texts: &Texts, tree: &Tree<D>) -> String {
+        let codes = self.code(tree).map(|c| c.to_string()).join(", ");
+        match *self {
+            Self::Cell(_) => texts.format("codes-of-cell", &[("codes", codes.into())]),
+            Self::Wanted(_) => texts.format("codes-of-wanted", &[("codes", codes.into())]),
+            Self::Node(node) => super::place_note(texts, (tree.level(node), tree.code(node))),
+        }
+    }
+}
+
+/// The codes at a moment, as they are.
+pub(super) fn bits_of<const D: usize>(tree: &Tree<D>, moment: &Moment<D>) -> BitTable {
     let domain = tree.domain();
     let root_level = domain.root_level();
-    let node = moment.current;
-    let level = node.map_or(root_level, |id| tree.level(id));
-    let (code, known_from) = match (moment.codes, node) {
-        (Some(codes), _) => (codes.code, 0),
-        (None, Some(id)) => (tree.code(id), level),
-        (None, None) => ([0; D], root_level),
+    let of = CodesOf::of(moment);
+    let code = of.as_ref().map_or([0; D], |of| of.code(tree));
+    let followed = moment.codes.filter(|codes| codes.code == code);
+    let (known_from, framed) = match of {
+        None => (root_level, None),
+        Some(CodesOf::Cell(_) | CodesOf::Wanted(_)) => (0, followed.and_then(|codes| codes.bit)),
+        // The bit that led to it.
+        Some(CodesOf::Node(node)) => {
+            let level = tree.level(node);
+            (level, (level < root_level).then_some(level))
+        }
     };
-    let is_known = moment.codes.is_some() || node.is_some();
-    // The bit that led to the current node.
-    let framed = moment.codes.map_or((level < root_level).then_some(level), |codes| codes.bit);
-    let rows = (0..D).map(|axis| BitRow {
+    let row = |axis: usize| BitRow {
         name: AXIS_NAMES[axis].to_owned(),
         axis: Some(axis),
         bits: i64::from(code[axis]),
         known_from,
-        note: if is_known {
-            let coordinate = number(domain.plane(axis, code[axis]));
+        note: if of.is_some() {
+            let coordinate = number(domain.plane(axis, code[axis])).replace('-', "−");
             format!("{} ({} = {coordinate})", code[axis], AXIS_NAMES[axis])
         } else {
             String::new()
         },
         ..BitRow::default()
-    });
-    let rows = rows.collect();
-    let width = root_level + 1;
-    let table = BitTable { width, framed, rows, ..BitTable::default() };
-    let child = framed.map(|bit| {
+    };
+    let rows = (0..D).map(row).collect();
+    BitTable { width: root_level + 1, framed, rows, ..BitTable::default() }
+}
+
+/// Codes of the place that is looked for, as the rules of the query take them, else of
+/// the current node, after `event`.
+pub fn code_table<const D: usize>(
+    texts: &Texts,
+    tree: &Tree<D>,
+    moment: &Moment<D>,
+    event: Option<&Event<D>>,
+    variants: Variants,
+) -> CodeTable {
+    let of = CodesOf::of(moment);
+    let mut table = bits_of(tree, moment);
+    in_line(std::iter::once(&mut table), columns(texts, tree, moment));
+    let code = of.as_ref().map_or([0; D], |of| of.code(tree));
+    let child = table.framed.filter(|_| event.is_some_and(reaches_child)).map(|bit| {
         let child = branch(code, bit + 1);
-        let bits = (0..D).map(|e| format!("{} = {}", AXIS_NAMES[e], u8::from(child.is_upper(e))));
+        let bits = (0..D)
+            .map(|e| format!("{}\u{a0}=\u{a0}{}", AXIS_NAMES[e], u8::from(child.is_upper(e))));
         let bits = bits.collect::<Vec<_>>().join(", ");
         let arguments = [
             ("bit", bit.into()),
@@ -72,12 +122,57 @@ pub fn code_table<const D: usize>(
         let is_printed = variants.has(Variant::B18) || variants.has(Variant::B19);
         texts.format(if is_printed { "codes-child-printed" } else { "codes-child" }, &arguments)
     });
-    let morton = if is_known {
+    let morton = if of.is_some() {
         texts.format("codes-morton", &[("code", morton(code).to_string().into())])
     } else {
         texts.get("codes-none")
     };
-    CodeTable { table, child, morton }
+    let of = of.map_or_else(String::new, |of| of.note(texts, tree));
+    CodeTable { of, table, child, morton }
+}
+
+/// Whether an event goes from a node to one of its children.
+fn reaches_child<const D: usize>(event: &Event<D>) -> bool {
+    match event {
+        Event::Visit { .. }
+        | Event::Enter { .. }
+        | Event::Follow { .. }
+        | Event::Compare { .. }
+        | Event::Mirror { .. }
+        | Event::Facing { .. } => true,
+        Event::Clip { .. }
+        | Event::Test { .. }
+        | Event::Sort { .. }
+        | Event::Skip { .. }
+        | Event::Halve { .. }
+        | Event::First { .. }
+        | Event::Step { .. }
+        | Event::Up { .. }
+        | Event::Cuts { .. }
+        | Event::Classify { .. }
+        | Event::Flip { .. }
+        | Event::Split { .. }
+        | Event::Pop { .. }
+        | Event::Grid { .. }
+        | Event::Cross { .. }
+        | Event::Parent { .. }
+        | Event::Rope { .. }
+        | Event::Push { .. }
+        | Event::Begin { .. }
+        | Event::Encode { .. }
+        | Event::Exits { .. }
+        | Event::Target { .. }
+        | Event::Border { .. }
+        | Event::Difference { .. }
+        | Event::Leave { .. }
+        | Event::Resume { .. }
+        | Event::Climb { .. }
+        | Event::Corners { .. }
+        | Event::Leaf { .. }
+        | Event::Touch { .. }
+        | Event::Found { .. }
+        | Event::End(_) => false,
+    }
 }
 
 /// How the bits of a level number the children.
@@ -89,12 +184,12 @@ pub fn child_rule<const D: usize>(texts: &Texts) -> String {
 /// The codes with what is read off them, as a figure of this width.
 pub(super) fn view<const D: usize>(subject: &Subject<D>, width: f64) -> Figure {
     let variants = subject.query().variants_at_work();
-    let CodeTable { table, child, morton } =
-        code_table(subject.texts, subject.tree, subject.moment, variants);
+    let CodeTable { of, table, child, morton } =
+        code_table(subject.texts, subject.tree, subject.moment, subject.event(), variants);
     let mut sheet = Sheet::default();
     let mut head = child_rule::<D>(subject.texts);
-    if let Some(node) = subject.moment.current {
-        head = format!("{}; {head}", super::node_note(subject, node));
+    if !of.is_empty() {
+        head = format!("{of}; {head}");
     }
     let mut bottom = sheet.paragraph(Role::Note, [0.0, 0.0], width, &head.into()) + 6.0;
     let table = table.figure(width, Spacing::Wide);

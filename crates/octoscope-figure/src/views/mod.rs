@@ -8,6 +8,7 @@ mod automaton;
 mod bits;
 mod chart;
 mod codes;
+mod columns;
 mod exercise;
 mod formula;
 mod formula_breaks;

@@ -1,6 +1,7 @@
 //! Neighbour computation, written out as on paper.
 
-use super::bits::{BitRow, BitTable, Carries, Spacing};
+use super::bits::{BitRow, BitTable, Carries, Spacing, in_line};
+use super::columns::columns;
 use super::sheet::Sheet;
 use super::subject::Subject;
 use super::words::strong;
@@ -30,6 +31,28 @@ pub fn neighbour_tables<const D: usize>(
     moment: &Moment<D>,
 ) -> Option<NeighbourTables> {
     let target = moment.target?;
+    let mut tables = bits_of(texts, tree, moment);
+    in_line(tables.iter_mut(), columns(texts, tree, moment));
+    let border = target.outside.map(|outside| {
+        let axes = outside.iter().map(|axis| AXIS_NAMES[axis]).collect::<Vec<_>>().join(", ");
+        let key = if outside.is_empty() { "neighbour-inside" } else { "neighbour-outside" };
+        texts.format(key, &[("axes", axes.into())])
+    });
+    let climb = moment.difference.map(|difference| {
+        let arguments =
+            [("climbed", difference.climbed.into()), ("level", difference.level.into())];
+        texts.format("neighbour-ancestor", &arguments)
+    });
+    Some(NeighbourTables { tables, border, climb })
+}
+
+/// The tables, as they are.
+pub(super) fn bits_of<const D: usize>(
+    texts: &Texts,
+    tree: &Tree<D>,
+    moment: &Moment<D>,
+) -> Vec<BitTable> {
+    let Some(target) = moment.target else { return Vec::new() };
     let root_level = tree.domain().root_level();
     let table = |axis: usize| {
         let crossed = target.axes.contains(axis);
@@ -64,20 +87,18 @@ pub fn neighbour_tables<const D: usize>(
         }
         Some(table)
     };
-    let border = target.outside.map(|outside| {
-        let axes = outside.iter().map(|axis| AXIS_NAMES[axis]).collect::<Vec<_>>().join(", ");
-        let key = if outside.is_empty() { "neighbour-inside" } else { "neighbour-outside" };
-        texts.format(key, &[("axes", axes.into())])
-    });
-    let climb = moment.difference.map(|difference| {
-        let arguments =
-            [("climbed", difference.climbed.into()), ("level", difference.level.into())];
-        texts.format("neighbour-ancestor", &arguments)
-    });
     let mut tables: Vec<BitTable> = (0..D).filter_map(table).collect();
-    let name_room = tables.iter().map(BitTable::name_width).fold(0.0, f64::max);
-    tables.iter_mut().for_each(|table| table.name_room = name_room);
-    Some(NeighbourTables { tables, border, climb })
+    // Where several axes differ, the level follows from all of them together.
+    if let (Some(difference), Some(last)) = (moment.difference, tables.last_mut())
+        && difference.xor.iter().filter(|&&bits| bits != 0).count() > 1
+    {
+        let union = difference.xor.into_iter().fold(0, |union, bits| union | bits);
+        let marked = union.checked_ilog2().map_or(0, |bit| 1 << bit);
+        let (name, bits) = ("or".to_owned(), i64::from(union));
+        let note = union.to_string();
+        last.rows.push(BitRow { name, bits, note, marked, rule_above: true, ..BitRow::default() });
+    }
+    tables
 }
 
 /// Code, what is added or subtracted, and the result.

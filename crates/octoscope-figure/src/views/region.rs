@@ -1,6 +1,7 @@
 //! Region location by XOR.
 
-use super::bits::{BitRow, BitTable, Conclusion, Spacing};
+use super::bits::{BitRow, BitTable, Conclusion, Spacing, in_line};
+use super::columns::columns;
 use super::sheet::Sheet;
 use super::subject::Subject;
 use super::words::strong;
@@ -8,7 +9,7 @@ use crate::{Figure, Role};
 use octoscope_core::geometry::AXIS_NAMES;
 use octoscope_core::text::Texts;
 use octoscope_core::trace::Moment;
-use octoscope_core::tree::Tree;
+use octoscope_core::tree::{Code, Tree};
 
 /// Corner codes, their XOR, the OR of those, and the level that follows, in words
 /// as soon as it is known; `None` as long as no region is located.
@@ -17,6 +18,33 @@ pub fn region_table<const D: usize>(
     tree: &Tree<D>,
     moment: &Moment<D>,
 ) -> Option<(BitTable, Option<String>)> {
+    let mut table = bits_of(tree, moment)?;
+    in_line(std::iter::once(&mut table), columns(texts, tree, moment));
+    let Some(difference) = moment.difference else { return Some((table, None)) };
+    let level = difference.level;
+    let Some(bit) = highest_of(difference.xor) else {
+        return Some((table, Some(texts.get("region-same"))));
+    };
+    // A misprinted rule takes another level than the codes say: nothing follows from them.
+    let is_right = bit + 1 == level;
+    if is_right {
+        let text = texts.format("region-plus-one", &[("level", level.into())]);
+        table.conclusion = Some(Conclusion { bit, text });
+    }
+    let key = if is_right { "region-level" } else { "region-printed" };
+    let result = texts.format(key, &[("bit", bit.into()), ("level", level.into())]);
+    Some((table, Some(result)))
+}
+
+/// The highest bit in which places differ.
+fn highest_of<const D: usize>(xor: Code<D>) -> Option<u8> {
+    let union = xor.into_iter().fold(0, |union, bits| union | bits);
+    union.checked_ilog2().map(|bit| bit as u8)
+}
+
+/// The codes and what is computed from them, as they are; the bit that is followed
+/// framed.
+pub(super) fn bits_of<const D: usize>(tree: &Tree<D>, moment: &Moment<D>) -> Option<BitTable> {
     let [from, to] = moment.corners?;
     let bit_row = |name: String, axis: Option<usize>, bits: u32| BitRow {
         name,
@@ -26,43 +54,23 @@ pub fn region_table<const D: usize>(
         ..BitRow::default()
     };
     let mut rows = Vec::new();
-    let mut union = 0;
     for (axis, name) in AXIS_NAMES.into_iter().enumerate().take(D) {
-        rows.push(bit_row(format!("{name}₀"), Some(axis), from[axis]));
-        rows.push(bit_row(format!("{name}₁"), Some(axis), to[axis]));
+        rows.push(bit_row(format!("c_{name}0"), Some(axis), from[axis]));
+        rows.push(bit_row(format!("c_{name}1"), Some(axis), to[axis]));
         if let Some(difference) = moment.difference {
-            union |= difference.xor[axis];
             let row = bit_row("xor".to_owned(), Some(axis), difference.xor[axis]);
             rows.push(BitRow { rule_above: true, ..row });
         }
     }
-    let result = moment.difference.map(|difference| {
-        let level = difference.level;
-        let highest = union.checked_ilog2();
-        let marked = highest.map_or(0, |bit| 1 << bit);
+    if let Some(difference) = moment.difference {
+        let marked = highest_of(difference.xor).map_or(0, |bit| 1 << bit);
+        let union = difference.xor.into_iter().fold(0, |union, bits| union | bits);
         let row = bit_row("or".to_owned(), None, union);
         rows.push(BitRow { rule_above: true, marked, ..row });
-        match highest {
-            None => texts.get("region-same"),
-            Some(bit) => {
-                // A misprinted rule takes another level than the codes say.
-                let is_right = bit + 1 == u32::from(level);
-                let key = if is_right { "region-level" } else { "region-printed" };
-                texts.format(key, &[("bit", bit.into()), ("level", level.into())])
-            }
-        }
-    });
-    // A misprinted rule takes another level than the codes say: nothing follows from them.
-    let level = moment.difference.map(|difference| difference.level);
-    let conclusion =
-        union.checked_ilog2().filter(|bit| level.map(u32::from) == Some(bit + 1)).map(|bit| {
-            Conclusion {
-                bit: bit as u8,
-                text: texts.format("region-plus-one", &[("level", (bit + 1).into())]),
-            }
-        });
+    }
     let width = tree.domain().root_level() + 1;
-    Some((BitTable { width, rows, conclusion, ..BitTable::default() }, result))
+    let framed = moment.codes.and_then(|codes| codes.bit);
+    Some(BitTable { width, rows, framed, ..BitTable::default() })
 }
 
 /// The table and its result, as a figure of this width.
