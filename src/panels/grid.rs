@@ -5,10 +5,9 @@ use crate::widgets::{caption, per_axis, rich_job};
 use eframe::egui::{
     Align2, FontId, Label, RichText, Sense, Stroke, Ui, WidgetInfo, accesskit::Role, pos2, vec2,
 };
-use octoscope_core::event::Event;
-use octoscope_core::explain::approx;
-use octoscope_core::geometry::AXIS_NAMES;
-use octoscope_core::trace::{Counter, Moment};
+use octoscope_core::explain::{approx, distinct};
+use octoscope_core::geometry::{AXIS_NAMES, Axes};
+use octoscope_core::trace::{Counter, GridCell, Moment};
 
 /// Number of cells so far.
 pub fn note<const D: usize>(look: &Look, moment: &Moment<D>) -> String {
@@ -16,35 +15,37 @@ pub fn note<const D: usize>(look: &Look, moment: &Moment<D>) -> String {
     look.texts.format("grid-count", &[("n", n.into())])
 }
 
-/// How far it is to the next plane of every axis, the nearest lit, and the codes
-/// of the cell. `past` are the events so far.
-pub fn ui<const D: usize>(ui: &mut Ui, look: &Look, moment: &Moment<D>, past: &[Event<D>]) {
+/// When the next plane of every axis is met, on bars from t = 0, and the codes of the
+/// cell. Lit is what is met first; in the step that crosses it, it is still there, with
+/// the plane behind it.
+pub fn ui<const D: usize>(ui: &mut Ui, look: &Look, moment: &Moment<D>) {
     let Some(grid) = moment.grid else {
         caption(ui, look, look.text("grid-none"));
         return;
     };
     let palette = &look.palette;
-    let now = reached(past);
-    let ahead = grid.next.into_iter().filter(|t| t.is_finite()).fold(now, f64::max);
-    let nearest = grid.next.into_iter().fold(f64::INFINITY, f64::min);
+    let shown = grid.left.unwrap_or(grid.next);
+    let last = shown.into_iter().filter(|t| t.is_finite()).fold(0.0, f64::max);
+    let lit = lit(&grid);
+    let told = told(&grid);
     let row = 26.0;
     let size = vec2(ui.available_width(), row * D as f32);
     let (rect, response) = ui.allocate_exact_size(size, Sense::hover());
-    let spoken: Vec<_> =
-        (0..D).map(|e| format!("tMax {} {}", AXIS_NAMES[e], approx(grid.next[e]))).collect();
+    let spoken: Vec<_> = (0..D).map(|e| format!("tMax {} {}", AXIS_NAMES[e], told[e])).collect();
     response.widget_info(|| WidgetInfo::labeled(Role::Canvas, true, spoken.join(", ")));
     let painter = ui.painter_at(rect);
-    let track = (rect.left() + 24.0)..=(rect.right() - 84.0);
+    let room = if grid.left.is_some() { 140.0 } else { 84.0 };
+    let track = (rect.left() + 24.0)..=(rect.right() - room);
     let length = track.end() - track.start();
     for axis in 0..D {
         let y = rect.top() + row * (axis as f32 + 0.5);
-        let t = grid.next[axis];
+        let t = shown[axis];
         let color = palette.axes[axis];
-        let wins = t == nearest;
+        let wins = lit.contains(axis);
         let strong = FontId::new(14.0, look.strong_family());
         painter.text(pos2(rect.left(), y), Align2::LEFT_CENTER, AXIS_NAMES[axis], strong, color);
         painter.hline(track.clone(), y, Stroke::new(1.0, palette.grid));
-        let share = if ahead > now { ((t - now) / (ahead - now)) as f32 } else { 0.0 };
+        let share = if last > 0.0 { (t / last) as f32 } else { 0.0 };
         let end = track.start() + share.clamp(0.0, 1.0) * length;
         if t.is_finite() {
             let width = if wins { 11.0 } else { 6.0 };
@@ -63,7 +64,7 @@ pub fn ui<const D: usize>(ui: &mut Ui, look: &Look, moment: &Moment<D>, past: &[
         };
         let ink = if wins { palette.ink } else { palette.quiet };
         let at = pos2(rect.right(), y);
-        painter.text(at, Align2::RIGHT_CENTER, approx(t), font, ink);
+        painter.text(at, Align2::RIGHT_CENTER, &told[axis], font, ink);
     }
     ui.horizontal_wrapped(|ui| {
         caption(ui, look, look.text("grid-cell"));
@@ -85,36 +86,42 @@ pub fn ui<const D: usize>(ui: &mut Ui, look: &Look, moment: &Moment<D>, past: &[
     });
 }
 
-/// Parameter at which the cell was entered.
-fn reached<const D: usize>(past: &[Event<D>]) -> f64 {
-    let mut steps = past.iter().rev().filter_map(|event| {
-        if let Event::Cross { next, axes, .. } = event {
-            axes.iter().map(|axis| next[axis]).next()
-        } else {
-            None
+/// The axes whose planes are met first: those that are crossed in this step.
+fn lit<const D: usize>(grid: &GridCell<D>) -> Axes<D> {
+    if grid.left.is_some() {
+        return grid.crossed;
+    }
+    let nearest = grid.next.into_iter().fold(f64::INFINITY, f64::min);
+    Axes::of(|axis| grid.next[axis] == nearest)
+}
+
+/// Parameters of the planes ahead; of those that are crossed in this step, before and after.
+fn told<const D: usize>(grid: &GridCell<D>) -> [String; D] {
+    std::array::from_fn(|axis| {
+        let next = grid.next[axis];
+        match grid.left.map(|left| left[axis]).filter(|&left| left != next) {
+            Some(left) => {
+                let [left, next] = [0, 1].map(|n| distinct(&[left, next]).swap_remove(n));
+                format!("{left} → {next}")
+            }
+            None => approx(next),
         }
-    });
-    let clipped = past.iter().find_map(|event| {
-        if let Event::Clip { enter, .. } = event { Some(enter.max(0.0)) } else { None }
-    });
-    steps.next().or(clipped).unwrap_or(0.0)
+    })
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use octoscope_core::geometry::Axes;
 
     #[test]
-    fn planes_ahead_are_measured_from_where_the_cell_was_entered() {
-        let cross = |t: f64| Event::<2>::Cross {
-            next: [t, 9.0],
-            axes: Axes::one(0),
-            cell: [0; 2],
-            outside: Axes::NONE,
-            ahead: [t + 1.0, 9.0],
-        };
-        assert_eq!(reached::<2>(&[]), 0.0);
-        assert_eq!(reached(&[cross(1.0), cross(2.0), cross(3.0)]), 3.0);
+    fn the_axis_that_is_crossed_is_lit_with_its_parameter_before_and_after() {
+        let (cell, crossed) = (Some([17, 18]), Axes::one(1));
+        let next = [0.7855, 0.7984];
+        let grid = GridCell { enter: 0.748, cell, next, crossed, left: Some([0.7855, 0.748]) };
+        assert_eq!(lit(&grid), Axes::one(1));
+        assert_eq!(told(&grid), ["0.7855", "0.748 → 0.7984"]);
+        let later = GridCell { left: None, ..grid };
+        assert_eq!(lit(&later), Axes::one(0));
+        assert_eq!(told(&later), ["0.7855", "0.7984"]);
     }
 }

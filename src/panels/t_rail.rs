@@ -63,11 +63,14 @@ pub fn ui<const D: usize>(
 fn digits(ui: &mut Ui, look: &Look, rail: &RailFigure) {
     for (name, t) in &rail.parameters {
         let mut text = name.clone();
-        text.0.push(Span { text: format!(" = {}", number(*t)), ..Span::default() });
+        text.0
+            .push(Span {
+                text: format!(" = {}", number(*t).replace('-', "−")), ..Span::default()
+            });
         rich_label(ui, look, &text, 14.0, f32::INFINITY);
     }
     for (key, t) in ["t-rail-enter", "t-rail-exit"].into_iter().zip(rail.interval) {
-        ui.label(format!("{} = {}", look.text(key), number(t)));
+        ui.label(format!("{} = {}", look.text(key), number(t).replace('-', "−")));
     }
 }
 

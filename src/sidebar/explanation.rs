@@ -99,7 +99,9 @@ fn note<const D: usize>(
     kind: PanelKind,
 ) -> String {
     match kind {
-        PanelKind::Codes => codes::note::<D>(look),
+        PanelKind::Codes => {
+            codes::note(look, &document.tree, moment, document.trace.query.variants_at_work())
+        }
         PanelKind::Rail => t_rail::note(look, &document.tree, moment),
         PanelKind::Automaton => {
             automaton::note(look, moment, document.trace.query.variants_at_work())
@@ -141,7 +143,7 @@ fn body<const D: usize>(
     match kind {
         PanelKind::Codes => {
             let variants = trace.query.variants_at_work();
-            let shown = ui.scope(|ui| codes::ui(ui, look, &tree, moment, variants)).response;
+            let shown = ui.scope(|ui| codes::ui(ui, look, &tree, moment, event, variants)).response;
             offer_if_pointed(ui, shown.rect, moment.current, view);
         }
         PanelKind::Region => region::ui(ui, look, &tree, moment),
@@ -184,7 +186,7 @@ fn body<const D: usize>(
             let form = if is_gem { halves::Form::Gem } else { halves::Form::Robust };
             halves::ui(ui, look, form, past);
         }
-        PanelKind::Grid => grid::ui(ui, look, moment, past),
+        PanelKind::Grid => grid::ui(ui, look, moment),
         PanelKind::Compare => comparison(ui, look, document),
         PanelKind::Paper => {
             let verdict = document.verdict();
