@@ -39,13 +39,16 @@ pub fn ui<const D: usize>(
     };
     let (rect, response) = room(ui, rail.figure.page, Sense::click_and_drag());
     let [enter, exit] = rail.interval;
-    let spoken = format!(
-        "{title}: {} {}, {} {}",
-        look.text("t-rail-enter"),
-        approx(enter),
-        look.text("t-rail-exit"),
-        approx(exit)
-    );
+    let spoken = match &rail.missed {
+        Some(missed) => format!("{title}: {missed}"),
+        None => format!(
+            "{title}: {} {}, {} {}",
+            look.text("t-rail-enter"),
+            approx(enter),
+            look.text("t-rail-exit"),
+            approx(exit)
+        ),
+    };
     response.widget_info(|| WidgetInfo::labeled(Role::Slider, true, spoken.as_str()));
     paint_figure(ui, look, rect, &rail.figure);
     let response = response.on_hover_ui(|ui| digits(ui, look, &rail));

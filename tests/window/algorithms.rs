@@ -188,7 +188,7 @@ fn the_rail_says_that_a_tested_leaf_is_missed() {
         desk.press(Key::ArrowRight);
         desk.sentence().ends_with("is not met by the ray.")
     });
-    assert!(missed && desk.says("The ray does not meet this leaf"));
+    assert!(missed && desk.says("t-rail: exit ") && desk.says(": missed"));
 }
 
 #[test]

@@ -18,6 +18,8 @@ pub struct RailFigure {
     pub figure: Figure,
     /// Where the ray enters and leaves the node.
     pub interval: [f64; 2],
+    /// Why it misses the node, in words, if it does.
+    pub missed: Option<String>,
     /// The parameters of the planes, by their names, axis by axis.
     pub parameters: Vec<(RichText, f64)>,
     /// The t at both ends of the common axis.
@@ -54,7 +56,20 @@ pub fn t_rail<const D: usize>(
     let of_axis = |axis| rail.stops(axis).into_iter().map(move |(t, plane)| (axis, plane, t));
     let parameters = (0..D).flat_map(of_axis).map(|(axis, plane, t)| (parameter(axis, plane), t));
     let parameters = parameters.collect();
-    Some(RailFigure { figure, interval, parameters, range, track })
+    let missed = missed(&rail, texts);
+    Some(RailFigure { figure, interval, missed, parameters, range, track })
+}
+
+/// Why the ray misses the node, in words, where it does.
+fn missed<const D: usize>(rail: &Rail<D>, texts: &Texts) -> Option<String> {
+    if !rail.is_missed {
+        return None;
+    }
+    let [enter, exit] = rail.interval;
+    let is_behind = exit <= 0.0 && enter <= exit;
+    let key = if is_behind { "t-rail-behind" } else { "t-rail-missed" };
+    let [enter, exit] = rail.interval.map(|t| rail.told(t));
+    Some(texts.format(key, &[("enter", enter.into()), ("exit", exit.into())]))
 }
 
 /// What the rail tells of; `None` as long as no parameter is known.
@@ -239,12 +254,7 @@ impl<const D: usize> Drawing<'_, D> {
     fn ends(&self, sheet: &mut Sheet, texts: &Texts, ends: [f64; 2]) {
         const GAP: f64 = 14.0;
         let y = self.bottom() + 27.0;
-        if self.rail.is_missed {
-            let [enter, exit] = ends.map(|t| self.rail.told(t));
-            let is_behind = ends[1] <= 0.0 && ends[0] <= ends[1];
-            let key = if is_behind { "t-rail-behind" } else { "t-rail-missed" };
-            let arguments = [("enter", enter.into()), ("exit", exit.into())];
-            let text = texts.format(key, &arguments);
+        if let Some(text) = missed(self.rail, texts) {
             let middle = 0.5 * (self.track[0] + self.track[1]);
             sheet.text(Role::Note, [middle, y], Anchor::Middle, text);
             return;
