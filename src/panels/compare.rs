@@ -168,7 +168,7 @@ fn row(ui: &mut Ui, look: &Look, run: &Run, is_shown: bool, n_numbers: usize) ->
     let arguments = [("leaves", n_leaves.into()), ("expected", run.n_expected.into())];
     let verdict = look.texts.format(key, &arguments);
     let (sign, color) =
-        if run.agrees { ("=", look.palette.ink) } else { ("≠", look.palette.ray) };
+        if run.agrees { ("=", look.palette.ink) } else { ("≠", look.palette.rejected) };
     let leaves = format!("{sign} {n_leaves}");
     let others = others.map(|number| (number.to_string(), look.palette.ink, String::new()));
     let cells = std::iter::once((leaves, color, verdict)).chain(others);

@@ -44,7 +44,7 @@ pub fn ui<const D: usize>(
                 let mono = |text: String| {
                     RichText::new(text).font(FontId::monospace(look.type_size(12.0)))
                 };
-                let state = frame.state.map_or("–".to_owned(), |state| state.0.to_string());
+                let state = frame.child_state.map_or("–".to_owned(), |state| state.0.to_string());
                 let interval = format!("[{}, {})", approx(frame.enter()), approx(frame.exit()));
                 let row = [level(tree, frame.node), codes(tree, frame.node), state, interval];
                 if row.map(|text| ui.label(mono(text)).contains_pointer()).contains(&true) {

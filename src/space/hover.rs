@@ -1,13 +1,19 @@
 //! What the view tells of the cell under the pointer: its outline, its level
 //! and codes, and what a click there asks for.
 
+use super::card::{Seen, in_corner};
 use super::gesture::{Click, Under};
 use crate::look::Look;
-use crate::widgets::PageInWindow;
-use eframe::egui::{Align2, FontId, Label, Pos2, Rect, RichText, Ui, Vec2, pos2, vec2};
+use crate::widgets::{PageInWindow, rich_job};
+use eframe::egui::text::LayoutJob;
+use eframe::egui::{
+    FontId, Galley, Label, Pos2, Rect, RichText, Ui, Vec2, WidgetInfo, accesskit::Role, pos2, vec2,
+};
+use octoscope_core::explain::RichText as Words;
 use octoscope_core::locate::Direction;
 use octoscope_core::tree::{NodeId, Tree};
-use octoscope_figure::{Mark, Role, Shape};
+use octoscope_figure::{Mark, Role as MarkRole, Shape};
+use std::sync::Arc;
 
 /// Marks of a hovered node, and of the side of it that a click would cross.
 pub fn marks<const D: usize>(
@@ -15,7 +21,7 @@ pub fn marks<const D: usize>(
     hovered: Option<NodeId>,
     under: Option<&Under<D>>,
 ) -> Vec<Mark<D>> {
-    let outline = |node| Mark::new(Shape::Box(tree.node_box(node)), Role::Hover).of_node(node);
+    let outline = |node| Mark::new(Shape::Box(tree.node_box(node)), MarkRole::Hover).of_node(node);
     let side = under.and_then(|under| match under.click {
         Some(Click::Neighbour(direction)) => Some((under.leaf, direction)),
         Some(Click::Point) | None => None,
@@ -36,31 +42,62 @@ fn side_mark<const D: usize>(
     let mut bounds = tree.node_box(leaf);
     let at = if components[axis] > 0 { bounds.max[axis] } else { bounds.min[axis] };
     (bounds.min[axis], bounds.max[axis]) = (at, at);
-    Some(Mark::new(Shape::Plane { axis, bounds }, Role::HoverSide).of_node(leaf))
+    Some(Mark::new(Shape::Plane { axis, bounds }, MarkRole::HoverSide).of_node(leaf))
 }
 
-/// Writes level and codes of a node into the corner of the view, and beside
-/// the pointer what a click does.
-pub fn labels<const D: usize>(
+/// What is said of the node that is pointed at.
+pub struct Told {
+    /// The node.
+    pub node: NodeId,
+    /// What rules it out, where it is not visited.
+    pub why: Option<Words>,
+    /// What a card with it leaves to be seen.
+    pub seen: Seen,
+}
+
+/// Width of the text in a card, in points.
+const CARD: f32 = 300.0;
+
+/// Writes level and codes of a node, and why it is not visited, into a corner of the view.
+pub fn card<const D: usize>(ui: &mut Ui, look: &Look, view: Rect, tree: &Tree<D>, told: &Told) {
+    const PADDING: Vec2 = vec2(6.0, 3.0);
+    let codes = tree.code(told.node).map(|code| code.to_string()).join(", ");
+    let arguments = [("level", tree.level(told.node).into()), ("codes", codes.into())];
+    let note = look.texts.format("node-note", &arguments);
+    let most = CARD.min(view.width() - 32.0);
+    let font = FontId::proportional(look.type_size(13.0));
+    let note_job = LayoutJob::simple(note.clone(), font, look.palette.quiet, most);
+    let why_job = told.why.as_ref().map(|why| rich_job(why, look, 14.0, most));
+    let lines = [Some((note_job, note)), why_job.zip(told.why.as_ref().map(Words::plain))];
+    let lines = lines.into_iter().flatten();
+    let lines = lines.map(|(job, plain)| (ui.painter().layout_job(job), plain));
+    let lines: Vec<(Arc<Galley>, String)> = lines.collect();
+    let size = lines.iter().fold(Vec2::ZERO, |size, (galley, _)| {
+        vec2(size.x.max(galley.size().x), size.y + galley.size().y)
+    });
+    let ground = in_corner(view, size + 2.0 * PADDING, told.seen);
+    ui.painter().rect_filled(ground, 4.0, look.palette.panel);
+    let mut corner = ground.min + PADDING;
+    for (galley, plain) in lines {
+        let place = Rect::from_min_size(corner, galley.size());
+        corner.y += galley.size().y;
+        let response = ui.put(place, Label::new(galley).selectable(false));
+        response.widget_info(|| WidgetInfo::labeled(Role::Label, true, plain.as_str()));
+    }
+}
+
+/// Says beside the pointer what a click does.
+pub fn hint<const D: usize>(
     ui: &mut Ui,
     look: &Look,
     (rect, frame): (Rect, PageInWindow),
-    tree: &Tree<D>,
-    hovered: Option<NodeId>,
-    under: Option<&Under<D>>,
+    under: &Under<D>,
 ) {
-    let Some(node) = hovered else { return };
-    let codes = tree.code(node).map(|code| code.to_string()).join(", ");
-    let arguments = [("level", tree.level(node).into()), ("codes", codes.into())];
-    let note = look.texts.format("node-note", &arguments);
-    let corner = rect.left_bottom() + vec2(10.0, -10.0);
-    label(ui, look, note, |size| Align2::LEFT_BOTTOM.anchor_size(corner, size));
-    if let Some(Under { at, click: Some(Click::Neighbour(direction)), .. }) = under {
-        let hint = look.text("space-click-neighbour");
-        let pointer = frame.on_screen(*at);
-        let room = rect.shrink(8.0);
-        label(ui, look, hint, |size| beside(pointer, direction.components(), size, room));
-    }
+    let Some(Click::Neighbour(direction)) = under.click else { return };
+    let pointer = frame.on_screen(under.at);
+    let room = rect.shrink(8.0);
+    let text = look.text("space-click-neighbour");
+    label(ui, look, text, |size| beside(pointer, direction.components(), size, room));
 }
 
 /// Place of a hint of this size at the pointer, within `room`: on the inner side of the

@@ -2,6 +2,7 @@
 
 mod ask;
 mod base;
+mod card;
 mod coarse;
 mod flight;
 mod gesture;
@@ -20,8 +21,12 @@ use crate::render::Pace;
 use crate::view::{Flight, View};
 use crate::widgets::{PageInWindow, paint_on_page};
 pub use base::Layers;
+use card::Seen;
 use eframe::egui::{Event, Rect, Sense, Ui, WidgetInfo, accesskit::Role};
+use hover::Told;
+use octoscope_core::geometry::Ray;
 use octoscope_core::paper::erratum_of;
+use octoscope_core::query::Query;
 use octoscope_core::trace::Moment;
 use octoscope_core::tree::NodeId;
 use octoscope_figure::{
@@ -119,12 +124,22 @@ pub fn ui<const D: usize>(ui: &mut Ui, look: &Look, space: Space<'_, D>) {
     if moved || view.pointed.is_none() {
         view.pointed = Some(moment.step);
     }
-    let hint = under.filter(|_| view.pointed == Some(moment.step));
     let of = document.shown(moment);
-    if let Some(why) = hovered.and_then(|node| why::why(&of, node, view.language)) {
-        why::label(ui, look, (rect, frame), &why, hint.as_ref());
+    if let Some(node) = hovered {
+        let cell = frame.bounds_of(&camera, &tree.node_box(node));
+        let why = why::why(&of, node, view.language);
+        let is_asked = matches!(document.scenario.query, Query::Ray { .. });
+        let ray = is_asked.then_some(document.scenario.ray);
+        let ends = |ray: Ray<D>| [ray.origin(), ray.at(1.0)].map(|end| frame.place(&camera, end));
+        let ray = ray.map(ends).and_then(|[from, to]| from.zip(to));
+        let seen = Seen { cell, ray: ray.map(|(from, to)| [from, to]) };
+        let told = Told { node, why, seen };
+        hover::card(ui, look, rect, &tree, &told);
     }
-    hover::labels(ui, look, (rect, frame), &tree, hovered, hint.as_ref());
+    let hint = under.filter(|_| view.pointed == Some(moment.step) && !view.spotlight);
+    if let Some(under) = hint {
+        hover::hint(ui, look, (rect, frame), &under);
+    }
 }
 
 /// What is shown in this frame: children move apart, and back together, in a short time.

@@ -1,7 +1,8 @@
 //! Where the page of a figure lies in the window.
 
-use eframe::egui::{Pos2, vec2};
-use octoscope_figure::{Camera, Page};
+use eframe::egui::{Pos2, Rect, vec2};
+use octoscope_core::geometry::Aabb;
+use octoscope_figure::{Camera, Page, corners};
 
 /// Where the page of a figure, or of a camera, lies in the window.
 #[derive(Clone, Copy, Debug)]
@@ -17,6 +18,13 @@ impl PageInWindow {
     pub fn place<const D: usize>(&self, camera: &Camera<D>, world: [f64; D]) -> Option<Pos2> {
         let at = camera.project(self.page, world)?.at;
         Some(self.on_screen(at))
+    }
+
+    /// What a box covers in the window; none where a part of it is behind the eye.
+    pub fn bounds_of<const D: usize>(&self, camera: &Camera<D>, of: &Aabb<D>) -> Option<Rect> {
+        corners(of).try_fold(Rect::NOTHING, |covered, corner| {
+            Some(covered.union(Rect::from_pos(self.place(camera, corner)?)))
+        })
     }
 
     /// Place in the window of a point of the page.

@@ -82,7 +82,7 @@ fn the_window_that_opens_beneath_the_pointer_shows_no_hint() {
     let place = desk.place([0.756, 0.4]);
     desk.hover_at(place);
     desk.run();
-    let hint = "Click: the neighbour across this side";
+    let hint = "Click: the neighbour beyond";
     assert!(!desk.says(hint) && lit(&desk).is_none());
     desk.point_at(place);
     assert!(desk.says(hint) && lit(&desk).is_some());

@@ -98,7 +98,7 @@ fn inside_the_right_side(desk: &Desk, leaf: Node) -> [f64; 2] {
 fn pointing_at_a_cell_tells_its_level_and_codes_and_what_a_click_does() {
     let mut desk = Desk::new();
     let leaf = large_leaf(&desk);
-    let (tree, hint) = (desk.plane().tree.clone(), "Click: the neighbour across this side");
+    let (tree, hint) = (desk.plane().tree.clone(), "Click: the neighbour beyond");
     let [x, y] = tree.code(leaf.id);
     let note = format!("level {}, codes {x}, {y}", tree.level(leaf.id));
     desk.point_at(desk.place(tree.node_box(leaf.id).centre()));

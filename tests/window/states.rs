@@ -169,6 +169,8 @@ fn pictures() -> Vec<State> {
             desk.go_to(&At::Share(0.46));
             change(desk);
             desk.run();
+            desk.state_mut().finish_work();
+            desk.run();
         })
     };
     vec![
@@ -209,6 +211,8 @@ fn pictures() -> Vec<State> {
         State::new("picture-mesh-3d", |desk| {
             desk.open(sample("knot.octo"));
             desk.go_to(&At::Share(0.5));
+            desk.state_mut().finish_work();
+            desk.run();
         }),
         State::new("map-picture-3d", |desk| {
             open(desk, "sphere-grid", Preset::Map);

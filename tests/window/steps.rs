@@ -86,7 +86,7 @@ fn a_hint_beside_the_pointer_is_for_pointing_not_for_stepping() {
     desk.press(Key::Home);
     let inside = desk.place([0.5, 0.75]) + vec2(3.0, 0.0);
     desk.point_at(inside);
-    let hint = "Click: the neighbour across this side";
+    let hint = "Click: the neighbour beyond";
     assert!(desk.says(hint), "{:?}", desk.texts());
     desk.press(Key::ArrowRight);
     assert!(!desk.says(hint));

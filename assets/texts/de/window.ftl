@@ -119,7 +119,7 @@ panel-up = Nach oben
 panel-down = Nach unten
 panel-close = Schließen
 space-name = Raumansicht
-space-click-neighbour = Klick: der Nachbar jenseits dieser Seite
+space-click-neighbour = Klick: der Nachbar jenseits
 
 scene-source = Woraus der Baum gebaut ist
 scene-inline = eigene Daten
@@ -463,7 +463,7 @@ map-leaves = Anzahl der besuchten Blätter
 map-steps = Schritte des Verfahrens
 map-comparisons = Vergleiche des Verfahrens
 map-differences = Richtig oder falsch
-map-ray = { $leaves ->
+map-ray = Ganzer Strahl: { $leaves ->
     [one] 1 Blatt
    *[other] { $leaves } Blätter
 }, { $steps ->
@@ -487,9 +487,9 @@ map-unknown-legend = { $rays ->
     [one] Grau: Ein Lauf wurde nach einer Million Schritten abgebrochen, bis dahin richtig
    *[other] Grau: { $rays } Läufe wurden nach einer Million Schritten abgebrochen, bis dahin richtig
 }
-map-by-batch = Gefunden vom Kern für viele Strahlen, der exakt rechnet
-map-by-algorithm = Gefunden vom gezeigten Verfahren, Strahl für Strahl
-map-by-both = Gefunden vom gezeigten Verfahren; was richtig ist, vom Kern für viele Strahlen, der exakt rechnet
+map-by-batch = Für viele Strahlen zugleich berechnet, exakt
+map-by-algorithm = Im gezeigten Verfahren gezählt, Strahl für Strahl
+map-by-both = Das gezeigte Verfahren, verglichen mit einer exakten Suche
 map-progress = Die Karte entsteht
 
 notation-seed = Wie in „Ray Tracing mit Octrees“

@@ -119,7 +119,7 @@ panel-up = Move up
 panel-down = Move down
 panel-close = Close
 space-name = Space view
-space-click-neighbour = Click: the neighbour across this side
+space-click-neighbour = Click: the neighbour beyond
 
 scene-source = What the tree is built from
 scene-inline = own data
@@ -463,7 +463,7 @@ map-leaves = Number of visited leaves
 map-steps = Steps of the algorithm
 map-comparisons = Comparisons of the algorithm
 map-differences = Right or wrong
-map-ray = { $leaves ->
+map-ray = Whole ray: { $leaves ->
     [one] 1 leaf
    *[other] { $leaves } leaves
 }, { $steps ->
@@ -487,9 +487,9 @@ map-unknown-legend = { $rays ->
     [one] Grey: one run was given up after a million steps, right so far
    *[other] Grey: { $rays } runs were given up after a million steps, right so far
 }
-map-by-batch = Found by the kernel for many rays, which is exact
-map-by-algorithm = Found by the algorithm that is shown, ray by ray
-map-by-both = Found by the algorithm that is shown; what is right, by the kernel for many rays, which is exact
+map-by-batch = Computed for many rays at once, exactly
+map-by-algorithm = Counted in the algorithm that is shown, ray by ray
+map-by-both = The algorithm that is shown, compared with an exact search
 map-progress = The map is being made
 
 notation-seed = As in “Ray Tracing mit Octrees”

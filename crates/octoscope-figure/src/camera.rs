@@ -264,7 +264,7 @@ impl<const D: usize> Camera<D> {
 }
 
 /// The corners of a box, in the order of the child indices.
-pub(crate) fn corners<const D: usize>(bounds: &Aabb<D>) -> impl Iterator<Item = [f64; D]> {
+pub fn corners<const D: usize>(bounds: &Aabb<D>) -> impl Iterator<Item = [f64; D]> {
     let bounds = *bounds;
     (0..1usize << D).map(move |corner| {
         std::array::from_fn(|e| {

@@ -50,7 +50,7 @@ pub mod views;
 mod ways;
 
 pub use axes::{axes, axis_names};
-pub use camera::{Camera, Lens, Page, Projected};
+pub use camera::{Camera, Lens, Page, Projected, corners};
 pub use cells::{cells, role as cell_role, section_role};
 pub use content::content;
 pub use diagram::{Diagram, DiagramLens, DiagramNode, DiagramOf, NodeKind, tree_diagram};
