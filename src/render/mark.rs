@@ -19,6 +19,8 @@ pub struct BoxMark {
     pub width: f32,
     /// How the edges are drawn.
     pub line: Line,
+    /// Edges of a higher layer lie above those of lower ones, and above all faces.
+    pub layer: usize,
 }
 
 /// How a line is drawn.
@@ -28,6 +30,8 @@ pub enum Line {
     Solid,
     /// In dashes of four line widths.
     Dashed,
+    /// In dots.
+    Dotted,
 }
 
 /// Kind of an [`Item`] that is an edge; below: the axis across a face.
@@ -41,7 +45,7 @@ pub(super) struct Item {
     pub b: [f32; 3],
     pub colour: [u8; 4],
     pub kind: u32,
-    pub pen: [f32; 2],
+    pub pen: [f32; 3],
 }
 
 /// Faces and edges of all marks as offsets, the farthest from the eye first, so that
@@ -49,23 +53,30 @@ pub(super) struct Item {
 ///
 /// Boxes are nested or apart, hence the order of the middles is the order of
 /// the faces, and an edge comes after the faces that meet in it. Where two
-/// are equally far, later marks cover earlier ones.
+/// are equally far, later marks cover earlier ones. Edges of layers above 0 come last.
 pub(super) fn sorted(marks: &[BoxMark], space: &Space, pixels_per_point: f32) -> Vec<Item> {
     let mut items = Vec::with_capacity(marks.len() * 18);
     for mark in marks {
         add(mark, pixels_per_point, space, &mut items);
     }
-    items.sort_by(|(a, _), (b, _)| b.total_cmp(a));
+    items.sort_by(|((a, far), _), ((b, near), _)| a.cmp(b).then(near.total_cmp(far)));
     items.into_iter().map(|(_, item)| item).collect()
 }
 
-fn add(mark: &BoxMark, pixels_per_point: f32, space: &Space, items: &mut Vec<(f32, Item)>) {
+fn add(
+    mark: &BoxMark,
+    pixels_per_point: f32,
+    space: &Space,
+    items: &mut Vec<((usize, f32), Item)>,
+) {
     let eye = space.eye();
     let corners = [mark.min, mark.max].map(|corner| space.offset(corner).to_array());
     let width = mark.width * pixels_per_point;
-    let dash = match mark.line {
-        Line::Solid => 0.0,
-        Line::Dashed => (4.0 * width).max(4.0 * pixels_per_point),
+    let unit = width.max(pixels_per_point);
+    let [dash, gap] = match mark.line {
+        Line::Solid => [0.0, 0.0],
+        Line::Dashed => [4.0 * unit, 3.0 * unit],
+        Line::Dotted => [unit, 2.0 * unit],
     };
     for axis in 0..3 {
         let [u, v] = [(axis + 1) % 3, (axis + 2) % 3];
@@ -74,8 +85,8 @@ fn add(mark: &BoxMark, pixels_per_point: f32, space: &Space, items: &mut Vec<(f3
                 let [mut a, mut b] = corners;
                 (a[axis], b[axis]) = (side[axis], side[axis]);
                 let colour = mark.fill.to_array();
-                let face = Item { a, b, colour, kind: axis as u32, pen: [0.0; 2] };
-                items.push((distance(&face, eye), face));
+                let face = Item { a, b, colour, kind: axis as u32, pen: [0.0; 3] };
+                items.push(((0, distance(&face, eye)), face));
             }
         }
         if mark.edge != Color32::TRANSPARENT && mark.width > 0.0 {
@@ -83,10 +94,10 @@ fn add(mark: &BoxMark, pixels_per_point: f32, space: &Space, items: &mut Vec<(f3
                 let [mut a, mut b] = corners;
                 (a[u], b[u]) = (corners[low][u], corners[low][u]);
                 (a[v], b[v]) = (corners[high][v], corners[high][v]);
-                let edge =
-                    Item { a, b, colour: mark.edge.to_array(), kind: EDGE, pen: [width, dash] };
+                let (colour, pen) = (mark.edge.to_array(), [width, dash, dash + gap]);
+                let edge = Item { a, b, colour, kind: EDGE, pen };
                 // After the faces on either side, which are its equals.
-                items.push((distance(&edge, eye), edge));
+                items.push(((mark.layer, distance(&edge, eye)), edge));
             }
         }
     }
@@ -111,6 +122,7 @@ mod tests {
             edge: Color32::BLUE,
             width: 2.0,
             line: Line::Solid,
+            layer: 0,
         }
     }
 
@@ -129,6 +141,14 @@ mod tests {
         let across_z: Vec<_> =
             items.iter().filter(|item| item.kind == 2).map(|item| item.a[2]).collect();
         assert_eq!(across_z, [0.0, 1.0, 3.0, 4.0]);
+    }
+
+    #[test]
+    fn edges_of_a_higher_layer_come_last_however_far_they_are() {
+        let far = BoxMark { layer: 1, edge: Color32::GREEN, ..mark(0.0, 1.0) };
+        let items = sorted(&[far, mark(0.0, 4.0)], &from_above(), 1.0);
+        let is_last = |item: &Item| item.kind == EDGE && item.colour == far.edge.to_array();
+        assert!(items[items.len() - 12..].iter().all(is_last));
     }
 
     #[test]

@@ -7,16 +7,17 @@ struct Item {
     @location(2) colour: vec4<f32>,
     /// 0, 1, 2: a face across this axis; 3: an edge.
     @location(3) kind: u32,
-    /// Width and length of a dash in pixels; no dash: the edge is solid.
-    @location(4) pen: vec2<f32>,
+    /// Width, length of a dash, and of a dash with its gap, in pixels; no dash: the edge
+    /// is solid.
+    @location(4) pen: vec3<f32>,
 }
 
 struct Mark {
     @builtin(position) position: vec4<f32>,
     @location(0) colour: vec4<f32>,
     @location(1) along_across_length: vec3<f32>,
-    /// Width of an edge, below 0 for a face; length of a dash.
-    @location(2) pen: vec2<f32>,
+    /// Width of an edge, below 0 for a face; length of a dash, and with its gap.
+    @location(2) pen: vec3<f32>,
 }
 
 @vertex
@@ -32,7 +33,7 @@ fn mark_vertex(@builtin(vertex_index) index: u32, item: Item) -> Mark {
     offset[u] = mix(item.a[u], item.b[u], corner.x);
     offset[v] = mix(item.a[v], item.b[v], corner.y);
     let position = draw.clip_from_offset * vec4<f32>(offset, 1.0);
-    return Mark(position, item.colour, vec3<f32>(0.0), vec2<f32>(-1.0, 0.0));
+    return Mark(position, item.colour, vec3<f32>(0.0), vec3<f32>(-1.0, 0.0, 0.0));
 }
 
 @fragment
@@ -42,11 +43,13 @@ fn mark_fragment(in: Mark) -> @location(0) vec4<f32> {
     }
     let c = in.along_across_length;
     var alpha = coverage(c.x, c.y, c.z, in.pen.x);
-    if in.pen.y > 0.0 {
-        // Dash and gap, 5 : 3, with soft ends.
-        let period = in.pen.y * 1.6;
-        let phase = c.x - period * floor(c.x / period);
-        alpha *= clamp(0.5 + min(phase, in.pen.y - phase), 0.0, 1.0);
+    // Whole dashes, with half of one at either end; where there is no room for that the
+    // edge is solid.
+    if in.pen.y > 0.0 && c.z >= 0.75 * in.pen.z {
+        let period = c.z / max(round(c.z / in.pen.z), 1.0);
+        let dash = period * in.pen.y / in.pen.z;
+        let from_middle = abs(c.x - period * round(c.x / period));
+        alpha *= clamp(0.5 + 0.5 * dash - from_middle, 0.0, 1.0);
     }
     return in.colour * alpha;
 }

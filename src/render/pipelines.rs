@@ -86,7 +86,7 @@ fn pipeline(
     let corner = wgpu::vertex_attr_array![0 => Float32x3, 1 => Float32x3];
     let sphere = wgpu::vertex_attr_array![1 => Float32x4];
     let item = wgpu::vertex_attr_array![
-        0 => Float32x3, 1 => Float32x3, 2 => Unorm8x4, 3 => Uint32, 4 => Float32x2
+        0 => Float32x3, 1 => Float32x3, 2 => Unorm8x4, 3 => Uint32, 4 => Float32x3
     ];
     let buffers = match kind {
         Kind::Cells => vec![buffer(8, instance, &code), buffer(4, instance, &colour)],

@@ -8,7 +8,9 @@ use crate::render::{self, BoxMark, Layer, Line, Pace, Picture, Plane, Speed};
 use crate::theme::color32;
 use eframe::egui::{Color32, Id, Rect, Ui};
 use glam::Mat4;
-use octoscope_figure::{Camera, Cut, Dash, Mark, Palette, Role, Shape, Show, Style, Theme};
+use octoscope_figure::{
+    Camera, Colour, Cut, Dash, Mark, Palette, Role, Shape, Show, Style, Theme, drawn_box,
+};
 
 /// Layers that are kept as long as what they show stays the same.
 pub struct Layers {
@@ -73,7 +75,8 @@ impl Layers {
         render::paint_in_steps(ui, rect, id, [&coarse, &whole], (self.speed, pace));
         if D == 3 {
             // A picture of their own: what lies behind them stays as it is drawn.
-            let layers = vec![self.mark_layer(marks, theme)];
+            let unit = camera.unit(page);
+            let layers = vec![self.mark_layer(marks, theme, unit)];
             let background = Color32::TRANSPARENT;
             let picture = Picture { view, slice: [0.0; 4], layers, background };
             render::paint(ui, rect, id.with("marks"), &picture);
@@ -128,11 +131,11 @@ impl Layers {
         both
     }
 
-    fn mark_layer<const D: usize>(&mut self, marks: &[Mark<D>], theme: Theme) -> Layer {
+    fn mark_layer<const D: usize>(&mut self, marks: &[Mark<D>], theme: Theme, unit: f64) -> Layer {
         let boxes: Vec<BoxMark> = marks
             .iter()
             .filter(|mark| draws(mark))
-            .filter_map(|mark| box_mark(mark, theme))
+            .flat_map(|mark| box_marks(mark, theme, unit))
             .collect();
         match &self.marks {
             Some((old, layer)) if *old == boxes => layer.clone(),
@@ -151,19 +154,43 @@ pub fn draws<const D: usize>(mark: &Mark<D>) -> bool {
     D == 3 && matches!(mark.shape, Shape::Box(_)) && !is_above
 }
 
-fn box_mark<const D: usize>(mark: &Mark<D>, theme: Theme) -> Option<BoxMark> {
-    let Shape::Box(bounds) = mark.shape else { return None };
+/// The box of a mark, above what parts it from all else; `unit` is a page unit in world
+/// units.
+fn box_marks<const D: usize>(mark: &Mark<D>, theme: Theme, unit: f64) -> Vec<BoxMark> {
+    /// The lines of small boxes are no wider than this share of their side, and unbroken.
+    const WIDEST: f64 = 0.1;
+    let Shape::Box(bounds) = mark.shape else { return Vec::new() };
+    let bounds = drawn_box(mark.role, &bounds, unit);
+    let side = bounds.size().into_iter().fold(0.0, f64::max) / unit;
     let style = Style::of(theme, mark.role);
-    Some(BoxMark {
+    let is_small = WIDEST * side < style.width;
+    let width = if is_small { (WIDEST * side).max(1.0) } else { style.width };
+    let layer = mark.role.layer();
+    let line = match style.dash {
+        Dash::Solid => Line::Solid,
+        Dash::Dashed | Dash::DashDotted => Line::Dashed,
+        Dash::Dotted => Line::Dotted,
+    };
+    let weak = |fill: Colour| color32(fill.faded(fill.opacity * 0.6));
+    let own = BoxMark {
         min: in_space(bounds.min),
         max: in_space(bounds.max),
-        fill: style
-            .fill
-            .map_or(Color32::TRANSPARENT, |fill| color32(fill.faded(fill.opacity * 0.6))),
+        fill: style.fill.map_or(Color32::TRANSPARENT, weak),
         edge: style.stroke.map_or(Color32::TRANSPARENT, color32),
-        width: style.width as f32,
-        line: if style.dash == Dash::Solid { Line::Solid } else { Line::Dashed },
-    })
+        width: width as f32,
+        line: if is_small { Line::Solid } else { line },
+        // What is quieter lies among the faces.
+        layer: if layer < Role::Taken.layer() { 0 } else { 2 * layer + 1 },
+    };
+    let casing = (style.casing > 0.0).then(|| BoxMark {
+        fill: Color32::TRANSPARENT,
+        edge: color32(Palette::of(theme).background),
+        width: (width + 2.0 * style.casing) as f32,
+        line: Line::Solid,
+        layer: own.layer.saturating_sub(1),
+        ..own
+    });
+    casing.into_iter().chain([own]).collect()
 }
 
 /// A point with three coordinates, z 0 in the plane.

@@ -22,21 +22,32 @@ pub fn paint_on_page(
 }
 
 fn paint(painter: &Painter, look: &Look, theme: Theme, frame: PageInWindow, drawn: &Drawn) {
-    let Paint { fill, stroke, width, dash } = Paint::of(theme, drawn);
+    let paint = Paint::of(theme, drawn);
+    let Paint { fill, stroke, width, .. } = paint;
+    let dashes = paint.dashes(&drawn.form);
     let shown = |colour: Option<Colour>| colour.map_or(Color32::TRANSPARENT, color32);
     let (fill, stroke) = (shown(fill), Stroke::new(width as f32, shown(stroke)));
     let place =
         |points: &[[f64; 2]]| -> Vec<Pos2> { points.iter().map(|&p| frame.on_screen(p)).collect() };
     match &drawn.form {
         Form::Polygon(points) => {
-            let mut points = place(points);
             if fill != Color32::TRANSPARENT {
-                painter.add(Shape::convex_polygon(points.clone(), fill, Stroke::NONE));
+                painter.add(Shape::convex_polygon(place(points), fill, Stroke::NONE));
             }
-            points.extend(points.first().copied());
-            paint_line(painter, &points, stroke, dash.pattern());
+            let Some(dashes) = dashes else {
+                // Closed, so that its corners are whole.
+                painter.add(Shape::closed_line(place(points), stroke));
+                return;
+            };
+            let ring: Vec<_> = points.iter().chain(points.first()).copied().collect();
+            let dashes = dashes.along(&ring);
+            painter.extend(dashes.iter().map(|dash| Shape::line(place(dash), stroke)));
         }
-        Form::Polyline(points) => paint_line(painter, &place(points), stroke, dash.pattern()),
+        Form::Polyline(points) => {
+            let whole = || vec![points.clone()];
+            let lines = dashes.map_or_else(whole, |dashes| dashes.along(points));
+            painter.extend(lines.iter().map(|line| Shape::line(place(line), stroke)));
+        }
         Form::Circle { centre, radius } => {
             painter.circle(frame.on_screen(*centre), *radius as f32, fill, stroke);
         }
@@ -74,20 +85,4 @@ fn job(look: &Look, theme: Theme, lettering: Lettering, text: &RichText) -> Layo
         job.append(&span.text, 0.0, format);
     }
     job
-}
-
-fn paint_line(painter: &Painter, points: &[Pos2], stroke: Stroke, dashes: &[f64]) {
-    if stroke.color == Color32::TRANSPARENT || stroke.width <= 0.0 {
-        return;
-    }
-    if dashes.is_empty() {
-        painter.add(Shape::line(points.to_vec(), stroke));
-        return;
-    }
-    let every_second = |first: usize| -> Vec<f32> {
-        let lengths = dashes.iter().skip(first).step_by(2);
-        lengths.map(|length| *length as f32 * stroke.width.max(1.0)).collect()
-    };
-    let [dash, gap] = [every_second(0), every_second(1)];
-    painter.extend(Shape::dashed_line_with_offset(points, stroke, &dash, &gap, 0.0));
 }

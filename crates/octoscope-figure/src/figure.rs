@@ -99,8 +99,12 @@ pub enum Part {
     Lit(u8),
     /// Only the line.
     Edge,
+    /// Only the line, finer and unbroken: of a box of which little is seen otherwise.
+    FineEdge,
     /// Only the line, behind the box to which it belongs.
     HiddenEdge,
+    /// What parts the line from all below it: wider, in the colour of the background.
+    Casing,
 }
 
 impl Part {
@@ -110,13 +114,14 @@ impl Part {
     /// Share of the role's width that lines of this part have.
     pub fn width(self) -> f64 {
         match self {
-            Self::Fine => 0.4,
+            Self::Fine | Self::FineEdge => 0.4,
             Self::Whole
             | Self::Head
             | Self::Lit(_)
             | Self::Edge
             | Self::Face(_)
-            | Self::HiddenEdge => 1.0,
+            | Self::HiddenEdge
+            | Self::Casing => 1.0,
         }
     }
 
@@ -124,6 +129,7 @@ impl Part {
     pub fn opacity(self) -> f64 {
         match self {
             Self::Whole | Self::Fine | Self::Head | Self::Lit(_) | Self::Edge => 1.0,
+            Self::FineEdge | Self::Casing => 1.0,
             Self::Face(axis) => [1.0, 0.8, 0.62][axis],
             Self::HiddenEdge => 0.3,
         }

@@ -1,6 +1,6 @@
 //! Colours and lines of one shape of a figure.
 
-use crate::{Colour, Dash, Drawn, Part, Style, Theme};
+use crate::{Colour, Dash, Drawn, Palette, Part, Style, Theme};
 
 /// How a shape is painted; [`Style`] without what its part leaves out.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -25,7 +25,9 @@ impl Paint {
             | Part::Face(_)
             | Part::Head
             | Part::Edge
-            | Part::HiddenEdge => Style::of(theme, drawn.role),
+            | Part::FineEdge
+            | Part::HiddenEdge
+            | Part::Casing => Style::of(theme, drawn.role),
         };
         let opacity = drawn.part.opacity();
         let shown = |colour: Option<Colour>| colour.map(|c| c.faded(c.opacity * opacity));
@@ -33,13 +35,26 @@ impl Paint {
             Part::Whole | Part::Fine | Part::Lit(_) => (style.fill, style.stroke),
             Part::Face(_) => (style.fill, None),
             Part::Head => (style.stroke, None),
-            Part::Edge | Part::HiddenEdge => (None, style.stroke),
+            Part::Edge | Part::FineEdge | Part::HiddenEdge => (None, style.stroke),
+            Part::Casing => (None, Some(Palette::of(theme).background)),
+        };
+        let (casing, dash) = match drawn.part {
+            Part::Casing => (style.casing, Dash::Solid),
+            // There is no room for dashes.
+            Part::FineEdge => (0.0, Dash::Solid),
+            Part::Whole
+            | Part::Fine
+            | Part::Face(_)
+            | Part::Head
+            | Part::Lit(_)
+            | Part::Edge
+            | Part::HiddenEdge => (0.0, style.dash),
         };
         Self {
             fill: shown(fill),
             stroke: shown(stroke),
-            width: style.width * drawn.part.width(),
-            dash: style.dash,
+            width: style.width * drawn.part.width() + 2.0 * casing,
+            dash,
         }
     }
 

@@ -2,7 +2,8 @@
 
 use crate::typeset::{Line, Run, runs};
 use crate::{
-    Background, Colour, Drawn, Figure, FileOptions, Form, Lettering, Paint, Palette, Style, fonts,
+    Background, Colour, Dashes, Drawn, Figure, FileOptions, Form, Lettering, Paint, Palette, Style,
+    fonts,
 };
 use krilla::color::rgb;
 use krilla::embed::{AssociationKind, EmbeddedFile, MimeType};
@@ -130,7 +131,7 @@ fn draw(surface: &mut Surface, drawn: &Drawn, options: &FileOptions, fonts: &[Fo
         return;
     }
     let paint = Paint::of(theme, drawn).with_lines(options.line_scale);
-    let (fill, stroke) = (paint.fill.map(fill), stroke(&paint));
+    let (fill, stroke) = (paint.fill.map(fill), stroke(&paint, &drawn.form));
     let Some(path) = path(&drawn.form).filter(|_| fill.is_some() || stroke.is_some()) else {
         return;
     };
@@ -204,16 +205,18 @@ fn fill(colour: Colour) -> Fill {
     Fill { paint: rgb_of(colour).into(), opacity: opacity(colour), ..Fill::default() }
 }
 
-fn stroke(paint: &Paint) -> Option<Stroke> {
+fn stroke(paint: &Paint, form: &Form) -> Option<Stroke> {
     let colour = paint.stroke.filter(|_| paint.width > 0.0)?;
-    let lengths = paint.dash.pattern().iter().map(|length| (length * paint.width) as f32);
-    let array: Vec<f32> = lengths.collect();
+    let dash = paint.dashes(form).map(|Dashes { lengths, offset }| StrokeDash {
+        array: lengths.into_iter().map(|length| length as f32).collect(),
+        offset: offset as f32,
+    });
     Some(Stroke {
         paint: rgb_of(colour).into(),
         opacity: opacity(colour),
         width: paint.width as f32,
         line_join: LineJoin::Round,
-        dash: (!array.is_empty()).then_some(StrokeDash { array, offset: 0.0 }),
+        dash,
         ..Stroke::default()
     })
 }

@@ -122,7 +122,7 @@ impl<'a> Rasteriser<'a> {
     /// of its pieces.
     fn places(&self, drawn: &Drawn) -> Vec<Extent> {
         let style = Style::of(self.options.theme, drawn.role);
-        let half = 0.5 * style.width * self.options.line_scale;
+        let half = (0.5 * style.width + style.casing) * self.options.line_scale;
         let around = |points: &[[f64; 2]]| {
             let end = |start: f64, pick: fn(f64, f64) -> f64| -> [f64; 2] {
                 std::array::from_fn(|e| points.iter().map(|point| point[e]).fold(start, pick))
@@ -131,7 +131,7 @@ impl<'a> Rasteriser<'a> {
             Extent { min, max }.widened(half)
         };
         let is_line = match drawn.part {
-            Part::Edge | Part::HiddenEdge => true,
+            Part::Edge | Part::FineEdge | Part::HiddenEdge | Part::Casing => true,
             Part::Whole | Part::Fine => style.fill.is_none(),
             Part::Face(_) | Part::Head | Part::Lit(_) => false,
         };

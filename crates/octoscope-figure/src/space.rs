@@ -5,7 +5,9 @@ mod arrows;
 mod away;
 mod boxes;
 mod cross;
+mod inset;
 mod labels;
+mod overlaid;
 
 use crate::camera::corners;
 use crate::ground::{bounds_of, ground, is_ground};
@@ -15,7 +17,9 @@ use crate::{Camera, Drawn, Figure, Form, Mark, Page, Part, Projected, Role, Shap
 use apart::is_apart;
 use arrows::last_point;
 use cross::cross_out;
+pub use inset::drawn_box;
 use octoscope_core::geometry::Aabb;
+use overlaid::strong_boxes;
 
 /// Figure of `marks` as `camera` shows them on `page`. In space, boxes of one
 /// tree cover each other as they do for the eye; leaves and solids lie below
@@ -31,6 +35,7 @@ pub fn space_figure<const D: usize>(marks: &[Mark<D>], camera: &Camera<D>, page:
         chord,
         middle: middle.map_or([0.5 * page.width, 0.5 * page.height], |middle| middle.at),
         axes: marks.iter().filter_map(|mark| axis_on_page(mark, camera, page)).collect(),
+        strong: strong_boxes(marks),
         is_apart: marks.iter().any(|mark| is_apart(mark.role)),
         last: marks.iter().find_map(|mark| match (mark.role, mark.shape) {
             (Role::RayTip, Shape::Tip(ends)) => last_point(ends, root.as_ref()),
@@ -160,6 +165,8 @@ struct Canvas<'a, const D: usize> {
     last: Option<[f64; D]>,
     /// Axes that are drawn in space, with their numbers.
     axes: Vec<(usize, [[f64; 2]; 2])>,
+    /// Boxes whose edges are to be seen where those above them lie on them.
+    strong: Vec<Aabb<D>>,
     /// Whether children are moved apart: they would hide the ray.
     is_apart: bool,
     drawn: Vec<(f64, Drawn)>,
@@ -185,15 +192,19 @@ impl<const D: usize> Canvas<'_, D> {
     fn draw(&mut self, mark: &Mark<D>) {
         match mark.shape {
             Shape::Box(bounds) if D == 2 => {
+                let bounds = self.drawn_box(mark, &bounds);
                 let points = self.outline(&bounds);
+                let side = bounds.size()[0] / self.camera.unit(self.page);
                 if has_ground(mark.role) {
                     self.spare(&points);
                     let area = Form::Polygon(points.clone());
                     self.push_at(GROUND, mark, Part::Face(0), area);
-                    let line = points.iter().chain(points.first()).copied().collect();
-                    self.push_at(above_space(mark.role), mark, Part::Edge, Form::Polyline(line));
+                    let part = self.edge_part(mark, &bounds);
+                    self.push_at(above_space(mark.role), mark, part, Form::Polygon(points));
                 } else {
-                    let side = bounds.size()[0] / self.camera.unit(self.page);
+                    if Style::of(Theme::Light, mark.role).casing > 0.0 {
+                        self.push(mark, bounds, Part::Casing, Form::Polygon(points.clone()));
+                    }
                     let is_leaf = matches!(
                         mark.role,
                         Role::EmptyLeaf
@@ -218,7 +229,7 @@ impl<const D: usize> Canvas<'_, D> {
                     }
                 }
             }
-            Shape::Box(bounds) => self.draw_box(mark, &bounds),
+            Shape::Box(bounds) => self.draw_box(mark, &self.drawn_box(mark, &bounds)),
             Shape::Plane { axis, bounds } => self.draw_plane(mark, axis, &bounds),
             Shape::Segment(ends) => {
                 if let Some(line) = self.camera.project_segment(self.page, ends) {
@@ -284,6 +295,18 @@ impl<const D: usize> Canvas<'_, D> {
             | Shape::LabelIn { .. }
             | Shape::LabelAlong(_) => {}
         }
+    }
+
+    fn drawn_box(&self, mark: &Mark<D>, bounds: &Aabb<D>) -> Aabb<D> {
+        drawn_box(mark.role, bounds, self.camera.unit(self.page))
+    }
+
+    /// The edges of a box so small that its line would fill it are finer.
+    fn edge_part(&self, mark: &Mark<D>, bounds: &Aabb<D>) -> Part {
+        const LEAST: f64 = 10.0;
+        let side = bounds.size().into_iter().fold(0.0, f64::max) / self.camera.unit(self.page);
+        let is_small = side < LEAST * Style::of(Theme::Light, mark.role).width;
+        if is_small { Part::FineEdge } else { Part::Edge }
     }
 
     /// Labels shall not cover this outline, if they can.

@@ -17,6 +17,8 @@ pub struct Style {
     pub width: f64,
     /// Pattern of lines.
     pub dash: Dash,
+    /// How far the line is parted from what lies below it, on either side.
+    pub casing: f64,
     /// Radius of points.
     pub radius: f64,
     /// Look of text.

@@ -1,8 +1,8 @@
 //! Figures as SVG.
 
 use crate::{
-    Anchor, Background, Colour, Drawn, Figure, FileOptions, Form, Lettering, Palette, Part, Role,
-    Style, Theme, Unit, Weight,
+    Anchor, Background, Colour, Dash, Dashes, Drawn, Figure, FileOptions, Form, Lettering, Paint,
+    Palette, Part, Role, Style, Theme, Unit, Weight,
 };
 use octoscope_core::explain::RichText;
 use std::collections::BTreeMap;
@@ -33,7 +33,7 @@ pub fn svg(figure: &Figure, options: &FileOptions) -> String {
         out += &format!("<rect width=\"{width}\" height=\"{height}\" fill=\"{colour}\"/>\n");
     }
     for drawn in &figure.drawn {
-        write_drawn(&mut out, drawn, options.theme);
+        write_drawn(&mut out, drawn, options);
     }
     out + "</svg>\n"
 }
@@ -58,9 +58,17 @@ fn style_sheet(figure: &Figure, options: &FileOptions) -> String {
             let head = paint("fill", style.stroke);
             out += &format!(".{class}.head{{{head}stroke:none}}\n");
         }
-        if figure.drawn.iter().any(|d| d.part == Part::Fine && d.role.class() == class) {
+        let is_fine = |part| matches!(part, Part::Fine | Part::FineEdge);
+        if figure.drawn.iter().any(|d| is_fine(d.part) && d.role.class() == class) {
             let width = wide(Part::Fine.width() * style.width);
             out += &format!(".{class}.fine{{stroke-width:{width}}}\n");
+        }
+        if figure.drawn.iter().any(|d| d.part == Part::Casing && d.role.class() == class) {
+            let background = paint("stroke-opacity:1;stroke", Some(Palette::of(theme).background));
+            let width = wide(style.width + 2.0 * style.casing);
+            out += &format!(
+                ".{class}.casing{{fill:none;{background}stroke-width:{width};stroke-dasharray:none}}\n"
+            );
         }
         for light in 0..=Part::MOST_LIGHT {
             let part = Part::Lit(light);
@@ -161,7 +169,8 @@ fn has_own_fill(role: Role) -> bool {
     matches!(role, Role::Visited { .. } | Role::Pixel(_))
 }
 
-fn write_drawn(out: &mut String, drawn: &Drawn, theme: Theme) {
+fn write_drawn(out: &mut String, drawn: &Drawn, options: &FileOptions) {
+    let theme = options.theme;
     let mut attributes = format!(" class=\"{}", drawn.role.class());
     match drawn.part {
         Part::Whole => {}
@@ -170,6 +179,8 @@ fn write_drawn(out: &mut String, drawn: &Drawn, theme: Theme) {
         Part::Head => attributes += " head",
         Part::Lit(light) => attributes += &format!(" lit-{light}"),
         Part::Edge | Part::HiddenEdge => attributes += " edge",
+        Part::FineEdge => attributes += " fine edge",
+        Part::Casing => attributes += " casing",
     }
     if let Form::Text { anchor, .. } = drawn.form {
         attributes += match anchor {
@@ -190,6 +201,18 @@ fn write_drawn(out: &mut String, drawn: &Drawn, theme: Theme) {
     }
     if drawn.part.opacity() < 1.0 {
         attributes += &format!(" opacity=\"{}\"", number(drawn.part.opacity()));
+    }
+    let paint = Paint::of(theme, drawn).with_lines(options.line_scale);
+    let of_class = Style::of(theme, drawn.role).dash;
+    if of_class != Dash::Solid && drawn.part != Part::Casing && paint.stroke.is_some() {
+        attributes += &match paint.dashes(&drawn.form) {
+            Some(Dashes { lengths, offset }) => {
+                let lengths: Vec<_> = lengths.into_iter().map(number).collect();
+                let (lengths, offset) = (lengths.join(" "), number(offset));
+                format!(" style=\"stroke-dasharray:{lengths};stroke-dashoffset:{offset}\"")
+            }
+            None => " style=\"stroke-dasharray:none\"".to_owned(),
+        };
     }
     let written = match &drawn.form {
         Form::Polygon(points) => {

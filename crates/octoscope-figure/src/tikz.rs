@@ -214,7 +214,8 @@ impl<'a> Tikz<'a> {
             }
             Form::Text { .. } | Form::Formula { .. } => return None,
         };
-        Some(format!("\\path[{style}] {path};\n"))
+        let dashes = self.dashes(drawn);
+        Some(format!("\\path[{style}{dashes}] {path};\n"))
     }
 
     /// Text for LaTeX; the colours of its axes are defined.

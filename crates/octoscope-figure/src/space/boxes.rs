@@ -1,9 +1,10 @@
 //! Boxes and planes in space.
 
+use super::overlaid::uncovered;
 use super::{Canvas, HINT, InSpace, above_space, cross_out, is_above, is_apart, is_hint};
 use crate::camera::corners;
 use crate::sides::sides_to_eye;
-use crate::{Drawn, Form, Mark, Part, Style, Theme};
+use crate::{Drawn, Form, Mark, Part, Role, Style, Theme};
 use octoscope_core::geometry::Aabb;
 
 impl<const D: usize> Canvas<'_, D> {
@@ -24,18 +25,28 @@ impl<const D: usize> Canvas<'_, D> {
                 front.extend(cross.into_iter().map(|line| (Part::Edge, line)));
             }
         }
+        let (part, has_casing) =
+            (self.edge_part(mark, bounds), Style::of(Theme::Light, mark.role).casing > 0.0);
+        let yields = matches!(mark.role, Role::Root | Role::Ancestor { .. });
         for axis in 0..D {
             for corner in (0..1 << D).filter(|corner| corner & bit(axis) == 0) {
-                let segment = [ends[corner], ends[corner | bit(axis)]];
-                if let Some(line) = self.camera.project_segment(self.page, segment) {
+                let edge = [ends[corner], ends[corner | bit(axis)]];
+                let strong = if yields { self.strong.as_slice() } else { &[] };
+                for segment in uncovered(edge, axis, strong) {
+                    let Some(line) = self.camera.project_segment(self.page, segment) else {
+                        continue;
+                    };
                     let line = line.map(|p| p.at);
                     let form = Form::Polyline(line.to_vec());
-                    if in_sight(corner, axis) {
-                        self.spared.push(line);
-                        front.push((Part::Edge, form));
-                    } else {
+                    if !in_sight(corner, axis) {
                         behind.push((Part::HiddenEdge, form));
+                        continue;
                     }
+                    self.spared.push(line);
+                    if has_casing {
+                        front.push((Part::Casing, form.clone()));
+                    }
+                    front.push((part, form));
                 }
             }
         }

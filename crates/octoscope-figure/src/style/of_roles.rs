@@ -9,7 +9,7 @@ impl Style {
     pub fn of(theme: Theme, role: Role) -> Self {
         let p = Palette::of(theme);
         let style = match role {
-            Role::Root => line(p.ancestor, 1.4),
+            Role::Root => line(p.ancestor, 1.6),
             Role::EmptyLeaf => line(p.grid, 1.0),
             // Too weak for a projector, where the contents tell it.
             Role::FullLeaf => {
@@ -57,9 +57,9 @@ impl Style {
             Role::Solid => {
                 Self { fill: Some(p.quiet_ink.faded(0.16)), ..line(p.quiet_ink.faded(0.8), 1.0) }
             }
-            Role::Ancestor { above: 0 | 1 } => line(p.ancestor, 1.8),
-            Role::Ancestor { above: 2 } => line(p.ancestor, 1.4),
-            Role::Ancestor { above: 3.. } => line(p.ancestor, 1.1),
+            Role::Ancestor { above: 0 | 1 } => line(p.ancestor, 1.4),
+            Role::Ancestor { above: 2 } => line(p.ancestor, 1.0),
+            Role::Ancestor { above: 3.. } => line(p.ancestor, 0.7),
             Role::Current => {
                 Self { fill: Some(p.current.faded(p.current_fill)), ..line(p.current_outline, 3.5) }
             }
@@ -67,7 +67,7 @@ impl Style {
                 fill: Some(p.current.faded(2.2 * p.current_fill)),
                 ..line(p.current_outline, 1.5)
             },
-            Role::Rejected => Self { dash: Dash::Dashed, ..line(p.rejected, 1.2) },
+            Role::Rejected => Self { dash: Dash::Dashed, ..line(p.rejected, 1.5) },
             Role::Visited { share } => {
                 let colour = ramp(theme, share);
                 Self { fill: Some(colour.faded(0.45)), ..line(colour.faded(0.6), 1.0) }
@@ -83,11 +83,16 @@ impl Style {
                 ..line(p.ink, 1.0).lettered(p.ink, 11.0, Weight::Strong)
             },
             Role::Touch => Self { radius: 7.0, ..line(p.ray, 2.0) },
-            Role::Missed => Self { dash: Dash::Dotted, ..line(p.quiet_ink, 1.5) },
+            Role::Missed => Self {
+                fill: Some(p.rejected.faded(0.12)),
+                dash: Dash::Dashed,
+                casing: 1.5,
+                ..line(p.rejected, 2.6)
+            },
             Role::Found => Self { fill: Some(p.axes[1].faded(0.25)), ..line(p.axes[1], 3.0) },
             Role::QueryPoint => Self { fill: Some(p.ray), radius: 5.0, ..line(p.background, 1.5) },
             Role::Region => Self { fill: Some(p.ray.faded(0.12)), ..line(p.ray, 2.0) },
-            Role::Target => Self { dash: Dash::Dashed, ..line(p.ray, 2.0) },
+            Role::Target => Self { dash: Dash::Dashed, casing: 1.5, ..line(p.ink, 2.0) },
             Role::Direction => Self { fill: Some(p.ray), ..line(p.ray, 2.5) },
             Role::Pending => Self { dash: Dash::Dashed, ..line(p.ancestor, 2.0) },
             Role::GridCell => Self { fill: Some(p.ray.faded(0.25)), ..line(p.ray, 1.5) },

@@ -1,7 +1,9 @@
 //! Named styles and colours.
 
 use super::{Tikz, decimal, length};
-use crate::{Colour, Drawn, Lettering, Paint, Palette, Part, Role, Style, Theme, Weight};
+use crate::{
+    Colour, Dash, Dashes, Drawn, Lettering, Paint, Palette, Part, Role, Style, Theme, Weight,
+};
 
 impl Tikz<'_> {
     /// Name of the style of a shape, which is defined; `None` if nothing is seen.
@@ -17,6 +19,8 @@ impl Tikz<'_> {
             Part::Lit(light) => format!(" lit {light}"),
             Part::Edge => " line".to_owned(),
             Part::HiddenEdge => " hidden line".to_owned(),
+            Part::FineEdge => " fine line".to_owned(),
+            Part::Casing => " casing".to_owned(),
         };
         let name = format!("octo {}{part}", drawn.role.class());
         let key = (drawn.role.layer() + 1, name);
@@ -28,6 +32,20 @@ impl Tikz<'_> {
             Some(colour) => format!("{}={colour}", key.1),
             None => key.1,
         })
+    }
+
+    /// What a shape of dashes says beside its style, so that they fit into it.
+    pub(super) fn dashes(&self, drawn: &Drawn) -> String {
+        let paint = Paint::of(self.options.theme, drawn).with_lines(self.options.line_scale);
+        if paint.dash == Dash::Solid || paint.stroke.is_none() {
+            return String::new();
+        }
+        let Some(Dashes { lengths, offset }) = paint.dashes(&drawn.form) else {
+            return ", solid".to_owned();
+        };
+        let points = self.options.scale.points();
+        let pattern = dash_pattern(lengths.iter().map(|part| part * points));
+        format!(", {pattern}, dash phase={}", length(offset * points))
     }
 
     /// What the style of a shape says.
@@ -53,15 +71,9 @@ impl Tikz<'_> {
             let points = self.options.scale.points();
             parts.push(format!("line width={}", length(paint.width * points)));
             parts.push("line join=round".to_owned());
-            let pattern: Vec<_> = paint
-                .dash
-                .pattern()
-                .iter()
-                .zip(["on", "off"].into_iter().cycle())
-                .map(|(part, is)| format!("{is} {}", length(part * paint.width * points)))
-                .collect();
-            if !pattern.is_empty() {
-                parts.push(format!("dash pattern={}", pattern.join(" ")));
+            if paint.dash != Dash::Solid {
+                let lengths = paint.dash.pattern().iter().map(|part| part * paint.width * points);
+                parts.push(dash_pattern(lengths));
             }
         }
         Some(parts.join(", "))
@@ -102,6 +114,13 @@ impl Tikz<'_> {
         self.colours.entry(name.clone()).or_insert(value);
         name
     }
+}
+
+/// Dashes and gaps of these lengths in turn, in points.
+fn dash_pattern(lengths: impl Iterator<Item = f64>) -> String {
+    let parts = lengths.zip(["on", "off"].into_iter().cycle());
+    let parts: Vec<_> = parts.map(|(part, is)| format!("{is} {}", length(part))).collect();
+    format!("dash pattern={}", parts.join(" "))
 }
 
 /// The colour of a shape whose role has many, one for every shape.
