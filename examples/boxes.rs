@@ -88,6 +88,7 @@ fn path(edge: Color32, fill: Color32) -> Vec<BoxMark> {
         edge,
         width,
         line,
+        layer: 0,
     };
     let none = Color32::TRANSPARENT;
     let quiet = edge.gamma_multiply(0.55);

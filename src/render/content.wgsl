@@ -22,11 +22,12 @@ fn point_vertex(@builtin(vertex_index) index: u32, @location(0) point: vec3<f32>
 @fragment
 fn point_fragment(in: Sprite) -> @location(0) vec4<f32> {
     let alpha = clamp(draw.shape.y + 0.5 - length(in.offset), 0.0, 1.0);
-    // Corners must leave no trace in the depth buffer.
-    if alpha < 0.5 {
+    // Corners must leave no trace in the depth buffer; rims are soft, so that small dots
+    // are round, too.
+    if alpha < 0.2 {
         discard;
     }
-    return draw.fill * in.brightness;
+    return draw.fill * (in.brightness * alpha);
 }
 
 struct Surface {

@@ -9,7 +9,8 @@ use crate::theme::color32;
 use eframe::egui::{Color32, Id, Rect, Ui};
 use glam::Mat4;
 use octoscope_figure::{
-    Camera, Colour, Cut, Dash, Mark, Palette, Role, Shape, Show, Style, Theme, drawn_box,
+    Camera, Colour, Cut, Dash, Mark, Palette, Part, Role, Shape, Show, Style, Theme, drawn_box,
+    is_large,
 };
 
 /// Layers that are kept as long as what they show stays the same.
@@ -150,7 +151,9 @@ impl Layers {
 
 /// Whether the graphics adapter draws a mark, so that the painter need not.
 pub fn draws<const D: usize>(mark: &Mark<D>) -> bool {
-    let is_above = matches!(mark.role, Role::Apart | Role::ApartTaken);
+    // What is asked stays above planes, and a cross is drawn by the painter alone.
+    let is_above =
+        matches!(mark.role, Role::Apart | Role::ApartTaken | Role::Region | Role::Strayed);
     D == 3 && matches!(mark.shape, Shape::Box(_)) && !is_above
 }
 
@@ -171,7 +174,8 @@ fn box_marks<const D: usize>(mark: &Mark<D>, theme: Theme, unit: f64) -> Vec<Box
         Dash::Dashed | Dash::DashDotted => Line::Dashed,
         Dash::Dotted => Line::Dotted,
     };
-    let weak = |fill: Colour| color32(fill.faded(fill.opacity * 0.6));
+    let part = if is_large(mark.role, &bounds, unit) { Part::Wash.opacity() } else { 1.0 };
+    let weak = |fill: Colour| color32(fill.faded(fill.opacity * 0.6 * part));
     let own = BoxMark {
         min: in_space(bounds.min),
         max: in_space(bounds.max),

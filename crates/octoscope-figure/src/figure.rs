@@ -92,6 +92,8 @@ pub enum Part {
     Fine,
     /// Only the area: a side of a box across this axis, which is shaded by it.
     Face(usize),
+    /// Only the area, weaker: of a large box, so that what lies in it stays clear.
+    Wash,
     /// Only the area, in the colour of the line: the head of an arrow.
     Head,
     /// Only the area, covering what is behind it: a side of something solid,
@@ -120,6 +122,7 @@ impl Part {
             | Self::Lit(_)
             | Self::Edge
             | Self::Face(_)
+            | Self::Wash
             | Self::HiddenEdge
             | Self::Casing => 1.0,
         }
@@ -131,6 +134,7 @@ impl Part {
             Self::Whole | Self::Fine | Self::Head | Self::Lit(_) | Self::Edge => 1.0,
             Self::FineEdge | Self::Casing => 1.0,
             Self::Face(axis) => [1.0, 0.8, 0.62][axis],
+            Self::Wash => 0.4,
             Self::HiddenEdge => 0.3,
         }
     }

@@ -126,6 +126,13 @@ impl<const D: usize> Scene<'_, D> {
     /// whether those before it are done rather than rejected.
     fn choice(&self) -> Option<(NodeId, Child<D>)> {
         match *self.event? {
+            // The last one is left for none.
+            Event::Step { state, next: None, .. } => {
+                let frame = self.moment.frame()?;
+                let mask = self.moment.clip.map_or(Axes::NONE, |clip| clip.mirror);
+                let variants = self.query.variants_at_work();
+                Some((frame.node, variants.child_of_state(state, mask)))
+            }
             Event::First { .. } | Event::Step { next: Some(_), .. } => {
                 let frame = self.moment.frame()?;
                 let mask = self.moment.clip.map_or(Axes::NONE, |clip| clip.mirror);
@@ -154,7 +161,6 @@ impl<const D: usize> Scene<'_, D> {
             | Event::Parent { .. }
             | Event::Rope { .. }
             | Event::Push { .. }
-            | Event::Step { next: None, .. }
             | Event::Up { .. }
             | Event::Begin { .. }
             | Event::Encode { .. }
@@ -245,6 +251,14 @@ impl<const D: usize> Scene<'_, D> {
 
     /// Planes that are compared or met in this step.
     fn planes(&self, marks: &mut Vec<Mark<D>>) {
+        if let Some(&Event::Split { axis, plane, taken, .. }) = self.event {
+            // The other half is as large, so that the part that is divided is known.
+            let (axis, mut bounds) = (usize::from(axis), taken.bounds(self.tree));
+            (bounds.min[axis], bounds.max[axis]) = (plane, plane);
+            let mark = Mark::new(Shape::Plane { axis, bounds }, Role::MidPlane(axis));
+            marks.push(mark.of_node(taken.node).with_text(AXIS_NAMES[axis]));
+            return;
+        }
         let mut middle = |node: NodeId, axes: Axes<D>| {
             let bounds = self.tree.node_box(node);
             for axis in axes.iter() {
@@ -263,14 +277,6 @@ impl<const D: usize> Scene<'_, D> {
                 middle(node, all);
             }
             (Some(Event::Flip { axes, .. }), Some(node)) => middle(node, *axes),
-            (Some(&Event::Split { axis, taken, .. }), _) => {
-                let whole = if taken.halved.is_empty() {
-                    self.tree.parent(taken.node).unwrap_or(taken.node)
-                } else {
-                    taken.node
-                };
-                middle(whole, Axes::one(usize::from(axis)));
-            }
             (Some(Event::First { compared, .. }), Some(node)) => middle(node, *compared),
             (Some(&(Event::Compare { node, .. } | Event::Follow { node, .. })), _) => {
                 if let Some(parent) = self.tree.parent(node) {
@@ -333,7 +339,10 @@ impl<const D: usize> Scene<'_, D> {
                     let bounds = self.tree.node_box(node.id);
                     let [from, size] = [bounds.centre(), bounds.size()];
                     let step = direction.components();
-                    let to = std::array::from_fn(|e| from[e] + 0.85 * size[e] * f64::from(step[e]));
+                    let beside: [f64; D] =
+                        std::array::from_fn(|e| from[e] + 0.85 * size[e] * f64::from(step[e]));
+                    let found = self.moment.found.map(|found| self.tree.node_box(found));
+                    let to = found.map_or(beside, |found| well_within(&found, beside));
                     marks.push(node_mark(self.tree, node.id, Role::Region));
                     marks.push(Mark::new(Shape::Arrow([from, to]), Role::Direction));
                 }
@@ -349,6 +358,15 @@ impl<const D: usize> Scene<'_, D> {
             }
         }
     }
+}
+
+/// The point of a box that is nearest to `point` and not near a side of it.
+fn well_within<const D: usize>(bounds: &Aabb<D>, point: [f64; D]) -> [f64; D] {
+    const INSET: f64 = 0.3;
+    let size = bounds.size();
+    std::array::from_fn(|e| {
+        point[e].clamp(bounds.min[e] + INSET * size[e], bounds.max[e] - INSET * size[e])
+    })
 }
 
 /// The part of the plane across `axis` at `at` that lies in a box.

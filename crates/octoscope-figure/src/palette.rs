@@ -165,13 +165,13 @@ impl Palette {
             ink: Colour::hex(0x1b1f24),
             quiet_ink: Colour::hex(0x56616c),
             grid: Colour::hex(0xc9d1d9),
-            axes: [0xa46011, 0x135e41, 0x237196].map(Colour::hex),
-            ray: Colour::hex(0xc40069),
+            axes: [0x9f3e00, 0x18694a, 0x0f75a3].map(Colour::hex),
+            ray: Colour::hex(0xc7105e),
             current: Colour::hex(0xe69f00),
             current_fill: 0.18,
-            current_outline: Colour::hex(0xbe7e08),
-            rejected: Colour::hex(0x7033a6),
-            ancestor: Colour::hex(0x6e8fae),
+            current_outline: Colour::hex(0xbe8402),
+            rejected: Colour::hex(0x6f33a5),
+            ancestor: Colour::hex(0x6d8faf),
             shade: Colour::hex(0x000000).faded(0.6),
             blank: Colour::hex(0x000000),
             accent: Colour::hex(0x00619e),
@@ -221,9 +221,9 @@ impl Palette {
 }
 
 /// Place `share`, 0 … 1, on the ramp cividis [Nuñez, Anderton, Renslow 2018]:
-/// even in lightness, the same to colour-blind eyes. Dark themes begin at a
-/// fifth of it, and print ends before its lightest part, so that nothing sinks into the
-/// background.
+/// even in lightness, the same to colour-blind eyes. Dark themes begin a good third along
+/// it, so that nothing sinks into the background; all end before its lightest part, which
+/// would look like the current node.
 pub fn ramp(theme: Theme, share: f64) -> Colour {
     const STOPS: [u32; 10] = [
         0x00224e, 0x123570, 0x3b496c, 0x575d6d, 0x707173, 0x8a8678, 0xa59c74, 0xc3b369, 0xe1cc55,
@@ -231,9 +231,8 @@ pub fn ramp(theme: Theme, share: f64) -> Colour {
     ];
     let share = if share.is_finite() { share.clamp(0.0, 1.0) } else { 0.0 };
     let share = match theme {
-        Theme::Light | Theme::Projector => share,
-        Theme::Print => 0.85 * share,
-        Theme::Dark => 0.2 + 0.8 * share,
+        Theme::Light | Theme::Print | Theme::Projector => 0.7 * share,
+        Theme::Dark => 0.36 + 0.4 * share,
     };
     let place = share * (STOPS.len() - 1) as f64;
     let below = (place.floor() as usize).min(STOPS.len() - 2);

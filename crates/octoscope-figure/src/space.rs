@@ -17,7 +17,7 @@ use crate::{Camera, Drawn, Figure, Form, Mark, Page, Part, Projected, Role, Shap
 use apart::is_apart;
 use arrows::last_point;
 use cross::cross_out;
-pub use inset::drawn_box;
+pub use inset::{drawn_box, is_large};
 use octoscope_core::geometry::Aabb;
 use overlaid::strong_boxes;
 
@@ -198,7 +198,9 @@ impl<const D: usize> Canvas<'_, D> {
                 if has_ground(mark.role) {
                     self.spare(&points);
                     let area = Form::Polygon(points.clone());
-                    self.push_at(GROUND, mark, Part::Face(0), area);
+                    let face =
+                        if self.is_large(mark, &bounds) { Part::Wash } else { Part::Face(0) };
+                    self.push_at(GROUND, mark, face, area);
                     let part = self.edge_part(mark, &bounds);
                     self.push_at(above_space(mark.role), mark, part, Form::Polygon(points));
                 } else {
@@ -301,6 +303,11 @@ impl<const D: usize> Canvas<'_, D> {
         drawn_box(mark.role, bounds, self.camera.unit(self.page))
     }
 
+    /// Whether the area of a box would tint most of what is to be seen.
+    fn is_large(&self, mark: &Mark<D>, bounds: &Aabb<D>) -> bool {
+        is_large(mark.role, bounds, self.camera.unit(self.page))
+    }
+
     /// The edges of a box so small that its line would fill it are finer.
     fn edge_part(&self, mark: &Mark<D>, bounds: &Aabb<D>) -> Part {
         const LEAST: f64 = 10.0;
@@ -363,7 +370,7 @@ fn above_space(role: Role) -> f64 {
 /// Whether a role is drawn above everything in space: handles, points and
 /// lines that must not be lost behind boxes.
 fn is_above(role: Role) -> bool {
-    role.layer() >= Role::MirroredRay.layer() || matches!(role, Role::Touch)
+    role.layer() >= Role::MirroredRay.layer() || matches!(role, Role::Touch | Role::Region)
 }
 
 /// Whether a role is but a hint beside the path, and must not cover it.
@@ -373,7 +380,7 @@ fn is_hint(role: Role) -> bool {
 
 /// Whether, in the plane, the area of a role lies below everything in it.
 fn has_ground(role: Role) -> bool {
-    matches!(role, Role::Current | Role::Found | Role::Region)
+    matches!(role, Role::Current | Role::Taken | Role::Found | Role::Region)
 }
 
 /// The point as a box without extent.

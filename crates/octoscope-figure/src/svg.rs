@@ -175,7 +175,7 @@ fn write_drawn(out: &mut String, drawn: &Drawn, options: &FileOptions) {
     match drawn.part {
         Part::Whole => {}
         Part::Fine => attributes += " fine",
-        Part::Face(_) => attributes += " face",
+        Part::Face(_) | Part::Wash => attributes += " face",
         Part::Head => attributes += " head",
         Part::Lit(light) => attributes += &format!(" lit-{light}"),
         Part::Edge | Part::HiddenEdge => attributes += " edge",

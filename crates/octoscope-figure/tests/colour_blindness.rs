@@ -1,7 +1,7 @@
 //! What is told by colour is told to colour-blind eyes, too: the colours of roles
 //! stay apart in simulated vision.
 
-use octoscope_figure::{Colour, Palette, Theme};
+use octoscope_figure::{Colour, Palette, Theme, ramp};
 
 /// How colours come to eyes, as a matrix on linear RGB.
 type Vision = [[f64; 3]; 3];
@@ -90,6 +90,18 @@ fn roles_stay_apart_in_every_theme_and_for_every_kind_of_eyes() {
                     assert!(apart >= LEAST, "{theme:?} {vision}: {one} and {other} {apart:.3}");
                 }
             }
+        }
+    }
+}
+
+#[test]
+fn no_visited_leaf_has_the_colour_of_the_current_node() {
+    for theme in Theme::ALL {
+        let current = seen(Palette::of(theme).current, &VISIONS[0].1);
+        for step in 0..=20 {
+            let share = f64::from(step) / 20.0;
+            let apart = distance(seen(ramp(theme, share), &VISIONS[0].1), current);
+            assert!(apart >= LEAST, "{theme:?} {share}: {apart:.3}");
         }
     }
 }

@@ -3,7 +3,7 @@
 use super::{Canvas, above_space, distance};
 use crate::marks::interval;
 use crate::parts::Arrow;
-use crate::{Drawn, Form, Mark, Part, Role};
+use crate::{Drawn, Form, Mark, Part, Role, Style, Theme};
 use octoscope_core::geometry::{Aabb, Ray};
 
 /// Length of the head of an arrow, in page units.
@@ -40,15 +40,20 @@ impl<const D: usize> Canvas<'_, D> {
         [from, to]: [[f64; 2]; 2],
     ) {
         const HALF_WIDTH: f64 = 5.0;
+        /// Of the arrow the head takes no more than this share.
+        const MOST: f64 = 0.4;
         let length = distance(from, to);
-        if length < 1e-9 {
+        if length < least_length(mark.role) {
             return;
         }
+        let head = HEAD.min(MOST * length);
+        let half_width = HALF_WIDTH * head / HEAD;
+        let [from, to] = beside(mark.role, [from, to]);
         self.spared.push([from, to]);
         let along: [f64; 2] = std::array::from_fn(|e| (to[e] - from[e]) / length);
         let across = [-along[1], along[0]];
-        let neck: [f64; 2] = std::array::from_fn(|e| to[e] - HEAD.min(length) * along[e]);
-        let wing = |side: f64| std::array::from_fn(|e| neck[e] + side * HALF_WIDTH * across[e]);
+        let neck: [f64; 2] = std::array::from_fn(|e| to[e] - head * along[e]);
+        let wing = |side: f64| std::array::from_fn(|e| neck[e] + side * half_width * across[e]);
         let drawn = |part, form| Drawn { form, role: mark.role, part, node: mark.node };
         let line = drawn(Part::Edge, Form::Polyline(vec![from, neck]));
         let head = drawn(Part::Head, Form::Polygon(vec![to, wing(1.0), wing(-1.0)]));
@@ -56,9 +61,35 @@ impl<const D: usize> Canvas<'_, D> {
             self.arrows.push(Arrow { ends, shaft: [from, neck], line, head });
         } else {
             let order = above_space(mark.role);
+            if Style::of(Theme::Light, mark.role).casing > 0.0 {
+                let casing = Drawn { part: Part::Casing, ..line.clone() };
+                self.drawn.push((order, casing));
+            }
             self.drawn.extend([(order, line), (order, head)]);
         }
     }
+}
+
+/// Whether a role's arrow goes from node to node: there are many, and some lie on others.
+fn is_way(role: Role) -> bool {
+    matches!(role, Role::WayUp | Role::WayDown | Role::Link)
+}
+
+/// Length on the page below which an arrow is not drawn.
+fn least_length(role: Role) -> f64 {
+    const LEGIBLE: f64 = 6.0;
+    if is_way(role) { LEGIBLE } else { 1e-9 }
+}
+
+/// The ends of an arrow, to its right where it may lie on one that leads back.
+fn beside(role: Role, [from, to]: [[f64; 2]; 2]) -> [[f64; 2]; 2] {
+    const APART: f64 = 3.5;
+    if !is_way(role) {
+        return [from, to];
+    }
+    let length = distance(from, to);
+    let right = [-(to[1] - from[1]) / length, (to[0] - from[0]) / length];
+    [from, to].map(|end| std::array::from_fn(|e| end[e] + APART * right[e]))
 }
 
 /// Where a ray has its tip or leaves the root, whichever is later.

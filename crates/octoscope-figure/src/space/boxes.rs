@@ -17,11 +17,13 @@ impl<const D: usize> Canvas<'_, D> {
             seen.iter().any(|s| s.axis != axis && (corner & bit(s.axis) != 0) == s.is_upper)
         };
         let (mut behind, mut front) = (Vec::new(), Vec::new());
+        let is_large = self.is_large(mark, bounds);
         if Style::of(Theme::Light, mark.role).fill.is_some() {
             for side in &seen {
                 let polygon: Vec<_> = side.polygon.iter().map(|p| p.at).collect();
                 let cross = cross_out(mark.role, &polygon);
-                front.push((Part::Face(side.axis), Form::Polygon(polygon)));
+                let face = if is_large { Part::Wash } else { Part::Face(side.axis) };
+                front.push((face, Form::Polygon(polygon)));
                 front.extend(cross.into_iter().map(|line| (Part::Edge, line)));
             }
         }
@@ -70,6 +72,7 @@ impl<const D: usize> Canvas<'_, D> {
 
     /// A side of a box, or a plane through it.
     pub(super) fn draw_plane(&mut self, mark: &Mark<D>, axis: usize, bounds: &Aabb<D>) {
+        let bounds = &self.overhanging(bounds, axis);
         let corners: Vec<[f64; D]> = corners(bounds).collect();
         let upper = 1usize << (D - 1 - axis);
         let own: Vec<[f64; D]> = (0..1 << D)
@@ -79,6 +82,7 @@ impl<const D: usize> Canvas<'_, D> {
         if let [from, to] = own[..] {
             if let Some(line) = self.camera.project_segment(self.page, [from, to]) {
                 let line = Form::Polyline(line.map(|p| p.at).to_vec());
+                self.push(mark, *bounds, Part::Casing, line.clone());
                 self.push(mark, *bounds, Part::Edge, line);
             }
         } else if let [a, b, c, d] = own[..] {
@@ -88,6 +92,21 @@ impl<const D: usize> Canvas<'_, D> {
                 .map(|p| p.at)
                 .collect();
             self.push(mark, *bounds, Part::Whole, Form::Polygon(polygon));
+        }
+    }
+
+    /// A plane a little beyond its node, so that it is told from the sides of that.
+    fn overhanging(&self, bounds: &Aabb<D>, axis: usize) -> Aabb<D> {
+        const BEYOND: f64 = 7.0;
+        const MOST: f64 = 0.06;
+        let size = bounds.size();
+        let by: [f64; D] = std::array::from_fn(|e| {
+            let by = (BEYOND * self.camera.unit(self.page)).min(MOST * size[e]);
+            if e == axis { 0.0 } else { by }
+        });
+        Aabb {
+            min: std::array::from_fn(|e| bounds.min[e] - by[e]),
+            max: std::array::from_fn(|e| bounds.max[e] + by[e]),
         }
     }
 }

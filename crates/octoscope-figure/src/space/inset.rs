@@ -1,4 +1,5 @@
-//! Boxes that are drawn within their own cell.
+//! How large boxes are drawn: some within their own cell, and those that fill the picture
+//! more weakly.
 
 use crate::Role;
 use octoscope_core::geometry::Aabb;
@@ -18,4 +19,12 @@ pub fn drawn_box<const D: usize>(role: Role, bounds: &Aabb<D>, unit: f64) -> Aab
         min: std::array::from_fn(|e| bounds.min[e] + by[e]),
         max: std::array::from_fn(|e| bounds.max[e] - by[e]),
     }
+}
+
+/// Whether the box of the node at work is so large on the page that its area is drawn
+/// weakly: it would tint most of what is to be seen.
+pub fn is_large<const D: usize>(role: Role, bounds: &Aabb<D>, unit: f64) -> bool {
+    const LARGE: f64 = 200.0;
+    let side = bounds.size().into_iter().fold(0.0, f64::max) / unit;
+    matches!(role, Role::Current | Role::Taken) && side > LARGE
 }

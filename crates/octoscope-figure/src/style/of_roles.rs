@@ -51,8 +51,9 @@ impl Style {
                 Self { fill: Some(colour), ..line(p.grid.faded(0.5), 0.5) }
             }
             Role::Content => {
-                let colour = p.quiet_ink.faded(0.9);
-                Self { fill: Some(colour), radius: 2.4, ..line(colour, 1.0) }
+                // A light rim, so that they are seen on visited leaves, too.
+                let colour = p.quiet_ink.faded(0.95);
+                Self { fill: Some(colour), radius: 2.7, ..line(p.background.faded(0.8), 1.0) }
             }
             Role::Solid => {
                 Self { fill: Some(p.quiet_ink.faded(0.16)), ..line(p.quiet_ink.faded(0.8), 1.0) }
@@ -70,7 +71,9 @@ impl Style {
             Role::Rejected => Self { dash: Dash::Dashed, ..line(p.rejected, 1.5) },
             Role::Visited { share } => {
                 let colour = ramp(theme, share);
-                Self { fill: Some(colour.faded(0.45)), ..line(colour.faded(0.6), 1.0) }
+                // On dark ground outlines tell them from each other.
+                let edge = if theme == Theme::Dark { 0.95 } else { 0.6 };
+                Self { fill: Some(colour.faded(0.45)), ..line(colour.faded(edge), 1.0) }
             }
             Role::Strayed => Self {
                 fill: Some(p.rejected.faded(0.22)),
@@ -96,7 +99,10 @@ impl Style {
             Role::Direction => Self { fill: Some(p.ray), ..line(p.ray, 2.5) },
             Role::Pending => Self { dash: Dash::Dashed, ..line(p.ancestor, 2.0) },
             Role::GridCell => Self { fill: Some(p.ray.faded(0.25)), ..line(p.ray, 1.5) },
-            Role::WayUp | Role::Push => Self { fill: Some(p.ray), ..line(p.ray, 2.5) },
+            Role::Push => Self { fill: Some(p.ray), ..line(p.ray, 2.5) },
+            Role::WayUp => {
+                Self { fill: Some(p.ink), dash: Dash::Dashed, casing: 1.2, ..line(p.ink, 2.0) }
+            }
             Role::WayDown => Self { fill: Some(p.ancestor), ..line(p.ancestor, 2.5) },
             Role::Link => Self { fill: Some(p.ink), ..line(p.ink, 3.0) },
             Role::Cut(axis) => {
@@ -126,12 +132,14 @@ impl Style {
             Role::EntryPoint => Self { fill: Some(p.ray), radius: 4.5, ..line(p.background, 1.2) },
             Role::ExitPoint => Self { fill: Some(p.background), radius: 4.0, ..line(p.ray, 1.8) },
             Role::MidPlane(axis) => Self {
-                fill: Some(p.axes[axis].faded(0.22)),
+                fill: plane_fill(theme, p.axes[axis]),
+                casing: 1.2,
                 ..line(p.axes[axis], 3.0).lettered(p.axes[axis], 12.0, Weight::Strong)
             },
             Role::ExitPlane(axis) => Self {
-                fill: Some(p.axes[axis].faded(0.22)),
+                fill: plane_fill(theme, p.axes[axis]),
                 dash: Dash::Dashed,
+                casing: 1.2,
                 ..line(p.axes[axis], 2.5).lettered(p.axes[axis], 12.0, Weight::Strong)
             },
             Role::ChildIndex => Self {
@@ -247,6 +255,12 @@ impl Style {
         let (stroke, width) = if is_leaf { (p.grid, 0.6) } else { (colour, 0.5) };
         Self { fill: Some(colour), stroke: Some(stroke), width, ..Self::default() }
     }
+}
+
+/// Area of a plane in space: weak, for it lies before what is asked. Too weak for a
+/// projector, where its outline tells it.
+fn plane_fill(theme: Theme, colour: Colour) -> Option<Colour> {
+    (theme.weakest_fill() == 0.0).then_some(colour.faded(0.12))
 }
 
 /// Black or white, whichever is read better on `colour`.

@@ -1,0 +1,196 @@
+//! What of the marks of a moment is drawn, and that one is told from the other.
+
+use octoscope_core::event::Event;
+use octoscope_core::geometry::{Aabb, Ray};
+use octoscope_core::progress::Progress;
+use octoscope_core::query::{Arithmetic, Query};
+use octoscope_core::trace::{Moment, Trace, record};
+use octoscope_core::traverse::{Algorithm, Options};
+use octoscope_core::tree::{Cell, Domain, Split, Tree, grow};
+use octoscope_figure::{
+    Camera, Drawn, Figure, Form, Mark, Page, Part, Role, Shape, Show, marks, space_figure,
+};
+
+const PAGE: Page = Page { width: 400.0, height: 400.0 };
+
+/// Tree that is divided towards the origin.
+fn corner_tree<const D: usize>() -> Tree<D> {
+    grow(Domain::unit(3), (), &Progress::default(), |cell, ()| match cell {
+        Cell { level: 0, .. } => Split::Full(Vec::new()),
+        Cell { code, .. } if code == [0; D] => Split::Inner(vec![(); 1 << D]),
+        _ => Split::Empty,
+    })
+    .expect("nobody cancels")
+}
+
+/// The marks after every event of a ray through the corner.
+fn all_marks<const D: usize>(algorithm: Algorithm) -> Vec<(Event<D>, Vec<Mark<D>>)> {
+    let tree = corner_tree::<D>();
+    let along = std::array::from_fn(|e| 1.5 + 0.25 * e as f64);
+    let ray = Ray::new([-0.25; D], along).expect("the direction is not zero");
+    let (options, arithmetic) = (Options::default(), Arithmetic::Doubles);
+    let query = Query::Ray { algorithm, options, arithmetic };
+    let trace: Trace<D> = record(&tree, &ray, &query);
+    let at = |step: usize| {
+        let moment = Moment::after(&tree, &trace, step + 1);
+        let event = &trace.events[step];
+        (*event, marks(&tree, &ray, &query, &moment, Some(event), &Show::default()))
+    };
+    (0..trace.events.len()).map(at).collect()
+}
+
+fn unit_box<const D: usize>(min: f64, max: f64) -> Aabb<D> {
+    Aabb { min: [min; D], max: [max; D] }
+}
+
+/// Figure of these marks, with a root of [0, 1] around them.
+fn figure<const D: usize>(marks: &[Mark<D>]) -> Figure {
+    let root = Mark::new(Shape::Box(unit_box(0.0, 1.0)), Role::Root);
+    let all: Vec<_> = std::iter::once(root).chain(marks.iter().cloned()).collect();
+    space_figure(&all, &Camera::framing(&unit_box(0.0, 1.0), PAGE), PAGE)
+}
+
+fn of_role(figure: &Figure, role: Role) -> Vec<&Drawn> {
+    figure.drawn.iter().filter(|drawn| drawn.role == role).collect()
+}
+
+#[test]
+fn the_child_that_is_left_for_none_is_shown() {
+    let mut n_last = 0;
+    for (event, marks) in all_marks::<2>(Algorithm::ParametricTable) {
+        if matches!(event, Event::Step { next: None, .. }) {
+            n_last += 1;
+            assert!(marks.iter().any(|mark| mark.role == Role::ChildIndex), "{event:?}");
+            assert!(marks.iter().any(|mark| mark.role == Role::Taken), "{event:?}");
+        }
+    }
+    assert!(n_last > 0);
+}
+
+#[test]
+fn a_mid_plane_ends_where_the_part_does_that_it_divides() {
+    let mut n_halves = 0;
+    for (event, marks) in all_marks::<3>(Algorithm::Bsp) {
+        let Event::Split { axis, taken, .. } = event else { continue };
+        let part = taken.bounds(&corner_tree());
+        let planes: Vec<_> = marks.iter().filter(|m| matches!(m.role, Role::MidPlane(_))).collect();
+        let [Mark { shape: Shape::Plane { bounds, .. }, .. }] = planes[..] else {
+            panic!("{planes:?}")
+        };
+        for e in (0..3).filter(|e| *e != usize::from(axis)) {
+            assert_eq!([bounds.min[e], bounds.max[e]], [part.min[e], part.max[e]], "{event:?}");
+        }
+        n_halves += usize::from(!taken.halved.is_empty());
+    }
+    assert!(n_halves > 0);
+}
+
+#[test]
+fn the_head_of_an_arrow_is_less_than_half_of_it_and_specks_are_left_out() {
+    for length in [0.004, 0.03, 0.1, 0.7] {
+        for role in [Role::WayUp, Role::WayDown, Role::Link, Role::Direction] {
+            let arrow = Shape::Arrow([[0.1, 0.5], [0.1 + length, 0.5]]);
+            let figure = figure(&[Mark::new(arrow, role)]);
+            let span = |drawn: &Drawn| match &drawn.form {
+                Form::Polygon(points) | Form::Polyline(points) => {
+                    let x = |pick: fn(f64, f64) -> f64| points.iter().map(|p| p[0]).reduce(pick);
+                    x(f64::max).zip(x(f64::min)).map_or(0.0, |(most, least)| most - least)
+                }
+                Form::Circle { .. } | Form::Text { .. } | Form::Formula { .. } => 0.0,
+            };
+            let drawn = of_role(&figure, role);
+            let of = |part| drawn.iter().find(|d| d.part == part).map(|d| span(d));
+            match [of(Part::Head), of(Part::Edge)] {
+                [Some(head), Some(shaft)] => {
+                    assert!(head <= 0.41 * (head + shaft), "{role:?} {head} {shaft}");
+                }
+                [None, None] => assert!(length < 0.02, "{role:?} {length}"),
+                other => panic!("{role:?} {other:?}"),
+            }
+        }
+    }
+}
+
+#[test]
+fn a_way_there_and_back_is_two_lines() {
+    let [a, b] = [[0.2, 0.3], [0.6, 0.7]];
+    let way = |ends, role| Mark::new(Shape::Arrow(ends), role);
+    let figure = figure(&[way([a, b], Role::WayUp), way([b, a], Role::WayDown)]);
+    let start = |role| match &of_role(&figure, role).last().unwrap().form {
+        Form::Polygon(points) | Form::Polyline(points) => points.clone(),
+        Form::Circle { .. } | Form::Text { .. } | Form::Formula { .. } => panic!("no arrow"),
+    };
+    // The tip of one is beside the tail of the other.
+    let [up, tail] = [start(Role::WayUp)[0], {
+        let shaft = of_role(&figure, Role::WayDown).into_iter().find(|d| d.part == Part::Edge);
+        let Form::Polyline(points) = &shaft.unwrap().form else { panic!("no line") };
+        points[0]
+    }];
+    assert!((up[0] - tail[0]).hypot(up[1] - tail[1]) > 6.0, "{up:?} {tail:?}");
+}
+
+#[test]
+fn a_rejected_child_lies_within_its_cell() {
+    let figure = figure(&[Mark::new(Shape::Box(unit_box::<2>(0.0, 0.5)), Role::Rejected)]);
+    let outer = Camera::framing(&unit_box::<2>(0.0, 1.0), PAGE).project(PAGE, [0.0; 2]).unwrap().at;
+    let [drawn] = of_role(&figure, Role::Rejected)[..] else { panic!("one shape") };
+    let Form::Polygon(points) = &drawn.form else { panic!("{drawn:?}") };
+    let nearest = points.iter().map(|p| (p[0] - outer[0]).hypot(p[1] - outer[1]));
+    let nearest = nearest.fold(f64::INFINITY, f64::min);
+    assert!((2.0..6.0).contains(&nearest), "{nearest}");
+}
+
+#[test]
+fn edges_of_ancestors_leave_those_of_the_current_node_to_it() {
+    let current = Mark::new(Shape::Box(unit_box::<3>(0.0, 0.5)), Role::Current);
+    let ends = |figure: &Figure, role| -> Vec<[[f64; 2]; 2]> {
+        let lines = of_role(figure, role).into_iter().filter_map(|d| match &d.form {
+            Form::Polyline(points) => Some([points[0], points[1]]),
+            Form::Polygon(_) | Form::Circle { .. } | Form::Text { .. } | Form::Formula { .. } => {
+                None
+            }
+        });
+        lines.collect()
+    };
+    let length = |lines: &[[[f64; 2]; 2]]| -> f64 {
+        lines.iter().map(|[a, b]| (a[0] - b[0]).hypot(a[1] - b[1])).sum()
+    };
+    let [alone, with] = [figure::<3>(&[]), figure(&[current])].map(|f| ends(&f, Role::Root));
+    // Three edges of the root begin in the corner that both share.
+    assert_eq!(with.len(), 12);
+    assert!(length(&with) < 0.95 * length(&alone));
+}
+
+#[test]
+fn a_large_current_node_tints_weakly_and_a_small_one_has_fine_lines() {
+    let parts = |side: f64| -> Vec<Part> {
+        let mark = Mark::new(Shape::Box(unit_box::<2>(0.0, side)), Role::Current);
+        of_role(&figure(&[mark]), Role::Current).iter().map(|drawn| drawn.part).collect()
+    };
+    assert_eq!(parts(0.9), [Part::Wash, Part::Edge]);
+    assert_eq!(parts(0.3), [Part::Face(0), Part::Edge]);
+    assert_eq!(parts(0.05), [Part::Face(0), Part::FineEdge]);
+}
+
+#[test]
+fn a_plane_is_seen_beyond_its_node() {
+    let bounds = Aabb { min: [0.25, 0.5], max: [0.75, 0.5] };
+    let figure = figure(&[Mark::new(Shape::Plane { axis: 1, bounds }, Role::ExitPlane(1))]);
+    let camera = Camera::framing(&unit_box::<2>(0.0, 1.0), PAGE);
+    let end = camera.project(PAGE, bounds.min).unwrap().at;
+    let drawn = of_role(&figure, Role::ExitPlane(1));
+    assert_eq!(drawn.iter().map(|d| d.part).collect::<Vec<_>>(), [Part::Casing, Part::Edge]);
+    let Form::Polyline(points) = &drawn[1].form else { panic!("{drawn:?}") };
+    assert!(points[0][0] < end[0] - 4.0, "{points:?} {end:?}");
+}
+
+#[test]
+fn what_is_asked_for_lies_above_the_planes_in_space() {
+    let bounds = Aabb { min: [0.5, 0.0, 0.0], max: [0.5, 1.0, 1.0] };
+    let plane = Mark::new(Shape::Plane { axis: 0, bounds }, Role::MidPlane(0));
+    let region = Mark::new(Shape::Box(unit_box::<3>(0.3, 0.4)), Role::Region);
+    let figure = figure(&[region, plane]);
+    let place = |role| figure.drawn.iter().rposition(|drawn| drawn.role == role);
+    let first = figure.drawn.iter().position(|drawn| drawn.role == Role::Region);
+    assert!(first > place(Role::MidPlane(0)));
+}
