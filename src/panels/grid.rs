@@ -34,7 +34,8 @@ pub fn ui<const D: usize>(ui: &mut Ui, look: &Look, moment: &Moment<D>) {
     let spoken: Vec<_> = (0..D).map(|e| format!("tMax {} {}", AXIS_NAMES[e], told[e])).collect();
     response.widget_info(|| WidgetInfo::labeled(Role::Canvas, true, spoken.join(", ")));
     let painter = ui.painter_at(rect);
-    let room = if grid.left.is_some() { 140.0 } else { 84.0 };
+    // The same in every step, so that bars do not jump.
+    let room = 140.0;
     let track = (rect.left() + 24.0)..=(rect.right() - room);
     let length = track.end() - track.start();
     for axis in 0..D {
