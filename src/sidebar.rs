@@ -144,21 +144,22 @@ fn formulas_in<const D: usize>(
         Place::BelowPanel => (look.palette.panel, 0),
     };
     let frame = Frame::new().fill(fill).inner_margin(Margin::symmetric(side, 6));
-    let panel = Panel::bottom("formula").frame(frame).resizable(false).exact_size(height + 12.0);
-    panel.show(ui, |ui| {
-        let told = formulas(
-            &document.tree,
-            document.traced_ray(),
-            &document.trace,
-            view.playback.step,
-            view.notation,
-            view.language,
-        );
-        let why = paper::why(look, &document.scenario.query);
-        match why.filter(|_| told.is_empty() && place == Place::BelowPanel) {
-            Some(why) => formula::words_instead(ui, look, &why),
-            None => formula::ui(ui, look, &told, view.notation),
-        }
+    let told = formulas(
+        &document.tree,
+        document.traced_ray(),
+        &document.trace,
+        view.playback.step,
+        view.notation,
+        view.language,
+    );
+    let why = paper::why(look, &document.scenario.query);
+    let why = why.filter(|_| told.is_empty() && place == Place::BelowPanel);
+    // Without anything in it, it is part of the ground of what is above it.
+    let is_empty = told.is_empty() && why.is_none();
+    let panel = Panel::bottom("formula").frame(frame).show_separator_line(!is_empty);
+    panel.resizable(false).exact_size(height + 12.0).show(ui, |ui| match why {
+        Some(why) => formula::words_instead(ui, look, &why),
+        None => formula::ui(ui, look, &told, view.notation),
     });
 }
 
