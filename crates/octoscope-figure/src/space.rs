@@ -220,7 +220,7 @@ impl<const D: usize> Canvas<'_, D> {
                     if !is_leaf {
                         self.spare(&points);
                     }
-                    let cross = cross_out(mark.role, &points);
+                    let cross = cross_out(mark.role, &points, self.page);
                     self.push(mark, bounds, part, Form::Polygon(points));
                     let part = if part == Part::Fine { part } else { Part::Edge };
                     for line in cross {
