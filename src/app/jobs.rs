@@ -287,7 +287,7 @@ impl App {
                     self.notice.say(all.join("\n"));
                 }
                 self.go_to_start();
-                if with_document!(&self.document, d => is_misprinted(&d.scenario.query)) {
+                if with_document!(&self.document, d => d.scenario.query.is_misprinted()) {
                     self.view.sought = Some(PanelKind::Paper);
                 }
                 self.settled = self.shown();
@@ -322,11 +322,6 @@ impl App {
             }
         }
     }
-}
-
-/// Whether a query follows a rule of the paper as it is printed.
-pub(super) fn is_misprinted<const D: usize>(query: &Query<D>) -> bool {
-    query.variants_at_work().iter().any(|variant| erratum_of(variant).is_some())
 }
 
 /// Which algorithm is at work, and which of its rules in another form than the right one.

@@ -1,7 +1,6 @@
 //! Which keys are commands, and which commands can be obeyed now.
 
 use super::App;
-use super::jobs::is_misprinted;
 use crate::command::{COMMANDS, Command, belongs_to_focus};
 use crate::document::Found;
 use crate::view::Standpoint;
@@ -75,7 +74,7 @@ impl App {
     /// Why there is no first wrong step.
     fn why_nothing_wrong(&self) -> &'static str {
         let (found, is_misprinted) = with_document!(&self.document, d => {
-            (d.verdict_so_far(), is_misprinted(&d.scenario.query))
+            (d.verdict_so_far(), d.scenario.query.is_misprinted())
         });
         match found {
             _ if !is_misprinted => "status-no-misprint",

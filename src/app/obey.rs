@@ -1,7 +1,6 @@
 //! Commands and what they do.
 
 use super::App;
-use super::jobs::is_misprinted;
 use crate::command::Command;
 use crate::document::AnyDocument;
 use crate::finder::Target;
@@ -163,7 +162,7 @@ impl App {
     /// Where a misprint leads astray first, as the timeline shows it, or round about.
     pub(super) fn first_step_off(&self) -> Option<(usize, Off)> {
         let verdict = with_document!(&self.document, d => {
-            is_misprinted(&d.scenario.query).then(|| d.known_verdict()).flatten()
+            d.scenario.query.is_misprinted().then(|| d.known_verdict()).flatten()
         })?;
         let wrong = verdict.first_wrong_step.map(|step| (step, Off::Astray));
         wrong.or_else(|| Some((verdict.detour?, Off::RoundAbout)))

@@ -3,7 +3,7 @@
 
 use super::Document;
 use crate::comparison::{MOST_LEAVES, Run, compare};
-use octoscope_core::paper::{Verdict, erratum_of, verdict};
+use octoscope_core::paper::{Verdict, verdict};
 use octoscope_core::progress::{Cancelled, Progress};
 use octoscope_core::tree::NodeId;
 use std::sync::Arc;
@@ -117,8 +117,7 @@ impl<const D: usize> Document<D> {
     /// The step at which a misprinted rule leads astray first, if one is followed, it
     /// does, and that is known by now.
     pub fn first_wrong_step(&mut self) -> Option<usize> {
-        let is_misprint = |variant| erratum_of(variant).is_some();
-        if !self.trace.query.variants_at_work().iter().any(is_misprint) {
+        if !self.trace.query.is_misprinted() {
             return None;
         }
         match self.verdict() {
@@ -146,9 +145,7 @@ impl<const D: usize> Document<D> {
     /// What would be right, where a misprint is followed and that is found out quickly:
     /// figures do not depend on what is known by chance.
     pub fn right_nodes(&self) -> Vec<NodeId> {
-        let is_misprint = |variant| erratum_of(variant).is_some();
-        let is_misprinted = self.trace.query.variants_at_work().iter().any(is_misprint);
-        if !is_misprinted || !self.is_quick() || self.is_judged_never() {
+        if !self.trace.query.is_misprinted() || !self.is_quick() || self.is_judged_never() {
             return Vec::new();
         }
         match self.known_verdict() {

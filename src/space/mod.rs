@@ -25,7 +25,6 @@ use card::Seen;
 use eframe::egui::{Event, Rect, Sense, Ui, WidgetInfo, accesskit::Role};
 use hover::Told;
 use octoscope_core::geometry::Ray;
-use octoscope_core::paper::erratum_of;
 use octoscope_core::query::Query;
 use octoscope_core::trace::Moment;
 use octoscope_core::tree::NodeId;
@@ -155,8 +154,7 @@ fn shown_now(ui: &Ui, view: &View, show: Show) -> Show {
 /// What would be right, where a misprint is followed and the panel about it has
 /// asked for a verdict.
 fn expected<const D: usize>(document: &Document<D>) -> Vec<Mark<D>> {
-    let misprinted =
-        document.trace.query.variants_at_work().iter().any(|v| erratum_of(v).is_some());
+    let misprinted = document.trace.query.is_misprinted();
     let Some(verdict) = document.known_verdict().filter(|_| misprinted) else {
         return Vec::new();
     };

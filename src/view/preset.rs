@@ -1,7 +1,6 @@
 //! The panels, and which of them stand beside the space view.
 
 use octoscope_core::locate::NeighbourMethod;
-use octoscope_core::paper::erratum_of;
 use octoscope_core::query::Query;
 use octoscope_core::traverse::Algorithm;
 use serde::{Deserialize, Serialize};
@@ -207,7 +206,7 @@ impl Preset {
                 panels.insert(2.min(panels.len()), Stack);
             }
         }
-        if query.variants_at_work().iter().any(|variant| erratum_of(variant).is_some()) {
+        if query.is_misprinted() {
             if self == Self::Lecture {
                 panels.clear();
             }

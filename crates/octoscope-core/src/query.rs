@@ -163,6 +163,11 @@ impl<const D: usize> Query<D> {
         self.variants().iter().filter(|&variant| self.takes(variant)).collect()
     }
 
+    /// Whether it follows a rule of the paper as it is printed.
+    pub fn is_misprinted(&self) -> bool {
+        self.variants_at_work().iter().any(Variant::is_misprint)
+    }
+
     /// Whether the query has the rule; variants of other rules do nothing.
     pub fn takes(&self, variant: Variant) -> bool {
         use Variant::{B18, B19, B21, B24a, B24b, B24c, B25Leftmost, B25Rightmost, B28};

@@ -14,7 +14,6 @@ use octoscope_core::event::{End, Event};
 use octoscope_core::geometry::{AXIS_NAMES, Aabb, Axes, Ray};
 use octoscope_core::query::Query;
 use octoscope_core::trace::{LeafOnRay, Moment, strayed};
-use octoscope_core::traverse::Variant;
 use octoscope_core::tree::{Child, NodeId, Tree, branch};
 use std::collections::HashSet;
 
@@ -66,7 +65,7 @@ impl<const D: usize> Scene<'_, D> {
     /// Visited leaves and touches.
     fn visited(&self, marks: &mut Vec<Mark<D>>) {
         let root = interval(self.ray, &self.tree.domain().root_box()).unwrap_or([0.0, 1.0]);
-        let misprinted = self.query.variants_at_work().iter().any(Variant::is_misprint);
+        let misprinted = self.query.is_misprinted();
         for (index, leaf) in self.moment.leaves.iter().enumerate() {
             let share =
                 ((leaf.enter - root[0].max(0.0)) / (root[1] - root[0].max(0.0))).clamp(0.0, 1.0);

@@ -5,8 +5,7 @@ use crate::event::Event;
 use crate::geometry::Ray;
 use crate::query::{Arithmetic, Query};
 use crate::traverse::{
-    Algorithm, Base, Options, Slivers, StopAt, Variant, Variants, first_difference_of_run,
-    traverse_mirrored,
+    Algorithm, Base, Options, Slivers, StopAt, Variants, first_difference_of_run, traverse_mirrored,
 };
 use crate::tree::{NodeId, Tree};
 
@@ -24,9 +23,7 @@ pub(crate) fn corrected<const D: usize>(
 ) -> Vec<Event<D>> {
     let mut events = Vec::new();
     match query.corrected() {
-        Query::Ray { algorithm, options, .. }
-            if query.variants_at_work().iter().any(Variant::is_misprint) =>
-        {
+        Query::Ray { algorithm, options, .. } if query.is_misprinted() => {
             // Only these two have misprints.
             let by_tables = algorithm == Algorithm::ParametricTable;
             let base = if by_tables { Base::Tables } else { Base::Uniform };

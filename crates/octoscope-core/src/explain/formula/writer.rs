@@ -92,7 +92,7 @@ impl<const D: usize> Writer<'_, D> {
             self.query,
             Query::Ray { algorithm: Algorithm::Parametric | Algorithm::ParametricTable, .. }
         );
-        is_parametric && self.query.variants_at_work().iter().any(Variant::is_misprint)
+        is_parametric && self.query.is_misprinted()
     }
 
     /// Name of the parameter of a plane: t_xm.
