@@ -218,12 +218,13 @@ mod tests {
 
     #[test]
     fn what_is_wrong_and_what_would_be_right_is_in_a_figure_of_a_misprint() {
-        let AnyDocument::Plane(document) =
+        let AnyDocument::Plane(mut document) =
             open_scenario(counterexample(Variant::B3), Path::new(""), &Progress::default())
                 .unwrap()
         else {
             panic!()
         };
+        document.find_right_nodes();
         let last = document.trace.events.len();
         let page = Page { width: 400.0, height: 300.0 };
         let figure = space(&document, None, page, &Show::at_first::<2>(), last);

@@ -142,15 +142,20 @@ impl<const D: usize> Document<D> {
         self.verdict.known().map(Arc::as_ref)
     }
 
-    /// What would be right, where a misprint is followed and that is found out quickly:
-    /// figures do not depend on what is known by chance.
-    pub fn right_nodes(&self) -> Vec<NodeId> {
-        if !self.trace.query.is_misprinted() || !self.is_quick() || self.is_judged_never() {
-            return Vec::new();
-        }
+    /// What would be right, where a misprint is followed and the verdict is known.
+    pub fn right_nodes(&self) -> &[NodeId] {
         match self.known_verdict() {
-            Some(verdict) => verdict.expected.clone(),
-            None => verdict(&self.tree, &self.traced.0, &self.trace).expected,
+            Some(verdict) if self.trace.query.is_misprinted() => &verdict.expected,
+            Some(_) | None => &[],
+        }
+    }
+
+    /// Finds out, however long it takes, what would be right, where a misprint is
+    /// followed: figures do not depend on what is known by chance.
+    pub fn find_right_nodes(&mut self) {
+        let is_wanted = self.trace.query.is_misprinted() && self.known_verdict().is_none();
+        if is_wanted && !self.is_judged_never() {
+            self.verdict.know(verdict(&self.tree, &self.traced.0, &self.trace));
         }
     }
 

@@ -177,8 +177,7 @@ impl Request {
         folder: Option<&Path>,
         then: impl FnOnce(&Series) -> anyhow::Result<T>,
     ) -> anyhow::Result<T> {
-        let exercise = self.exercise_of(document)?;
-        let document = exercise.as_ref().unwrap_or(document);
+        let document = &self.shown_document(document)?;
         let caption = |step| {
             if !self.view.is_of_a_step() {
                 return texts(self.language).get(&format!("figure-{}", self.view)).into();
@@ -203,14 +202,17 @@ impl Request {
         })
     }
 
-    /// The document with the ray of the exercise, if a worksheet of one is asked for.
-    fn exercise_of(&self, document: &AnyDocument) -> anyhow::Result<Option<AnyDocument>> {
-        let (FigureView::Worksheet, Some(number)) = (self.view, self.exercise.0) else {
-            return Ok(None);
-        };
-        let mut exercise = document.clone();
-        with_document!(&mut exercise, d => take_exercise(d, number)?);
-        Ok(Some(exercise))
+    /// The document with all that its figures show, and with the ray of the exercise, if
+    /// a worksheet of one is asked for.
+    fn shown_document(&self, document: &AnyDocument) -> anyhow::Result<AnyDocument> {
+        let mut shown = document.clone();
+        if let (FigureView::Worksheet, Some(number)) = (self.view, self.exercise.0) {
+            with_document!(&mut shown, d => take_exercise(d, number)?);
+        }
+        if self.view.shows_space() {
+            with_document!(&mut shown, d => d.find_right_nodes());
+        }
+        Ok(shown)
     }
 
     /// The numbers of these steps; of all, those from the first with something to show.
@@ -357,6 +359,33 @@ pub fn shell_line(words: &[String]) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::open::open_built_in;
+    use octoscope_core::query::Query;
+    use octoscope_core::traverse::Method;
+
+    #[test]
+    fn a_figure_of_a_misprint_shows_what_would_be_right_however_large_the_tree_is() {
+        let mut any = open_built_in("rings", &Progress::default()).unwrap();
+        let AnyDocument::Plane(document) = &mut any else { panic!("not a quadtree") };
+        assert!(document.tree.n_leaves() > 2000, "{}", document.tree.n_leaves());
+        let method: Method = "parametric@B-1".parse().unwrap();
+        document.scenario.query = Query::default().along_the_ray_by(method);
+        document.trace_whole_within(&Progress::default()).unwrap();
+        let last = document.trace.events.len();
+        let request = Request {
+            view: FigureView::Space,
+            order: Order::default(),
+            steps: one(last),
+            moments: Moments::default(),
+            exercise: (None, Fields::Empty),
+            eye: None,
+            show: None,
+            language: Language::English,
+            notation: Notation::default(),
+        };
+        let svg = request.svg(&any, last, &Progress::default()).unwrap();
+        assert!(svg.contains("expected"), "{}", svg.len());
+    }
 
     #[test]
     fn a_shell_reads_the_words_back() {

@@ -13,7 +13,8 @@ const NAME_DISTANCE: f64 = 22.0;
 const NAMES_FROM: f64 = 200.0;
 
 /// Figure of the space view of `document` after `step` events, on the whole of
-/// `page`. Without a camera, the tree and the ray fill it.
+/// `page`. Without a camera, the tree and the ray fill it. Where a misprint is followed,
+/// with what would be right, if `document` has found that out.
 pub fn space<const D: usize>(
     document: &Document<D>,
     camera: Option<Camera<D>>,
@@ -40,8 +41,8 @@ pub fn space<const D: usize>(
         all.extend(axis_names(document.tree.domain(), beyond));
     }
     all.extend(marks(&document.tree, &scenario.ray, &scenario.query, &moment, event, show));
-    let right = document.right_nodes().into_iter();
-    all.extend(right.map(|node| node_mark(&document.tree, node, Role::Expected)));
+    let right = document.right_nodes().iter();
+    all.extend(right.map(|&node| node_mark(&document.tree, node, Role::Expected)));
     all.sort_by_key(|mark| mark.role.layer());
     space_figure(&all, &camera, page)
 }

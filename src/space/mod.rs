@@ -29,7 +29,7 @@ use octoscope_core::query::Query;
 use octoscope_core::trace::Moment;
 use octoscope_core::tree::NodeId;
 use octoscope_figure::{
-    Camera, Mark, Page, Role as MarkRole, Show, axes, cells, content, node_mark, space_figure,
+    Camera, Page, Role as MarkRole, Show, axes, cells, content, node_mark, space_figure,
 };
 use run::run_marks;
 
@@ -103,7 +103,8 @@ pub fn ui<const D: usize>(ui: &mut Ui, look: &Look, space: Space<'_, D>) {
         painted.extend(content(&document.content, None));
     }
     painted.extend(marks);
-    painted.extend(expected(document));
+    let expected = |&node: &NodeId| node_mark(&tree, node, MarkRole::Expected);
+    painted.extend(document.right_nodes().iter().map(expected));
     painted.extend(hover::marks(&tree, hovered, under.as_ref()));
     if let Some(layers) = layers {
         let is_busy = view.playback.playing || ui.input(|input| !input.events.is_empty());
@@ -149,17 +150,6 @@ fn shown_now(ui: &Ui, view: &View, show: Show) -> Show {
     let now = ui.ctx().animate_value_with_time(ui.scope_id().with("apart"), goal, secs);
     // At rest exactly what is asked for.
     if now == goal { show } else { Show { explosion: f64::from(now), ..show } }
-}
-
-/// What would be right, where a misprint is followed and the panel about it has
-/// asked for a verdict.
-fn expected<const D: usize>(document: &Document<D>) -> Vec<Mark<D>> {
-    let misprinted = document.trace.query.is_misprinted();
-    let Some(verdict) = document.known_verdict().filter(|_| misprinted) else {
-        return Vec::new();
-    };
-    let mark = |&node: &NodeId| node_mark(&document.tree, node, MarkRole::Expected);
-    verdict.expected.iter().map(mark).collect()
 }
 
 fn page_of(rect: Rect) -> Page {
