@@ -20,7 +20,12 @@ by-dda-octree = auf dem feinsten Raster, dessen Zellen im Baum nachgeschlagen we
 by-exhaustive = mit der Prüfung jedes einzelnen Blattes
 
 start-ray = Ein Strahl von { $origin } in Richtung { $direction } wird { $algorithm } durch den { $tree } verfolgt.
-start-variants = { " " }Regeln in anderer Form: { $variants }.
+start-printed-one = { " " }Regel { $rules } gilt, wie sie gedruckt ist.
+start-printed-many = { " " }Die Regeln { $rules } gelten, wie sie gedruckt sind.
+start-one-by-one = { " " }Ebenen, die zugleich getroffen werden, werden eine nach der anderen gekreuzt.
+start-averaged = { " " }Das t einer Mittelebene ist das Mittel aus dem der nahen und der fernen Ebene.
+start-push = { " " }Der Austrittspunkt wird aus jedem Blatt hinausgeschoben.
+start-gem = { " " }Die Hälften werden mit den Vergleichen des Gems gewählt.
 start-point-codes = Das Blatt, dem ein Punkt gehört, wird mit Ortscodes gesucht.
 start-point-comparison = Das Blatt, dem ein Punkt gehört, wird durch Vergleich mit den Mittelebenen gesucht.
 start-region = Der kleinste Knoten, der einen Bereich enthält, wird mit Ortscodes gesucht.
@@ -38,11 +43,14 @@ clip-behind = Der Strahl verfehlt die Wurzel, die hinter seinem Startpunkt liegt
 clip-miss = Der Strahl verfehlt die Wurzel: Er trifft eine ferne Ebene nicht später als die letzte nahe, { $exit } { $relation } { $enter }.
 clip-short = Der Strahl endet, bevor er die Wurzel trifft, deren letzte nahe Ebene bei { $enter } liegt.
 clip-no-length = Der Strahl verfehlt die Wurzel: Er endet bei { $end }, nicht später, als er beginnt.
-clip-printed = Nach der gedruckten Regel, { $rule }, wird die Wurzel getroffen, von t = { $enter } bis t = { $exit }.
-as-printed = { " " }So sagt es die gedruckte Regel, { $rule }.
-clip-no-number = { " " }Aber { $parameters } ist keine Zahl, sodass kein Vergleich damit zutrifft und nichts davon abhängt. So sagt es die gedruckte Regel, { $rule }.
-clip-no-numbers = { " " }Aber { $parameters } sind keine Zahlen, sodass kein Vergleich damit zutrifft und nichts davon abhängt. So sagt es die gedruckte Regel, { $rule }.
-clip-printed-miss = Nach der gedruckten Regel, { $rule }, wird die Wurzel verfehlt, mit t_min = { $enter } und t_max = { $exit }.
+clip-printed = { $by } wird die Wurzel getroffen, von t = { $enter } bis t = { $exit }.
+by-printed-one = Nach der gedruckten Regel, { $rules },
+by-printed-many = Nach den gedruckten Regeln, { $rules },
+as-printed-one = { " " }So sagt es die gedruckte Regel, { $rules }.
+as-printed-many = { " " }So sagen es die gedruckten Regeln, { $rules }.
+clip-no-number = { " " }Aber { $parameters } ist keine Zahl, sodass kein Vergleich damit zutrifft und nichts davon abhängt.
+clip-no-numbers = { " " }Aber { $parameters } sind keine Zahlen, sodass kein Vergleich damit zutrifft und nichts davon abhängt.
+clip-printed-miss = { $by } wird die Wurzel verfehlt, mit t_min = { $enter } und t_max = { $exit }.
 clip-parallel = Der Strahl verfehlt die Wurzel: Entlang { $axes } bewegt er sich nicht, und sein Startpunkt liegt dort außerhalb.
 
 test-hit = { $node } wird zwischen t = { $enter } und t = { $exit } getroffen.
@@ -78,8 +86,8 @@ first-many = { $comparisons }, also sind die Bits von { $axes } 1: Der Strahl { 
     [yes] {""}
    *[no] { " " }ein
 }, im Zustand { $state }.
-first-printed = Nach der gedruckten Regel, { $rule }, tritt der Strahl im Zustand { $state } ein.
-selection-printed = Nach der gedruckten Regel, { $rule }, werden die Kinder besucht, die zu { $states } gehören.
+first-printed = { $by } tritt der Strahl im Zustand { $state } ein.
+selection-printed = { $by } werden die Kinder besucht, die zu { $states } gehören.
 states-one = Zustand { $states }
 states-many = den Zuständen { $states }
 first-none = { $comparisons }, also ist kein Bit 1: Der Strahl { $inside ->
@@ -144,18 +152,18 @@ encode = Der Punkt { $point } hat binär die Ortscodes { $codes }.
 encode-ray = Unmittelbar nach t = { $after }, nahe { $point }, ist der Strahl in der kleinsten Zelle mit den Ortscodes { $codes }, binär geschrieben.
 compare = { $comparisons }, also liegt der Punkt in Kind { $child }: { $node }.
 follow = Bit { $bit } der Codes ist { $bits } und wählt Kind { $child }: { $node }.
-follow-printed = Nach der gedruckten Regel, { $rule }, wird Bit { $bit } der Codes gelesen. Es ist { $bits } und wählt Kind { $child }: { $node }.
-follow-difference = Nach der gedruckten Regel, { $rule }, wird Bit { $bit } der Differenzen gelesen. Es ist { $bits } und wählt Kind { $child }: { $node }.
+follow-printed = { $by } wird Bit { $bit } der Codes gelesen. Es ist { $bits } und wählt Kind { $child }: { $node }.
+follow-difference = { $by } wird Bit { $bit } der Differenzen gelesen. Es ist { $bits } und wählt Kind { $child }: { $node }.
 bit-of = { $value } in { $axis }
 exits-one = Das Blatt wird durch die Ebene { $planes } verlassen: { $exits }.
 exits-many = Das Blatt wird durch die Ebenen { $planes } zugleich verlassen: { $exits }.
 target = Dahinter, entlang { $axes }, sind die Codes { $to } statt { $from }.
-target-printed = Nach der gedruckten Regel, { $rule }, sind die Codes dahinter, entlang { $axes }, { $to }.
+target-printed = { $by } sind die Codes dahinter, entlang { $axes }, { $to }.
 border-inside = Diese Codes liegen im Gebiet; dahinter ist also eine Zelle.
 border-outside = Entlang { $axes } liegt der Code außerhalb des Gebiets; dahinter ist also keine Zelle.
 border-point-outside = Entlang { $axes } liegt der Punkt außerhalb des Gebiets; dahinter ist also keine Zelle.
 difference = Die Codes unterscheiden sich zuerst in Bit { $bit }, also liegt der gemeinsame Vorfahr auf Stufe { $level }.
-difference-printed = Nach der gedruckten Regel, { $rule }, hat der gemeinsame Vorfahr Stufe { $level }. Die Codes unterscheiden sich aber zuerst in Bit { $bit }, also hat er Stufe { $right }.
+difference-printed = { $by } hat der gemeinsame Vorfahr Stufe { $level }. Die Codes unterscheiden sich aber zuerst in Bit { $bit }, also hat er Stufe { $right }.
 difference-none = Die Codes sind gleich, also liegen beide Orte in einer kleinsten Zelle, auf Stufe 0.
 climb = Hinauf zum Elternknoten, { $node }; der gemeinsame Vorfahr liegt auf Stufe { $level }.
 climb-done = Hinauf zum Elternknoten, { $node }; dies ist der gemeinsame Vorfahr.
@@ -165,9 +173,9 @@ resume = Zurück zu { $node }, der auf dem Weg hinab behalten wurde.
 corners = Die Ecken { $min } und { $max } des Bereichs haben binär die Codes { $from } und { $to }.
 
 leaf-full = { $node } liegt von t = { $enter } bis t = { $exit } auf dem Strahl und ist belegt.
-leaf-printed = Nach der gedruckten Regel, { $rule }, wird { $node } gemeldet, von t = { $enter } bis t = { $exit }.
+leaf-printed = { $by } wird { $node } gemeldet, von t = { $enter } bis t = { $exit }.
 leaf-empty = { $node } liegt von t = { $enter } bis t = { $exit } auf dem Strahl und ist leer.
-touch-printed = Nach der gedruckten Regel, { $rule }, führt der Weg zu { $node }, der aber bei t = { $at } verlassen würde, nicht später, als er betreten wird: Er wird nicht gemeldet.
+touch-printed = { $by } führt der Weg zu { $node }, der aber bei t = { $at } verlassen würde, nicht später, als er betreten wird: Er wird nicht gemeldet.
 touch = { $node } wird nur berührt, in einem Punkt bei t = { $at }.
 found-leaf = Gefunden: { $node }, ein Blatt.
 found-node = Gefunden: { $node }, ein Knoten mit Kindern.

@@ -20,7 +20,12 @@ by-dda-octree = looking up the cells of the finest grid
 by-exhaustive = testing every leaf by itself
 
 start-ray = A ray from { $origin } along { $direction } is followed through the { $tree } by { $algorithm }.
-start-variants = { " " }Rules in another form: { $variants }.
+start-printed-one = { " " }Rule { $rules } is taken as it is printed.
+start-printed-many = { " " }Rules { $rules } are taken as they are printed.
+start-one-by-one = { " " }Planes that are met at once are crossed one by one.
+start-averaged = { " " }The t of a mid plane is the mean of those of the near and the far plane.
+start-push = { " " }The exit point is pushed out of each leaf.
+start-gem = { " " }The halves are chosen by the comparisons of the gem.
 start-point-codes = The leaf that owns a point is searched by location codes.
 start-point-comparison = The leaf that owns a point is searched by comparing it with mid planes.
 start-region = The smallest node that holds a region is searched by location codes.
@@ -38,11 +43,14 @@ clip-behind = The ray misses the root, which lies behind its origin: even the fi
 clip-miss = The ray misses the root: it meets a far plane no later than the last near plane, { $exit } { $relation } { $enter }.
 clip-short = The ray ends before it meets the root, whose last near plane has { $enter }.
 clip-no-length = The ray misses the root: it ends at { $end }, no later than it begins.
-clip-printed = By the printed rule, { $rule }, the root is hit, from t = { $enter } to t = { $exit }.
-as-printed = { " " }So says the printed rule, { $rule }.
-clip-no-number = { " " }But { $parameters } is no number, so that no comparison with it holds and it decides nothing. So says the printed rule, { $rule }.
-clip-no-numbers = { " " }But { $parameters } are no numbers, so that no comparison with them holds and they decide nothing. So says the printed rule, { $rule }.
-clip-printed-miss = By the printed rule, { $rule }, the root is missed, with t_min = { $enter } and t_max = { $exit }.
+clip-printed = { $by } the root is hit, from t = { $enter } to t = { $exit }.
+by-printed-one = By the printed rule, { $rules },
+by-printed-many = By the printed rules, { $rules },
+as-printed-one = { " " }So says the printed rule, { $rules }.
+as-printed-many = { " " }So say the printed rules, { $rules }.
+clip-no-number = { " " }But { $parameters } is no number, so that no comparison with it holds and it decides nothing.
+clip-no-numbers = { " " }But { $parameters } are no numbers, so that no comparison with them holds and they decide nothing.
+clip-printed-miss = { $by } the root is missed, with t_min = { $enter } and t_max = { $exit }.
 clip-parallel = The ray misses the root: it does not move along { $axes }, and its origin lies outside there.
 
 test-hit = { $node } is met between t = { $enter } and t = { $exit }.
@@ -72,8 +80,8 @@ first-many = { $comparisons }, so the { $axes } bits are 1: the ray { $inside ->
     [yes] starts
    *[no] enters
 } in the upper halves of { $axes }, in state { $state }.
-first-printed = By the printed rule, { $rule }, the ray enters in state { $state }.
-selection-printed = By the printed rule, { $rule }, the children visited are those of { $states }.
+first-printed = { $by } the ray enters in state { $state }.
+selection-printed = { $by } the children visited are those of { $states }.
 states-one = state { $states }
 states-many = states { $states }
 first-none = { $comparisons }, so no bit is 1: the ray { $inside ->
@@ -135,18 +143,18 @@ encode = The point { $point } has the location codes { $codes } in binary.
 encode-ray = Just after t = { $after }, near { $point }, the ray is in the smallest cell with the location codes { $codes } in binary.
 compare = { $comparisons }, so the point lies in child { $child }: { $node }.
 follow = Bit { $bit } of the codes is { $bits }, which selects child { $child }: { $node }.
-follow-printed = By the printed rule, { $rule }, bit { $bit } of the codes is read. It is { $bits }, which selects child { $child }: { $node }.
-follow-difference = By the printed rule, { $rule }, bit { $bit } of the differences is read. It is { $bits }, which selects child { $child }: { $node }.
+follow-printed = { $by } bit { $bit } of the codes is read. It is { $bits }, which selects child { $child }: { $node }.
+follow-difference = { $by } bit { $bit } of the differences is read. It is { $bits }, which selects child { $child }: { $node }.
 bit-of = { $value } in { $axis }
 exits-one = The leaf is left through the plane { $planes }: { $exits }.
 exits-many = The leaf is left through the planes { $planes } at once: { $exits }.
 target = Beyond it along { $axes }, the codes are { $to } instead of { $from }.
-target-printed = By the printed rule, { $rule }, the codes beyond it along { $axes } are { $to }.
+target-printed = { $by } the codes beyond it along { $axes } are { $to }.
 border-inside = These codes lie inside the domain, so there is a cell beyond.
 border-outside = Along { $axes } the code lies outside the domain, so there is no cell beyond.
 border-point-outside = Along { $axes } the point lies outside the domain, so there is no cell beyond.
 difference = The codes differ first in bit { $bit }, so the common ancestor has level { $level }.
-difference-printed = By the printed rule, { $rule }, the common ancestor has level { $level }. But the codes differ first in bit { $bit }, so it has level { $right }.
+difference-printed = { $by } the common ancestor has level { $level }. But the codes differ first in bit { $bit }, so it has level { $right }.
 difference-none = The codes are equal, so both places lie in one smallest cell, of level 0.
 climb = Up to the parent, { $node }; the common ancestor has level { $level }.
 climb-done = Up to the parent, { $node }: this is the common ancestor.
@@ -156,9 +164,9 @@ resume = Back to { $node }, which was kept on the way down.
 corners = The corners { $min } and { $max } of the region have the codes { $from } and { $to } in binary.
 
 leaf-full = { $node } is on the ray from t = { $enter } to t = { $exit }, and it is occupied.
-leaf-printed = By the printed rule, { $rule }, { $node } is reported, from t = { $enter } to t = { $exit }.
+leaf-printed = { $by } { $node } is reported, from t = { $enter } to t = { $exit }.
 leaf-empty = { $node } is on the ray from t = { $enter } to t = { $exit }, and it is empty.
-touch-printed = By the printed rule, { $rule }, the walk comes to { $node }, but would leave it at t = { $at }, no later than it enters it: it is not reported.
+touch-printed = { $by } the walk comes to { $node }, but would leave it at t = { $at }, no later than it enters it: it is not reported.
 touch = { $node } is only touched, in one point at t = { $at }.
 found-leaf = The search has found { $node }, a leaf.
 found-node = The search has found { $node }, which has children.

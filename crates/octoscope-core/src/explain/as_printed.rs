@@ -120,10 +120,22 @@ impl<const D: usize> Printed<'_, D> {
     }
 
     /// Names of those of `candidates` that are at work, if any is.
-    fn at_work(&self, candidates: &[Variant]) -> Option<String> {
+    fn at_work(&self, candidates: &[Variant]) -> Option<Vec<String>> {
         let used = candidates.iter().filter(|&&variant| self.variants.has(variant));
-        let ids: Vec<String> = used.map(|variant| variant.id().to_owned()).collect();
-        (!ids.is_empty()).then(|| self.words.list(ids))
+        let names: Vec<String> = used.map(|variant| variant.id().to_owned()).collect();
+        (!names.is_empty()).then_some(names)
+    }
+
+    /// "By the printed rule, B-5,".
+    fn by(&self, rules: Vec<String>) -> String {
+        let key = if rules.len() == 1 { "by-printed-one" } else { "by-printed-many" };
+        self.words.say(key, &[("rules", self.words.list(rules))])
+    }
+
+    /// " So says the printed rule, B-5."
+    fn so_say(&self, rules: Vec<String>) -> String {
+        let key = if rules.len() == 1 { "as-printed-one" } else { "as-printed-many" };
+        self.words.say(key, &[("rules", self.words.list(rules))])
     }
 
     fn instead(&self, key: &str, arguments: &[(&str, String)]) -> Option<Told> {
@@ -132,8 +144,8 @@ impl<const D: usize> Printed<'_, D> {
 
     /// Rules that an event may follow without making its reasons untrue.
     fn after(&self, candidates: &[&[Variant]]) -> Option<Told> {
-        let rule = self.at_work(&candidates.concat())?;
-        Some(Told::After(self.words.say("as-printed", &[("rule", rule)])))
+        let rules = self.at_work(&candidates.concat())?;
+        Some(Told::After(self.so_say(rules)))
     }
 
     /// Along mirrored axes all parameters are those of the mirrored origin.
@@ -143,16 +155,16 @@ impl<const D: usize> Printed<'_, D> {
 
     fn clip(&self, enter: f64, exit: f64, hit: bool) -> Option<Told> {
         // Of a miss only B-1 takes other planes than those that are told.
-        let rule = self.at_work(if hit { &[B1, B10, B11] } else { &[B1] })?;
+        let rules = self.at_work(if hit { &[B1, B10, B11] } else { &[B1] })?;
         let key = if hit { "clip-printed" } else { "clip-printed-miss" };
-        let arguments = [("enter", approx(enter)), ("exit", approx(exit)), ("rule", rule)];
-        self.instead(key, &arguments)
+        let interval = [("enter", approx(enter)), ("exit", approx(exit))];
+        self.instead(key, &[&interval[..], &[("by", self.by(rules))]].concat())
     }
 
     /// Planes whose parameters are no numbers are left out of all comparisons.
     fn no_number(&self, near: [f64; D], far: [f64; D], mirror: Axes<D>) -> Option<Told> {
         self.at_work(&[B5])?;
-        let rule = self.at_work(&[&[B5], mirrored(mirror)].concat())?;
+        let rules = self.at_work(&[&[B5], mirrored(mirror)].concat())?;
         let planes = (0..D).flat_map(|e| [(e, "0", near[e]), (e, "1", far[e])]);
         let unknown = planes.filter(|(.., t)| t.is_nan());
         let unknown: Vec<String> =
@@ -161,17 +173,17 @@ impl<const D: usize> Printed<'_, D> {
             return None;
         }
         let key = if unknown.len() == 1 { "clip-no-number" } else { "clip-no-numbers" };
-        let arguments = [("parameters", self.words.list(unknown)), ("rule", rule)];
-        Some(Told::After(self.words.say(key, &arguments)))
+        let told = self.words.say(key, &[("parameters", self.words.list(unknown))]);
+        Some(Told::After(told + &self.so_say(rules)))
     }
 
     /// The codes of a point with all bits that the rule reads.
     fn encoded(&self, at: [f64; D], code: Code<D>, rule: Variant) -> Option<Told> {
-        let name = self.at_work(&[rule])?;
+        let rules = self.at_work(&[rule])?;
         let arguments = [("point", point(at)), ("codes", self.words.whole_binary(code))];
         let told = self.words.say("encode", &arguments);
         // The other rules read the codes, they do not make them.
-        let source = (rule == B21).then(|| self.words.say("as-printed", &[("rule", name)]));
+        let source = (rule == B21).then(|| self.so_say(rules));
         Some(Told::Instead(told + &source.unwrap_or_default()))
     }
 
@@ -181,12 +193,12 @@ impl<const D: usize> Printed<'_, D> {
         // difference where these lie behind the origin.
         let clamps = matches!(self.query, Query::Ray { algorithm: Algorithm::Parametric, .. });
         let of_entry: &[Variant] = if clamps && entry < 0.0 { &[B9, B10] } else { &[] };
-        let rule = self.at_work(&[of_children, of_entry].concat())?;
+        let by = self.by(self.at_work(&[of_children, of_entry].concat())?);
         if let Some(states) = self.selected() {
-            return self.instead("selection-printed", &[("states", states), ("rule", rule)]);
+            return self.instead("selection-printed", &[("states", states), ("by", by)]);
         }
         let state = strong(&state.0.to_string());
-        self.instead("first-printed", &[("state", state), ("rule", rule)])
+        self.instead("first-printed", &[("state", state), ("by", by)])
     }
 
     /// "states 0, 1 and 3": what the selection of the plane comes to as it is printed, if
@@ -202,61 +214,62 @@ impl<const D: usize> Printed<'_, D> {
 
     /// No branch of the selection as printed is for equal parameters.
     fn unselected(&self, mid: [f64; D]) -> Option<Told> {
-        let rule = if D == 2 && mid[0] == mid[1] { self.at_work(&[B3])? } else { return None };
-        Some(Told::After(self.words.say("halve-unselected", &[("rule", rule)])))
+        let is_equal = D == 2 && mid[0] == mid[1] && self.variants.has(B3);
+        let rule = ("rule", B3.id().to_owned());
+        is_equal.then(|| Told::After(self.words.say("halve-unselected", &[rule])))
     }
 
     /// What a misprint reports need not be on the ray.
     fn leaf(&self, node: NodeId, enter: f64, exit: f64) -> Option<Told> {
-        let rule = self.misprint()?;
+        let by = self.by(self.misprints()?);
         let interval = [("enter", approx(enter)), ("exit", approx(exit))];
-        let of_node = [("node", self.words.node(node)), ("rule", rule)];
+        let of_node = [("node", self.words.node(node)), ("by", by)];
         self.instead("leaf-printed", &[&interval[..], &of_node].concat())
     }
 
     /// Nor need what it comes to without a length be touched.
     fn touch(&self, node: NodeId, at: f64) -> Option<Told> {
-        let rule = self.misprint()?;
-        let arguments = [("node", self.words.node(node)), ("at", approx(at)), ("rule", rule)];
+        let by = self.by(self.misprints()?);
+        let arguments = [("node", self.words.node(node)), ("at", approx(at)), ("by", by)];
         self.instead("touch-printed", &arguments)
     }
 
     /// Names of all misprints at work that can make the result wrong. B-9 only makes
     /// the way longer.
-    fn misprint(&self) -> Option<String> {
+    fn misprints(&self) -> Option<Vec<String>> {
         let spoils = |&variant: &Variant| variant.is_misprint() && variant != B9;
         let misprints = self.variants.iter().filter(spoils);
         self.at_work(&misprints.collect::<Vec<_>>())
     }
 
     fn difference(&self, xor: Code<D>, level: u8) -> Option<Told> {
-        let rule = self.at_work(&[B24a, B24b, B25Leftmost, B25Rightmost])?;
+        let rules = self.at_work(&[B24a, B24b, B25Leftmost, B25Rightmost])?;
         let highest = xor.iter().fold(0, |bits, code| bits | code).checked_ilog2();
         let bit = highest.filter(|bit| bit + 1 != u32::from(level))?;
         let [right, bit, level] =
             [bit + 1, bit, level.into()].map(|number: u32| strong(&number.to_string()));
-        let arguments = [("bit", bit), ("level", level), ("right", right), ("rule", rule)];
+        let arguments = [("bit", bit), ("level", level), ("right", right), ("by", self.by(rules))];
         self.instead("difference-printed", &arguments)
     }
 
     fn target(&self, to: [i64; D], axes: Axes<D>) -> Option<Told> {
-        let rule = self.at_work(&[B28])?;
-        let arguments = [("axes", self.words.axes(axes)), ("to", grid_place(to)), ("rule", rule)];
+        let by = self.by(self.at_work(&[B28])?);
+        let arguments = [("axes", self.words.axes(axes)), ("to", grid_place(to)), ("by", by)];
         self.instead("target-printed", &arguments)
     }
 
     fn follow(&self, level: u8, child: Child<D>, node: NodeId) -> Option<Told> {
-        let (key, rule, bit) = if let Some(rule) = self.at_work(&[B18, B19]) {
+        let (key, rules, bit) = if let Some(rules) = self.at_work(&[B18, B19]) {
             // The bit of the codes as they are told: from the other end, one further on.
             let above = level - 1 + u8::from(self.variants.has(B19));
             let root_level = self.words.tree.domain().root_level();
             let bit = if self.variants.has(B18) { root_level - above } else { above };
-            ("follow-printed", rule, bit)
+            ("follow-printed", rules, bit)
         } else {
             ("follow-difference", self.at_work(&[B24c])?, level - 1)
         };
         let arguments = [
-            ("rule", rule),
+            ("by", self.by(rules)),
             ("bits", self.words.bits(child)),
             ("child", strong(&child.0.to_string())),
             ("node", self.words.node(node)),

@@ -53,14 +53,19 @@ pub(super) fn sentences<const D: usize>(
 
 /// What is about to happen, and which of its rules are in another form.
 fn start<const D: usize>(words: &Words<D>, ray: &Ray<D>, trace: &Trace<D>) -> String {
-    let query = &trace.query;
-    let used = query.variants().iter().filter(|&variant| query.takes(variant));
-    let variants: Vec<String> = used.map(|variant| variant.id().to_owned()).collect();
-    let asked = question(words, ray, trace);
-    if variants.is_empty() {
-        return asked;
+    let at_work = trace.query.variants_at_work();
+    let (printed, others): (Vec<_>, Vec<_>) = at_work.iter().partition(|v| v.is_misprint());
+    let mut told = question(words, ray, trace);
+    for variant in others {
+        told += &words.texts.get(&format!("start-{}", variant.id()));
     }
-    asked + &words.say("start-variants", &[("variants", words.list(variants))])
+    let key = match printed.len() {
+        0 => return told,
+        1 => "start-printed-one",
+        _ => "start-printed-many",
+    };
+    let rules = words.list(printed.iter().map(|variant| variant.id().to_owned()));
+    told + &words.say(key, &[("rules", rules)])
 }
 
 fn question<const D: usize>(words: &Words<D>, ray: &Ray<D>, trace: &Trace<D>) -> String {

@@ -37,14 +37,52 @@ fn the_gem_is_told_by_what_it_compared() {
 }
 
 #[test]
-fn the_first_sentence_names_the_rules_in_another_form() {
+fn the_first_sentence_tells_the_rules_in_another_form() {
     let ray = Ray::new([0.1, 0.2], [1.0, 0.0]).unwrap();
     check_words(
         &ray,
         &with(Algorithm::Bsp, Variant::Gem),
         [
-            "A ray from (0.1, 0.2) along (1, 0) is followed through the quadtree by binary space partition. Rules in another form: gem.",
-            "Ein Strahl von (0.1, 0.2) in Richtung (1, 0) wird mit binärer Raumteilung durch den Quadtree verfolgt. Regeln in anderer Form: gem.",
+            "A ray from (0.1, 0.2) along (1, 0) is followed through the quadtree by binary space partition. The halves are chosen by the comparisons of the gem.",
+            "Ein Strahl von (0.1, 0.2) in Richtung (1, 0) wird mit binärer Raumteilung durch den Quadtree verfolgt. Die Hälften werden mit den Vergleichen des Gems gewählt.",
+        ],
+    );
+}
+
+#[test]
+fn the_first_sentence_says_which_rules_are_taken_as_they_are_printed() {
+    let ray = Ray::new([0.1, 0.2], [1.0, 0.0]).unwrap();
+    let check = |variants, expected: [&str; 2]| {
+        let options = Options { variants, ..Options::default() };
+        let (algorithm, arithmetic) = (Algorithm::Parametric, Arithmetic::Doubles);
+        let trace = record(&tree(3), &ray, &Query::Ray { algorithm, options, arithmetic });
+        for (language, expected) in Language::ALL.into_iter().zip(expected) {
+            let told = sentence(&tree(3), &ray, &trace, 0, language).plain();
+            assert!(told.ends_with(expected), "{told}");
+        }
+    };
+    let one = Variants::NONE.with(Variant::B3);
+    check(one, ["Rule B-3 is taken as it is printed.", "Regel B-3 gilt, wie sie gedruckt ist."]);
+    check(
+        one.with(Variant::B5).with(Variant::OneByOne),
+        [
+            "Planes that are met at once are crossed one by one. Rules B-3 and B-5 are taken as they are printed.",
+            "Ebenen, die zugleich getroffen werden, werden eine nach der anderen gekreuzt. Die Regeln B-3 und B-5 gelten, wie sie gedruckt sind.",
+        ],
+    );
+}
+
+#[test]
+fn several_printed_rules_are_told_as_several() {
+    let variants = Variants::NONE.with(Variant::B1).with(Variant::B10);
+    let options = Options { variants, ..Options::default() };
+    let (algorithm, arithmetic) = (Algorithm::ParametricTable, Arithmetic::Doubles);
+    check_words(
+        &Ray::new([-0.25, 0.125], [1.0, 0.25]).unwrap(),
+        &Query::Ray { algorithm, options, arithmetic },
+        [
+            "By the printed rules, B-1 and B-10, the root is hit, from t = −0.5 to t = 3.5.",
+            "Nach den gedruckten Regeln, B-1 und B-10, wird die Wurzel getroffen, von t = −0.5 bis t = 3.5.",
         ],
     );
 }
@@ -265,12 +303,20 @@ fn without_a_branch_for_equal_planes_no_child_is_chosen() {
 #[test]
 fn all_planes_without_a_number_are_told_with_all_their_rules() {
     for (variants, z, direction, rules) in [
-        (Variants::NONE.with(Variant::B5), -1.0, 1.0, ["B-5.", "B-5."]),
+        (
+            Variants::NONE.with(Variant::B5),
+            -1.0,
+            1.0,
+            ["So says the printed rule, B-5.", "So sagt es die gedruckte Regel, B-5."],
+        ),
         (
             Variants::NONE.with(Variant::B5).with(Variant::B7),
             2.0,
             -1.0,
-            ["B-5 and B-7.", "B-5 und B-7."],
+            [
+                "So say the printed rules, B-5 and B-7.",
+                "So sagen es die gedruckten Regeln, B-5 und B-7.",
+            ],
         ),
     ] {
         let (tree, ray) = (tree(3), Ray::new([1.0, 1.0, z], [0.0, 0.0, direction]).unwrap());
