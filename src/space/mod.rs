@@ -29,7 +29,8 @@ use octoscope_core::query::Query;
 use octoscope_core::trace::Moment;
 use octoscope_core::tree::NodeId;
 use octoscope_figure::{
-    Camera, Page, Role as MarkRole, Show, axes, cells, content, node_mark, space_figure,
+    Camera, Mark, Page, Role as MarkRole, Show, axes, cells, content, crosses, node_mark,
+    space_figure,
 };
 use run::run_marks;
 
@@ -106,17 +107,21 @@ pub fn ui<const D: usize>(ui: &mut Ui, look: &Look, space: Space<'_, D>) {
     let expected = |&node: &NodeId| node_mark(&tree, node, MarkRole::Expected);
     painted.extend(document.right_nodes().iter().map(expected));
     painted.extend(hover::marks(&tree, hovered, under.as_ref()));
+    // What the graphics adapter cannot draw of its boxes.
+    let mut crossed = Vec::new();
     if let Some(layers) = layers {
         let is_busy = view.playback.playing || ui.input(|input| !input.events.is_empty());
         let pace = if is_busy { Pace::Busy } else { Pace::Rest };
         layers.paint(ui, rect, &camera, document, (show, view.theme), (&painted, pace));
-        painted.retain(|mark| !base::draws(mark));
+        let boxes: Vec<Mark<D>> = painted.extract_if(.., |mark| base::draws(mark)).collect();
+        crossed = crosses(&boxes, &camera, frame.page);
     } else if document.tree.n_leaves() <= MOST_PAINTED {
         let cut = show.slice.and_then(|slice| slice.cut(document.tree.domain(), &camera));
         painted.extend(cells(&document.tree, show, cut.as_ref()));
     }
     painted.sort_by_cached_key(|mark| mark.role.layer());
-    let figure = space_figure(&painted, &camera, frame.page);
+    let mut figure = space_figure(&painted, &camera, frame.page);
+    figure.drawn.splice(..0, crossed);
     paint_on_page(&painter, look, view.theme, frame, &figure);
     gesture::paint_region_being_drawn(ui, &painter, look, &response);
     let is_move = |event: &Event| matches!(event, Event::PointerMoved(_));

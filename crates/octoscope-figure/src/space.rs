@@ -9,6 +9,8 @@ mod inset;
 mod labels;
 mod overlaid;
 
+pub use cross::crosses;
+
 use crate::camera::corners;
 use crate::ground::{bounds_of, ground, is_ground};
 use crate::painter::{Half, Painted, at_share, back_to_front};

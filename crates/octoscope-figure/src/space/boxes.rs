@@ -1,10 +1,11 @@
 //! Boxes and planes in space.
 
+use super::cross::cross_out_box;
 use super::overlaid::uncovered;
-use super::{Canvas, HINT, InSpace, above_space, cross_out, is_above, is_apart, is_hint};
+use super::{Canvas, HINT, InSpace, above_space, is_above, is_apart, is_hint};
 use crate::camera::corners;
-use crate::sides::{is_around_eye, sides_to_eye};
-use crate::{Drawn, Form, Mark, Page, Part, Role, Style, Theme};
+use crate::sides::sides_to_eye;
+use crate::{Drawn, Form, Mark, Part, Role, Style, Theme};
 use octoscope_core::geometry::Aabb;
 
 impl<const D: usize> Canvas<'_, D> {
@@ -21,17 +22,12 @@ impl<const D: usize> Canvas<'_, D> {
         if Style::of(Theme::Light, mark.role).fill.is_some() {
             for side in &seen {
                 let polygon: Vec<_> = side.polygon.iter().map(|p| p.at).collect();
-                let cross = cross_out(mark.role, &polygon, self.page);
                 let face = if is_large { Part::Wash } else { Part::Face(side.axis) };
                 front.push((face, Form::Polygon(polygon)));
-                front.extend(cross.into_iter().map(|line| (Part::Edge, line)));
-            }
-            // From inside it is all that is seen.
-            if is_around_eye(self.camera, bounds) {
-                let cross = cross_out(mark.role, &self.whole_page(), self.page);
-                behind.extend(cross.into_iter().map(|line| (Part::Edge, line)));
             }
         }
+        let cross = cross_out_box(mark.role, bounds, self.camera, self.page);
+        front.extend(cross.into_iter().map(|line| (Part::Edge, line)));
         let (part, has_casing) =
             (self.edge_part(mark, bounds), Style::of(Theme::Light, mark.role).casing > 0.0);
         let yields = matches!(mark.role, Role::Root | Role::Ancestor { .. });
@@ -73,12 +69,6 @@ impl<const D: usize> Canvas<'_, D> {
         } else {
             self.in_space.push(InSpace { bounds: *bounds, behind, front });
         }
-    }
-
-    /// Corners of the page, in turn.
-    fn whole_page(&self) -> [[f64; 2]; 4] {
-        let Page { width, height } = self.page;
-        [[0.0, 0.0], [width, 0.0], [width, height], [0.0, height]]
     }
 
     /// A side of a box, or a plane through it.

@@ -1,6 +1,44 @@
 //! Areas that are wrong, crossed out.
 
-use crate::{Form, Page, Role};
+use crate::sides::{is_around_eye, sides_to_eye};
+use crate::{Camera, Drawn, Form, Mark, Page, Part, Role, Shape};
+use octoscope_core::geometry::Aabb;
+
+/// Lines that cross out the wrong boxes among `marks` in space, for pictures in which
+/// something else draws the boxes.
+pub fn crosses<const D: usize>(marks: &[Mark<D>], camera: &Camera<D>, page: Page) -> Vec<Drawn> {
+    let of_mark = |mark: &Mark<D>| {
+        let Mark { role, node, .. } = *mark;
+        let lines = if let Shape::Box(bounds) = mark.shape {
+            cross_out_box(role, &bounds, camera, page)
+        } else {
+            Vec::new()
+        };
+        lines.into_iter().map(move |form| Drawn { form, role, part: Part::Edge, node })
+    };
+    marks.iter().flat_map(of_mark).collect()
+}
+
+/// Lines that cross out what is seen of a box in space that is wrong; none of any other
+/// role.
+pub(super) fn cross_out_box<const D: usize>(
+    role: Role,
+    bounds: &Aabb<D>,
+    camera: &Camera<D>,
+    page: Page,
+) -> Vec<Form> {
+    if role != Role::Strayed {
+        return Vec::new();
+    }
+    // From inside it is all that is seen.
+    if is_around_eye(camera, bounds) {
+        let Page { width, height } = page;
+        return cross_out(role, &[[0.0, 0.0], [width, 0.0], [width, height], [0.0, height]], page);
+    }
+    let sides = sides_to_eye(camera, page, bounds).into_iter();
+    let areas = sides.map(|side| side.polygon.iter().map(|p| p.at).collect::<Vec<_>>());
+    areas.flat_map(|area| cross_out(role, &area, page)).collect()
+}
 
 /// Lines that cross an area out which is wrong, however many corners it has; none of any
 /// other role. Where they would meet beside the page, what is seen of the area is crossed
@@ -63,9 +101,7 @@ mod tests {
     use super::*;
 
     use crate::camera::clipped;
-    use crate::sides::is_around_eye;
-    use crate::{Camera, Lens, Mark, Shape, space_figure};
-    use octoscope_core::geometry::Aabb;
+    use crate::{Lens, space_figure};
     use octoscope_core::random::Random;
 
     const PAGE: Page = Page { width: 3.0, height: 3.0 };
@@ -74,16 +110,10 @@ mod tests {
     fn seen<const D: usize>(role: Role, bounds: Aabb<D>, camera: &Camera<D>) -> [usize; 2] {
         let figure = space_figure(&[Mark::new(Shape::Box(bounds), role)], camera, PAGE);
         let forms = || figure.drawn.iter().map(|drawn| &drawn.form);
-        let is_line = |form: &&Form| match form {
-            Form::Polyline(points) => {
-                clipped([points[0], points[1]], [[0.0; 2], [PAGE.width, PAGE.height]]).is_some()
-            }
-            _ => false,
-        };
-        let is_area = |form: &&Form| match form {
-            Form::Polygon(points) => part_on_page(points, PAGE).len() > 2,
-            _ => false,
-        };
+        let is_seen = |line| clipped(line, [[0.0; 2], [PAGE.width, PAGE.height]]).is_some();
+        let is_line = |form: &&Form| matches!(form, Form::Polyline(p) if is_seen([p[0], p[1]]));
+        let is_area =
+            |form: &&Form| matches!(form, Form::Polygon(p) if part_on_page(p, PAGE).len() > 2);
         [forms().filter(is_line).count(), forms().filter(is_area).count()]
     }
 
@@ -102,6 +132,8 @@ mod tests {
             let is_around = is_around_eye(&camera, &bounds);
             let wanted = if is_around { 2 } else { 2 * areas };
             assert!(lines >= edges + wanted, "{camera:?}: {lines}, {edges}, {areas}");
+            let mark = Mark::new(Shape::Box(bounds), Role::Strayed);
+            assert!(crosses(&[mark], &camera, PAGE).len() >= wanted, "{camera:?}");
             let ends = crate::camera::corners(&bounds).map(|end| camera.project(PAGE, end));
             n_behind += usize::from(areas > 0 && ends.into_iter().any(|end| end.is_none()));
             n_around += usize::from(is_around);
