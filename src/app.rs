@@ -29,7 +29,7 @@ use crate::widgets::refused_number;
 use crate::{complaint, render, save, theme, with_document};
 use eframe::egui::{CentralPanel, Context, Frame, Key, Ui, ViewportCommand};
 use exporting::Exporting;
-use jobs::Purpose;
+use jobs::Task;
 use keeping::Keeping;
 use keys::Taken;
 use measuring::Measuring;
@@ -57,7 +57,7 @@ pub struct App {
     pub view: View,
     look: Look,
     look_of: LookedAt,
-    job: Option<(Job<anyhow::Result<AnyDocument>>, Purpose)>,
+    job: Option<(Job<anyhow::Result<AnyDocument>>, Task)>,
     /// What was open last, as long as it is not there.
     unrestored: Option<Last>,
     /// The trace that is being made of a long run.
@@ -251,6 +251,43 @@ impl App {
     }
 }
 
+impl App {
+    /// Takes texts, colours and type anew, if what they follow from has changed.
+    fn take_look(&mut self, context: &Context) {
+        let look_of = looked_at(&self.view);
+        if self.look_of == look_of {
+            return;
+        }
+        if self.look_of.language != look_of.language {
+            self.notice.clear();
+        }
+        self.look = theme::look_of(&self.view);
+        self.look_of = look_of;
+        // Widths and letters still follow the old one: drawn once more, they do not.
+        context.request_discard("another theme, language or type");
+    }
+
+    /// Shows nothing; whoever presses anything wakes it.
+    fn show_blank(&self, ui: &mut Ui) -> Option<Command> {
+        let blank = Frame::new().fill(self.look.palette.blank);
+        CentralPanel::default().frame(blank).show(ui, |_| {});
+        let is_woken =
+            ui.input(|input| input.pointer.any_pressed() || input.key_pressed(Key::Escape));
+        is_woken.then_some(Command::Blank)
+    }
+
+    /// Asks for another frame where something goes on by itself.
+    fn plan_next_frame(&self, context: &Context) {
+        let is_working = self.job.is_some() || self.tracing.is_some() || self.judging.is_some();
+        if is_working || self.is_saving() {
+            context.request_repaint_after(Duration::from_millis(30));
+        }
+        if let Some(secs) = self.view.playback.secs_to_next() {
+            context.request_repaint_after(Duration::from_secs_f64(secs.clamp(0.001, 1.0)));
+        }
+    }
+}
+
 fn shown_in<'a, const D: usize>(view: &'a View, _document: &Document<D>) -> &'a Show {
     view.show::<D>()
 }
@@ -279,28 +316,13 @@ impl eframe::App for App {
         let dt_secs = f64::from(context.input(|input| input.stable_dt)).min(0.25);
         self.view.playback.advance(dt_secs, self.document.n_events());
 
-        let look_of = looked_at(&self.view);
-        if self.look_of != look_of {
-            if self.look_of.0 != look_of.0 {
-                self.notice.clear();
-            }
-            self.look = theme::look_of(&self.view);
-            self.look_of = look_of;
-            // Widths and letters still follow the old one: drawn once more, they do not.
-            context.request_discard("another theme, language or type");
-        }
+        self.take_look(&context);
         theme::apply(&context, &self.view);
         // What encloses the frame was made before, in the old colours.
         ui.reset_style();
 
         if self.view.blank {
-            let blank = Frame::new().fill(self.look.palette.blank);
-            CentralPanel::default().frame(blank).show(ui, |_| {});
-            let woken = context
-                .input(|input| input.pointer.any_pressed() || input.key_pressed(Key::Escape));
-            if woken {
-                commands.push(Command::Blank);
-            }
+            commands.extend(self.show_blank(ui));
         } else {
             self.show(ui, &mut commands);
         }
@@ -330,13 +352,7 @@ impl eframe::App for App {
             context.request_repaint();
         }
 
-        let is_working = self.job.is_some() || self.tracing.is_some() || self.judging.is_some();
-        if is_working || self.is_saving() {
-            context.request_repaint_after(Duration::from_millis(30));
-        }
-        if let Some(secs) = self.view.playback.secs_to_next() {
-            context.request_repaint_after(Duration::from_secs_f64(secs.clamp(0.001, 1.0)));
-        }
+        self.plan_next_frame(&context);
     }
 
     fn save(&mut self, storage: &mut dyn eframe::Storage) {
@@ -362,8 +378,14 @@ impl eframe::App for App {
 }
 
 /// What texts, colours and type follow from.
-type LookedAt = (Language, Theme, Preset);
+#[derive(Clone, Copy, PartialEq, Eq)]
+struct LookedAt {
+    language: Language,
+    theme: Theme,
+    preset: Preset,
+}
 
 fn looked_at(view: &View) -> LookedAt {
-    (view.language, view.theme, view.preset)
+    let View { language, theme, preset, .. } = *view;
+    LookedAt { language, theme, preset }
 }

@@ -8,6 +8,7 @@ use crate::export::{Origin, Request};
 use crate::export_dialog::{self, Answer, PREVIEW, Shown};
 use crate::figures::views_of;
 use crate::job::{Job, Poll};
+use crate::panels::dialogs;
 use crate::panels::show::Of;
 use crate::view::Dialog;
 use crate::{complaint, with_document};
@@ -18,6 +19,7 @@ use octoscope_core::scenario::AnyScenario;
 use octoscope_core::text::Texts;
 use octoscope_figure::Pixels;
 use std::path::{Path, PathBuf};
+use std::time::Duration;
 
 /// State of the exports of a window.
 #[derive(Default)]
@@ -176,17 +178,11 @@ impl App {
         let Some(job) = self.exporting.making.take() else { return };
         match job.poll() {
             Poll::Running => {
-                if job.is_shown()
-                    && crate::panels::dialogs::progress(
-                        context,
-                        &self.look,
-                        &job.title,
-                        job.progress.fraction(),
-                    )
-                {
+                let done = job.progress.fraction();
+                if job.is_shown() && dialogs::progress(context, &self.look, &job.title, done) {
                     job.progress.cancel();
                 }
-                context.request_repaint_after(std::time::Duration::from_millis(30));
+                context.request_repaint_after(Duration::from_millis(30));
                 self.exporting.making = Some(job);
             }
             poll => self.made(context, poll),
@@ -231,7 +227,7 @@ impl App {
         if let Some(job) = preview.making.take() {
             match job.poll() {
                 Poll::Running => {
-                    context.request_repaint_after(std::time::Duration::from_millis(30));
+                    context.request_repaint_after(Duration::from_millis(30));
                     preview.making = Some(job);
                     return;
                 }

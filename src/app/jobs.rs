@@ -20,7 +20,7 @@ use std::path::{Path, PathBuf};
 
 /// What the result of a job is for.
 #[derive(Clone, Copy, PartialEq, Eq)]
-pub(super) enum Purpose {
+pub(super) enum Task {
     /// It is shown instead of the present document.
     Open,
     /// It is shown instead, and it is said which rules it follows.
@@ -38,7 +38,7 @@ impl App {
     pub fn open(&mut self, context: &Context, path: PathBuf) {
         let title = self.look.texts.format("job-open", &[("name", file_name(&path).into())]);
         let work = move |progress: &Progress| open(&path, progress);
-        self.job = Some((Job::start(title, context, work), Purpose::Open));
+        self.job = Some((Job::start(title, context, work), Task::Open));
     }
 
     /// Opens what was open last, on another thread as well.
@@ -54,13 +54,13 @@ impl App {
             }
             Ok(document)
         };
-        self.job = Some((Job::start(title, context, work), Purpose::Restore));
+        self.job = Some((Job::start(title, context, work), Task::Restore));
     }
 
     pub(super) fn open_scene(&mut self, context: &Context, id: &'static str) {
         let title = self.look.texts.format("job-open", &[("name", id.into())]);
         let work = move |progress: &Progress| open_built_in(id, progress);
-        self.job = Some((Job::start(title, context, work), Purpose::Open));
+        self.job = Some((Job::start(title, context, work), Task::Open));
     }
 
     /// Opens the counterexample of a misprint.
@@ -69,7 +69,7 @@ impl App {
         let work = move |progress: &Progress| {
             open_scenario(counterexample(variant), Path::new(""), progress)
         };
-        self.job = Some((Job::start(title, context, work), Purpose::Counterexample));
+        self.job = Some((Job::start(title, context, work), Task::Counterexample));
     }
 
     /// Looks for another question on which the rules go wrong; each time for another.
@@ -86,7 +86,7 @@ impl App {
             progress.check()?;
             if found { Ok(document) } else { Err(anyhow!(none)) }
         };
-        self.job = Some((Job::start(title, context, work), Purpose::Aim));
+        self.job = Some((Job::start(title, context, work), Task::Aim));
     }
 
     pub(super) fn open_dropped(&mut self, context: &Context) {
@@ -109,7 +109,7 @@ impl App {
                 AnyDocument::Space(space) => AnyDocument::Space(Box::new(space.rebuilt(progress)?)),
             })
         };
-        self.job = Some((Job::start(title, context, work), Purpose::Rebuild));
+        self.job = Some((Job::start(title, context, work), Task::Rebuild));
     }
 
     /// Makes the trace of the present question on another thread, if it is too long
@@ -179,8 +179,8 @@ impl App {
         if let Some(job) = &self.judging {
             self.conclude_judging(job.wait());
         }
-        if let Some((job, purpose)) = &self.job {
-            self.conclude(job.wait(), *purpose);
+        if let Some((job, task)) = &self.job {
+            self.conclude(job.wait(), *task);
         }
         if let Some(job) = &self.tracing {
             self.conclude_tracing(job.wait());
@@ -249,24 +249,24 @@ impl App {
     }
 
     pub(super) fn poll_job(&mut self) {
-        if let Some((job, purpose)) = &self.job {
-            self.conclude(job.poll(), *purpose);
+        if let Some((job, task)) = &self.job {
+            self.conclude(job.poll(), *task);
         }
     }
 
     /// Takes what a job has come to.
-    pub(super) fn conclude(&mut self, poll: Poll<anyhow::Result<AnyDocument>>, purpose: Purpose) {
+    pub(super) fn conclude(&mut self, poll: Poll<anyhow::Result<AnyDocument>>, task: Task) {
         let result = match poll {
             Poll::Running => return,
             Poll::Done(result) => result,
             Poll::Broken => Err(anyhow!(self.look.text("job-broken"))),
         };
         self.job = None;
-        match (result, purpose) {
-            (Ok(document), Purpose::Open | Purpose::Counterexample | Purpose::Restore) => {
+        match (result, task) {
+            (Ok(document), Task::Open | Task::Counterexample | Task::Restore) => {
                 let changed = self.is_changed().then(|| self.titled());
                 // A start is not undone, but for what was done meanwhile.
-                if purpose != Purpose::Restore || changed.is_some() {
+                if task != Task::Restore || changed.is_some() {
                     self.settle_now();
                     self.history.record(self.shown());
                 }
@@ -279,7 +279,7 @@ impl App {
                     let title = title.trim_end_matches(" *").to_owned();
                     self.look.texts.format("status-kept", &[("title", title.into())])
                 });
-                let rules = (purpose == Purpose::Counterexample).then(|| {
+                let rules = (task == Task::Counterexample).then(|| {
                     with_document!(&self.document, d => rules_told(&d.scenario.query, &self.look))
                 });
                 if kept.is_some() || rules.is_some() {
@@ -292,28 +292,28 @@ impl App {
                 }
                 self.settled = self.shown();
             }
-            (Err(error), Purpose::Restore) => {
+            (Err(error), Task::Restore) => {
                 if !error.root_cause().is::<Cancelled>() {
                     let why = complaint::told(&self.look.texts, &error);
                     let arguments = [("why", why.into())];
                     self.notice.say(self.look.texts.format("status-not-restored", &arguments));
                 }
             }
-            (Ok(rebuilt), Purpose::Rebuild) => {
+            (Ok(rebuilt), Task::Rebuild) => {
                 let step = self.document.adopt(&rebuilt, self.view.playback.step);
                 self.follow(step);
                 (self.tracing, self.judging) = (None, None);
             }
-            (Ok(aimed), Purpose::Aim) => {
+            (Ok(aimed), Task::Aim) => {
                 // What was asked meanwhile can be brought back.
                 self.settle_now();
                 self.document.ask_as(&aimed);
             }
             (
                 Err(error),
-                Purpose::Open | Purpose::Counterexample | Purpose::Rebuild | Purpose::Aim,
+                Task::Open | Task::Counterexample | Task::Rebuild | Task::Aim,
             ) => {
-                if purpose == Purpose::Rebuild {
+                if task == Task::Rebuild {
                     with_document!(&mut self.document, document => document.keep_tree());
                 }
                 if !error.root_cause().is::<Cancelled>() {

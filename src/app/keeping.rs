@@ -1,7 +1,7 @@
 //! Keeping what is open for the next start: now and then, and at the end.
 
 use super::App;
-use super::jobs::Purpose;
+use super::jobs::Task;
 use crate::job::{Job, Poll};
 use crate::kept_show::keep_show;
 use crate::save::{self, Kept, Last};
@@ -75,7 +75,7 @@ impl App {
     /// What the next start begins with; made on any thread, as it may hold many points.
     /// What was open last stays it as long as it is not there and nothing else is made.
     fn last(&self) -> impl FnOnce() -> Last + Send + use<> {
-        let is_coming = self.job.as_ref().is_some_and(|(_, purpose)| *purpose == Purpose::Restore);
+        let is_coming = self.job.as_ref().is_some_and(|(_, task)| *task == Task::Restore);
         let is_changed = self.is_changed();
         let unrestored = self.unrestored.clone().filter(|_| is_coming || !is_changed);
         let (document, step) = (self.document.clone(), self.view.playback.step);

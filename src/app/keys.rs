@@ -59,14 +59,15 @@ impl App {
 
     /// Why a command whose key was pressed cannot be obeyed now, where that does not show.
     pub(super) fn why_disabled(&self, command: Command) -> Option<String> {
-        let needs_ray =
-            matches!(command, Command::ReverseRay | Command::SnapRay | Command::NextDegenerate);
-        let needs_space = matches!(command, Command::Stand(_) | Command::NextLens);
-        let why = match (needs_ray, needs_space) {
-            (true, _) => "status-no-ray",
-            (_, true) => "status-only-in-space",
-            (false, false) if command == Command::FirstWrong => self.why_nothing_wrong(),
-            (false, false) => return None,
+        use Command::{FirstWrong, NextDegenerate, NextLens, ReverseRay, SnapRay, Stand};
+        let why = if matches!(command, ReverseRay | SnapRay | NextDegenerate) {
+            "status-no-ray"
+        } else if matches!(command, Stand(_) | NextLens) {
+            "status-only-in-space"
+        } else if command == FirstWrong {
+            self.why_nothing_wrong()
+        } else {
+            return None;
         };
         Some(self.look.text(why))
     }

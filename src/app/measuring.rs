@@ -9,7 +9,7 @@ use crate::job::{Job, Poll};
 use crate::lab::{self, SIZE_OF_FILES, Tab, figure, lines};
 use crate::lab_dialog::{self, Answer, Shown, State};
 use crate::view::Dialog;
-use crate::{complaint, with_document};
+use crate::with_document;
 use anyhow::anyhow;
 use eframe::egui::Context;
 use octoscope_core::measure::{Results, Watched, watch};
@@ -195,9 +195,7 @@ impl App {
                     (false, true) => Remark::Agree,
                 };
             }
-            Err(error) => {
-                self.view.dialog = Some(Dialog::Error(complaint::told(&self.look.texts, &error)));
-            }
+            Err(error) => self.complain(&error),
         }
     }
 

@@ -39,8 +39,8 @@ impl App {
         let step = self.view.playback.step;
         match command {
             Command::Open => self.chosen.ask_open(context),
-            Command::Save => self.save(context, false),
-            Command::SaveAs => self.save(context, true),
+            Command::Save => self.save_or_ask(context),
+            Command::SaveAs => self.chosen.ask_save(context),
             Command::Export => self.view.dialog = Some(Dialog::Export),
             Command::Quit => context.send_viewport_cmd(ViewportCommand::Close),
             Command::Undo => self.travel(History::undo),

@@ -58,11 +58,11 @@ impl App {
         self.saving.now.is_some()
     }
 
-    pub(super) fn save(&mut self, context: &Context, ask: bool) {
-        let path = with_document!(&self.document, document => document.path.clone());
-        match path {
-            Some(path) if !ask => self.save_to(context, path),
-            Some(_) | None => self.chosen.ask_save(context),
+    /// Saves the scenario where it came from, or asks where to.
+    pub(super) fn save_or_ask(&mut self, context: &Context) {
+        match with_document!(&self.document, document => document.path.clone()) {
+            Some(path) => self.save_to(context, path),
+            None => self.chosen.ask_save(context),
         }
     }
 

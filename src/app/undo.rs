@@ -1,6 +1,6 @@
 //! What undo and redo bring back.
 
-use super::jobs::Purpose;
+use super::jobs::Task;
 use super::{App, Shown};
 use crate::history::History;
 use eframe::egui::Context;
@@ -42,7 +42,7 @@ impl App {
         // What is being changed right now is a state of its own, and a tree that is
         // being built for it, or a question sought, belongs to no other document.
         self.settle_now();
-        self.job.take_if(|(_, purpose)| matches!(purpose, Purpose::Rebuild | Purpose::Aim));
+        self.job.take_if(|(_, task)| matches!(task, Task::Rebuild | Task::Aim));
         let present = self.shown();
         if let Some(shown) = direction(&mut self.history, present) {
             if !shown.document.is_same_place(&self.document) {
