@@ -8,8 +8,10 @@ mod keeping;
 mod keys;
 mod measuring;
 mod obey;
+mod runs;
 mod saving;
 mod show;
+mod telling;
 mod undo;
 
 use crate::command::Command;
@@ -163,6 +165,13 @@ impl App {
         app
     }
 
+    /// From now on the picture is drawn whole at once, as it is seen when it rests.
+    pub fn draw_whole(&mut self) {
+        if let Some(layers) = &mut self.layers {
+            layers.draw_whole();
+        }
+    }
+
     /// What is open.
     pub fn document(&self) -> &AnyDocument {
         &self.document
@@ -198,23 +207,6 @@ impl App {
         if self.title != title {
             context.send_viewport_cmd(ViewportCommand::Title(title.clone()));
             self.title = title;
-        }
-    }
-
-    /// Takes the notice away once what it was about has changed.
-    fn outdate_notice(&mut self) {
-        if self.notice.is_empty() {
-            self.noticed = None;
-            return;
-        }
-        let number = self.notice.number();
-        match &self.noticed {
-            Some((noticed, about)) if *noticed == number => {
-                if !about.is_same_state(&self.document) {
-                    self.notice.clear();
-                }
-            }
-            Some(_) | None => self.noticed = Some((number, self.document.clone())),
         }
     }
 

@@ -2,7 +2,7 @@
 
 use super::App;
 use super::copying::Copying;
-use super::jobs::file_name;
+use super::telling::file_name;
 use crate::document::AnyDocument;
 use crate::export::{Origin, Request};
 use crate::export_dialog::{self, Answer, PREVIEW, Shown};
@@ -118,10 +118,6 @@ impl App {
             }
             Some(Answer::Close) => self.view.dialog = None,
         }
-    }
-
-    pub(super) fn complain(&mut self, error: &anyhow::Error) {
-        self.tell_error(complaint::told(&self.look.texts, error));
     }
 
     /// Begins to make something on another thread, if nothing is being made.

@@ -1,35 +1,32 @@
 //! Opening files and building trees, on another thread.
 
 use super::App;
+use super::telling::{file_name, rules_told};
 use crate::document::AnyDocument;
 use crate::job::{Job, Poll};
-use crate::look::Look;
 use crate::open::{open, open_built_in, open_scenario};
 use crate::save::Last;
-use crate::view::{Dialog, PanelKind};
+use crate::view::PanelKind;
 use crate::{complaint, with_document};
 use anyhow::anyhow;
 use eframe::egui::Context;
-use octoscope_core::explain::algorithm_name;
-use octoscope_core::locate::NeighbourMethod;
-use octoscope_core::paper::{counterexample, erratum_of, find_other};
+use octoscope_core::paper::{counterexample, find_other};
 use octoscope_core::progress::{Cancelled, Progress};
-use octoscope_core::query::{PointMethod, Query};
 use octoscope_core::traverse::Variant;
 use std::path::{Path, PathBuf};
 
-/// What the result of a job is for.
+/// What a job is to do.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Task {
-    /// It is shown instead of the present document.
+    /// Open what is shown instead of the present document.
     Open,
-    /// It is shown instead, and it is said which rules it follows.
+    /// The same, and it is said which rules it follows.
     Counterexample,
-    /// It is what was open last.
+    /// Open what was open last.
     Restore,
-    /// Its tree is taken into the present document.
+    /// Make another tree for the present document.
     Rebuild,
-    /// Its ray and query are taken into the present document.
+    /// Find another ray and query for the present document.
     Aim,
 }
 
@@ -112,64 +109,11 @@ impl App {
         self.job = Some((Job::start(title, context, work), Task::Rebuild));
     }
 
-    /// Makes the trace of the present question on another thread, if it is too long
-    /// to be made at once. One after the other: what has been asked meanwhile is
-    /// traced after it, the last question only.
-    pub(super) fn trace_if_needed(&mut self, context: &Context) {
-        let needs = with_document!(&self.document, document => document.needs_tracing());
-        if !needs || self.tracing.is_some() {
-            return;
-        }
-        let mut document = self.document.clone();
-        let work = move |progress: &Progress| {
-            with_document!(&mut document, d => d.trace_anew(progress))?;
-            Ok(document)
-        };
-        self.tracing = Some(Job::start(self.look.text("job-trace"), context, work));
-    }
-
     /// Cancels what is being opened or built, if there is anything.
     pub fn give_up_opening(&self) {
         if let Some((job, _)) = &self.job {
             job.progress.cancel();
         }
-    }
-
-    /// Finds out on another thread what the panels have asked for about the run, if
-    /// that takes long. One after the other, as traces are made.
-    pub(super) fn judge_if_needed(&mut self, context: &Context) {
-        let wants = with_document!(&self.document, document => document.wants_judging());
-        if !wants || self.judging.is_some() {
-            return;
-        }
-        let mut document = self.document.clone();
-        let work = move |progress: &Progress| {
-            with_document!(&mut document, d => d.judge(progress))?;
-            Ok(document)
-        };
-        self.judging = Some(Job::start(String::new(), context, work));
-        // What is not quite as quick is awaited, so that nothing flickers.
-        self.poll_judging();
-    }
-
-    pub(super) fn poll_judging(&mut self) {
-        if let Some(job) = &self.judging {
-            self.conclude_judging(job.poll());
-        }
-    }
-
-    fn conclude_judging(&mut self, poll: Poll<Result<AnyDocument, Cancelled>>) {
-        match poll {
-            Poll::Running => return,
-            Poll::Done(Ok(judged)) => self.document.take_judged(&judged),
-            // Another document is open.
-            Poll::Done(Err(Cancelled)) => {}
-            Poll::Broken => {
-                with_document!(&mut self.document, document => document.give_up_judging());
-                self.tell_error(self.look.text("job-broken"));
-            }
-        }
-        self.judging = None;
     }
 
     /// Waits until what is being opened, built, traced, found out, saved or drawn is
@@ -191,63 +135,6 @@ impl App {
         }
     }
 
-    /// Shows an error, below one that is still to be read.
-    pub(super) fn tell_error(&mut self, error: String) {
-        match &mut self.view.dialog {
-            Some(Dialog::Error(before)) => {
-                before.push_str("\n\n");
-                before.push_str(&error);
-            }
-            other => *other = Some(Dialog::Error(error)),
-        }
-    }
-
-    /// From now on the picture is drawn whole at once, as it is seen when it rests.
-    pub fn draw_whole(&mut self) {
-        if let Some(layers) = &mut self.layers {
-            layers.draw_whole();
-        }
-    }
-
-    /// Cancels the trace that is being made, if there is one.
-    pub fn give_up_tracing(&self) {
-        if let Some(job) = &self.tracing {
-            job.progress.cancel();
-        }
-    }
-
-    pub(super) fn poll_tracing(&mut self) {
-        if let Some(job) = &self.tracing {
-            self.conclude_tracing(job.poll());
-        }
-    }
-
-    fn conclude_tracing(&mut self, poll: Poll<Result<AnyDocument, Cancelled>>) {
-        match poll {
-            Poll::Running => return,
-            Poll::Done(Ok(traced)) => {
-                let step = self.document.take_trace(&traced, self.view.playback.step);
-                self.follow(step);
-            }
-            // Given up: the question of the trace there is comes back with it.
-            Poll::Done(Err(Cancelled)) => {
-                with_document!(&mut self.document, document => document.keep_trace());
-            }
-            Poll::Broken => {
-                with_document!(&mut self.document, document => document.keep_trace());
-                self.tell_error(self.look.text("job-broken"));
-            }
-        }
-        self.tracing = None;
-    }
-
-    /// Moves the playhead to where it belongs in a new trace.
-    pub(super) fn follow(&mut self, step: usize) {
-        if step != self.view.playback.step {
-            self.go_to(step);
-        }
-    }
-
     pub(super) fn poll_job(&mut self) {
         if let Some((job, task)) = &self.job {
             self.conclude(job.poll(), *task);
@@ -264,40 +151,7 @@ impl App {
         self.job = None;
         match (result, task) {
             (Ok(document), Task::Open | Task::Counterexample | Task::Restore) => {
-                let changed = self.is_changed().then(|| self.titled());
-                // A start is not undone, but for what was done meanwhile.
-                if task != Task::Restore || changed.is_some() {
-                    self.settle_now();
-                    self.history.record(self.shown());
-                }
-                self.document = document;
-                (self.tracing, self.judging) = (None, None);
-                self.unrestored = None;
-                self.saved = self.document.as_opened();
-                self.notice.clear();
-                let kept = changed.map(|title| {
-                    let title = title.trim_end_matches(" *").to_owned();
-                    self.look.texts.format("status-kept", &[("title", title.into())])
-                });
-                let rules = (task == Task::Counterexample).then(|| {
-                    with_document!(&self.document, d => rules_told(&d.scenario.query, &self.look))
-                });
-                if kept.is_some() || rules.is_some() {
-                    let all: Vec<String> = rules.into_iter().chain(kept).collect();
-                    self.notice.say(all.join("\n"));
-                }
-                self.go_to_start();
-                if with_document!(&self.document, d => d.scenario.query.is_misprinted()) {
-                    self.view.sought = Some(PanelKind::Paper);
-                }
-                self.settled = self.shown();
-            }
-            (Err(error), Task::Restore) => {
-                if !error.root_cause().is::<Cancelled>() {
-                    let why = complaint::told(&self.look.texts, &error);
-                    let arguments = [("why", why.into())];
-                    self.notice.say(self.look.texts.format("status-not-restored", &arguments));
-                }
+                self.take_opened(document, task);
             }
             (Ok(rebuilt), Task::Rebuild) => {
                 let step = self.document.adopt(&rebuilt, self.view.playback.step);
@@ -309,52 +163,57 @@ impl App {
                 self.settle_now();
                 self.document.ask_as(&aimed);
             }
-            (
-                Err(error),
-                Task::Open | Task::Counterexample | Task::Rebuild | Task::Aim,
-            ) => {
+            (Err(error), task) => {
                 if task == Task::Rebuild {
                     with_document!(&mut self.document, document => document.keep_tree());
                 }
                 if !error.root_cause().is::<Cancelled>() {
-                    self.tell_error(complaint::told(&self.look.texts, &error));
+                    self.tell_failure(&error, task);
                 }
             }
         }
     }
-}
 
-/// Which algorithm is at work, and which of its rules in another form than the right one.
-fn rules_told<const D: usize>(query: &Query<D>, look: &Look) -> String {
-    let algorithm = match *query {
-        Query::Ray { algorithm, .. } => algorithm_name(algorithm, look.texts.language()),
-        Query::Point { method, .. } => {
-            let method = match method {
-                PointMethod::Codes => "point-codes",
-                PointMethod::Comparison => "point-comparison",
-            };
-            format!("{} {}", look.text("query-point"), look.text(method))
+    /// Shows another document.
+    fn take_opened(&mut self, document: AnyDocument, task: Task) {
+        let changed = self.is_changed().then(|| self.titled());
+        // A start is not undone, but for what was done meanwhile.
+        if task != Task::Restore || changed.is_some() {
+            self.settle_now();
+            self.history.record(self.shown());
         }
-        Query::Region { .. } => look.text("query-region"),
-        Query::Neighbour { method, .. } => {
-            let method = match method {
-                NeighbourMethod::Codes => "neighbour-codes",
-                NeighbourMethod::Tables => "neighbour-tables",
-            };
-            format!("{} {}", look.text("query-neighbour"), look.text(method))
+        self.document = document;
+        (self.tracing, self.judging) = (None, None);
+        self.unrestored = None;
+        self.saved = self.document.as_opened();
+        self.notice.clear();
+        let kept = changed.map(|title| {
+            let title = title.trim_end_matches(" *").to_owned();
+            self.look.texts.format("status-kept", &[("title", title.into())])
+        });
+        let rules = (task == Task::Counterexample).then(
+            || with_document!(&self.document, d => rules_told(&d.scenario.query, &self.look)),
+        );
+        if kept.is_some() || rules.is_some() {
+            let all: Vec<String> = rules.into_iter().chain(kept).collect();
+            self.notice.say(all.join("\n"));
         }
-    };
-    let rule = |variant: Variant| match erratum_of(variant) {
-        Some(_) => look.texts.format("status-rule-printed", &[("rule", variant.id().into())]),
-        None => look.text(&format!("variant-{}", variant.id())),
-    };
-    let rules: Vec<String> = query.variants_at_work().iter().map(rule).collect();
-    let arguments = [("algorithm", algorithm.into()), ("rules", rules.join(", ").into())];
-    look.texts.format("status-rules", &arguments)
-}
+        self.go_to_start();
+        if with_document!(&self.document, d => d.scenario.query.is_misprinted()) {
+            self.view.sought = Some(PanelKind::Paper);
+        }
+        self.settled = self.shown();
+    }
 
-/// The last part of a path, for a message.
-pub(super) fn file_name(path: &Path) -> String {
-    path.file_name()
-        .map_or_else(|| path.display().to_string(), |n| n.to_string_lossy().into_owned())
+    /// Says why a job came to nothing; at a start, without a dialog.
+    fn tell_failure(&mut self, error: &anyhow::Error, task: Task) {
+        match task {
+            Task::Restore => {
+                let why = complaint::told(&self.look.texts, error);
+                let arguments = [("why", why.into())];
+                self.notice.say(self.look.texts.format("status-not-restored", &arguments));
+            }
+            Task::Open | Task::Counterexample | Task::Rebuild | Task::Aim => self.complain(error),
+        }
+    }
 }

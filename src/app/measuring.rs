@@ -2,7 +2,7 @@
 
 use super::App;
 use super::exporting::Made;
-use super::jobs::file_name;
+use super::telling::file_name;
 use crate::bench::run;
 use crate::comparison::is_quick;
 use crate::job::{Job, Poll};

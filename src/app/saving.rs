@@ -1,7 +1,7 @@
 //! Saving the scenario, and what paths are chosen or typed for.
 
 use super::App;
-use super::jobs::file_name;
+use super::telling::file_name;
 use crate::document::AnyDocument;
 use crate::files::{self, Chosen, Purpose};
 use crate::job::{Job, Poll};
