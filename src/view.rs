@@ -5,6 +5,7 @@ mod dialog;
 mod flight;
 mod hover;
 mod map;
+mod panel;
 mod preset;
 mod standpoint;
 
@@ -27,7 +28,8 @@ pub use dialog::{Dialog, Search, Typed};
 pub use flight::Flight;
 pub use hover::Hover;
 pub use map::{MapView, RaysOf};
-pub use preset::{PanelKind, Preset};
+pub use panel::PanelKind;
+pub use preset::Preset;
 pub use standpoint::Standpoint;
 
 /// State of the window: neither undone nor saved with the scenario.

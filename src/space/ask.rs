@@ -55,6 +55,7 @@ fn method_of<const D: usize>(query: &Query<D>) -> (NeighbourMethod, Variants) {
     }
 }
 
+/// Asks for the leaf that owns the point at a place of the view.
 pub(super) fn ask_point<const D: usize>(
     frame: PageInWindow,
     camera: &Camera<D>,
@@ -73,6 +74,7 @@ pub(super) fn ask_point<const D: usize>(
     document.scenario.query = Query::Point { at, method, variants };
 }
 
+/// Asks for the smallest node that holds the box between two places of the view.
 pub(super) fn ask_region<const D: usize>(
     frame: PageInWindow,
     camera: &Camera<D>,
@@ -84,10 +86,7 @@ pub(super) fn ask_region<const D: usize>(
         Some([from, to].map(|place| frame.world(camera, place, camera.target)))
     } else {
         let picked = [from, to].map(|place| leaf_at(frame, camera, &document.tree, place));
-        match picked {
-            [Some((_, a)), Some((_, b))] => Some([a, b]),
-            _ => None,
-        }
+        if let [Some((_, a)), Some((_, b))] = picked { Some([a, b]) } else { None }
     };
     let Some(corners) = corners else { return };
     let Some(bounds) = Aabb::around(corners) else { return };

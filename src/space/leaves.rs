@@ -18,6 +18,12 @@ const QUICK_NODES: usize = 20_000;
 pub struct TreeKey {
     /// The tree, which nobody changes.
     tree: Arc<dyn Any + Send + Sync>,
+    shown: Shown,
+}
+
+/// What of a tree is shown, and how.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Shown {
     content: bool,
     empty_leaves: bool,
     inner_nodes: bool,
@@ -28,30 +34,21 @@ pub struct TreeKey {
 
 impl PartialEq for TreeKey {
     fn eq(&self, other: &Self) -> bool {
-        let rest = |key: &Self| {
-            (key.content, key.empty_leaves, key.inner_nodes, key.levels, key.rest, key.theme)
-        };
-        self.is_of_tree(other) && rest(self) == rest(other)
+        self.is_of_tree(other) && self.shown == other.shown
     }
 }
 
 impl TreeKey {
     /// Key of a document's tree.
     pub fn of<const D: usize>(document: &Document<D>, show: &Show, theme: Theme) -> Self {
-        Self {
-            tree: Arc::clone(&document.tree) as Arc<dyn Any + Send + Sync>,
-            content: show.content,
-            empty_leaves: show.empty_leaves,
-            inner_nodes: show.inner_nodes,
-            levels: show.levels,
-            rest: show.rest,
-            theme,
-        }
+        let Show { content, empty_leaves, inner_nodes, levels, rest, .. } = *show;
+        let shown = Shown { content, empty_leaves, inner_nodes, levels, rest, theme };
+        Self { tree: Arc::clone(&document.tree) as Arc<dyn Any + Send + Sync>, shown }
     }
 
     /// The colours.
     pub fn theme(&self) -> Theme {
-        self.theme
+        self.shown.theme
     }
 
     fn is_of_tree(&self, other: &Self) -> bool {

@@ -143,7 +143,7 @@ pub fn ui<const D: usize>(ui: &mut Ui, look: &Look, space: Space<'_, D>) {
     }
     let hint = under.filter(|_| view.pointed == Some(moment.step) && !view.spotlight);
     if let Some(under) = hint {
-        hover::hint(ui, look, (rect, frame), &under);
+        hover::hint(ui, look, frame, &under);
     }
 }
 

@@ -1,5 +1,6 @@
-//! The panels, and which of them stand beside the space view.
+//! Which panels stand beside the space view.
 
+use super::PanelKind;
 use octoscope_core::locate::NeighbourMethod;
 use octoscope_core::query::Query;
 use octoscope_core::traverse::Algorithm;
@@ -29,107 +30,6 @@ pub enum Preset {
     Map,
 }
 
-/// One panel.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
-pub enum PanelKind {
-    /// Location codes.
-    Codes,
-    /// Region location by XOR.
-    Region,
-    /// Neighbour computation.
-    Neighbour,
-    /// Parameters t.
-    Rail,
-    /// States and tables.
-    Automaton,
-    /// Pseudocode.
-    Listing,
-    /// Variables.
-    Variables,
-    /// Nodes on the stack.
-    Stack,
-    /// Costs.
-    Counters,
-    /// Tables of neighbours.
-    Tables,
-    /// Sorted mid planes and the pieces between them.
-    Cuts,
-    /// Every child, tested one after the other.
-    Children,
-    /// From the root down again.
-    WayDown,
-    /// Links between neighbours.
-    Links,
-    /// A part and the plane that halves it.
-    Halves,
-    /// Cells of the finest grid.
-    Grid,
-    /// All algorithms side by side.
-    Compare,
-    /// Rules as printed against corrected.
-    Paper,
-    /// The tree as a diagram.
-    Tree,
-    /// What rules the children of a node out.
-    WhyNot,
-    /// Many rays at once.
-    Map,
-}
-
-impl PanelKind {
-    /// All panels, in the order of the menu.
-    pub const ALL: [Self; 21] = [
-        Self::Tree,
-        Self::WhyNot,
-        Self::Rail,
-        Self::Automaton,
-        Self::Codes,
-        Self::Region,
-        Self::Neighbour,
-        Self::Listing,
-        Self::Variables,
-        Self::Stack,
-        Self::Counters,
-        Self::Tables,
-        Self::Cuts,
-        Self::Children,
-        Self::WayDown,
-        Self::Links,
-        Self::Halves,
-        Self::Grid,
-        Self::Compare,
-        Self::Paper,
-        Self::Map,
-    ];
-
-    /// Key of its title in the language files.
-    pub fn id(self) -> &'static str {
-        match self {
-            Self::Codes => "panel-codes",
-            Self::Region => "panel-region",
-            Self::Neighbour => "panel-neighbour",
-            Self::Rail => "panel-t-rail",
-            Self::Automaton => "panel-automaton",
-            Self::Listing => "panel-listing",
-            Self::Variables => "panel-variables",
-            Self::Stack => "panel-stack",
-            Self::Counters => "panel-counters",
-            Self::Tables => "panel-tables",
-            Self::Cuts => "panel-cuts",
-            Self::Children => "panel-children",
-            Self::WayDown => "panel-way-down",
-            Self::Links => "panel-links",
-            Self::Halves => "panel-halves",
-            Self::Grid => "panel-grid",
-            Self::Compare => "panel-compare",
-            Self::Paper => "panel-paper",
-            Self::Tree => "panel-tree",
-            Self::WhyNot => "panel-why-not",
-            Self::Map => "panel-map",
-        }
-    }
-}
-
 impl Preset {
     /// All presets, in the order of their keys.
     pub const ALL: [Self; 8] = [
@@ -146,13 +46,37 @@ impl Preset {
     /// The panels from top to bottom, for a query: those that have nothing to
     /// say about it give way to the one that explains it.
     pub fn panels<const D: usize>(self, query: &Query<D>) -> Vec<PanelKind> {
+        let own = own_panel(query);
+        let about_rays = matches!(query, Query::Ray { .. });
+        let chosen = self.chosen(query).iter().copied();
+        let mut panels: Vec<_> = chosen.filter(|&kind| self.says_something(kind, query)).collect();
+        if let Some(own) = own.filter(|own| !panels.contains(own))
+            && !matches!(self, Self::Debug | Self::Tree | Self::Map)
+        {
+            panels.insert(usize::from(about_rays).min(panels.len()), own);
+            // What waits on the stack is half of what its panel shows.
+            if own == PanelKind::Halves && self != Self::Lecture {
+                panels.insert(2.min(panels.len()), PanelKind::Stack);
+            }
+        }
+        if query.is_misprinted() {
+            if self == Self::Lecture {
+                panels.clear();
+            }
+            panels.insert(0, PanelKind::Paper);
+        }
+        panels
+    }
+
+    /// The panels that the preset is made of, where all of them say something.
+    fn chosen<const D: usize>(self, query: &Query<D>) -> &'static [PanelKind] {
         use PanelKind::{
-            Automaton, Children, Codes, Compare, Counters, Cuts, Grid, Halves, Links, Listing, Map,
-            Neighbour, Paper, Rail, Region, Stack, Tables, Tree, Variables, WayDown, WhyNot,
+            Automaton, Codes, Compare, Counters, Listing, Map, Neighbour, Rail, Stack, Tree,
+            Variables, WhyNot,
         };
         let own = own_panel(query);
         let about_rays = matches!(query, Query::Ray { .. });
-        let chosen: &[PanelKind] = match self {
+        match self {
             // The path through the tree is what the codes say, bit by bit.
             Self::Bits if matches!(own, None | Some(Codes)) => &[Codes, Tree, Counters],
             Self::Bits => &[Codes, Neighbour, Counters],
@@ -175,44 +99,34 @@ impl Preset {
             Self::Lecture => &[Rail],
             Self::Tree => &[Tree, WhyNot],
             Self::Map => &[Map, Counters],
+        }
+    }
+
+    /// Whether a panel of the preset has something to say about a query.
+    fn says_something<const D: usize>(self, kind: PanelKind, query: &Query<D>) -> bool {
+        use PanelKind::{
+            Automaton, Children, Codes, Compare, Counters, Cuts, Grid, Halves, Links, Listing, Map,
+            Neighbour, Paper, Rail, Region, Stack, Tables, Tree, Variables, WayDown, WhyNot,
         };
-        let has_states = matches!(
-            query,
-            Query::Ray { algorithm: Algorithm::Parametric | Algorithm::ParametricTable, .. }
-        );
-        let has_stack = match query {
-            Query::Ray { algorithm, .. } => is_top_down(*algorithm),
-            Query::Point { .. } | Query::Region { .. } | Query::Neighbour { .. } => false,
+        let own = own_panel(query);
+        let algorithm = match query {
+            Query::Ray { algorithm, .. } => Some(*algorithm),
+            Query::Point { .. } | Query::Region { .. } | Query::Neighbour { .. } => None,
         };
-        let says_something = |kind: &PanelKind| match kind {
-            Rail | Compare | Map => about_rays,
-            Automaton => has_states,
-            Stack => has_stack,
+        match kind {
+            Rail | Compare | Map => algorithm.is_some(),
+            Automaton => {
+                matches!(algorithm, Some(Algorithm::Parametric | Algorithm::ParametricTable))
+            }
+            Stack => algorithm.is_some_and(is_top_down),
             Region | Neighbour | Tables | Cuts | Children | WayDown | Links | Halves | Grid => {
-                own == Some(*kind)
+                own == Some(kind)
             }
             // Beside these there is no room for them.
             Codes => self != Self::Rail || !matches!(own, Some(Tables | Halves)),
             WhyNot => matches!(query, Query::Ray { .. } | Query::Point { .. }),
             Listing | Variables | Counters | Paper | Tree => true,
-        };
-        let mut panels: Vec<_> = chosen.iter().copied().filter(says_something).collect();
-        if let Some(own) = own.filter(|own| !panels.contains(own))
-            && !matches!(self, Self::Debug | Self::Tree | Self::Map)
-        {
-            panels.insert(usize::from(about_rays).min(panels.len()), own);
-            // What waits on the stack is half of what its panel shows.
-            if own == Halves && self != Self::Lecture {
-                panels.insert(2.min(panels.len()), Stack);
-            }
         }
-        if query.is_misprinted() {
-            if self == Self::Lecture {
-                panels.clear();
-            }
-            panels.insert(0, Paper);
-        }
-        panels
     }
 
     /// Least height of type, in points of the window: in a lecture, of the 20 points

@@ -14,6 +14,11 @@ pub struct PageInWindow {
 }
 
 impl PageInWindow {
+    /// Where the page is in the window.
+    pub fn rect(&self) -> Rect {
+        Rect::from_min_size(self.corner, vec2(self.page.width as f32, self.page.height as f32))
+    }
+
     /// Place in the window of a world point, if it is before the eye.
     pub fn place<const D: usize>(&self, camera: &Camera<D>, world: [f64; D]) -> Option<Pos2> {
         let at = camera.project(self.page, world)?.at;
