@@ -1,9 +1,10 @@
 //! What the window offers for an export; remembered from one to the next.
 
-use super::{Format, Size};
+use super::{Format, Order, Size, Steps};
 use crate::document::AnyDocument;
 use crate::figures::{Moments, views_of};
 use crate::with_document;
+use octoscope_core::scenario::StepAt;
 use octoscope_figure::views::FigureView;
 use octoscope_figure::{Background, Theme, TikzForm, Unit};
 use serde::{Deserialize, Serialize};
@@ -213,6 +214,49 @@ impl Choice {
             Moments::At(_) => moments.check(n_events).is_ok(),
             Moments::Even(_) | Moments::Leaves(_) => false,
         })
+    }
+
+    /// What the file is to be like, within what is possible.
+    pub fn order(&self) -> Order {
+        let short =
+            |x: f64, [least, most]: [f64; 2]| ((x * 100.0).round() / 100.0).clamp(least, most);
+        let enlarged = short(self.enlarged, [0.01, 100.0]);
+        let usual = Order { format: self.format, ..Order::default() };
+        // Text has no looks.
+        if self.format.is_of_text() {
+            return usual;
+        }
+        Order {
+            format: self.format,
+            theme: self.theme,
+            background: self.background,
+            size: self.size(),
+            enlarged: Some(enlarged).filter(|x| self.can_be_enlarged() && *x != 1.0),
+            type_scale: short(self.type_scale, [0.25, 8.0]),
+            line_scale: short(self.line_scale, [0.25, 8.0]),
+            tikz: if self.format == Format::Tikz { self.tikz } else { usual.tikz },
+            pause_secs: match self.format.moves() {
+                true => short(self.pause_secs, [0.02, 60.0]),
+                false => usual.pause_secs,
+            },
+        }
+    }
+
+    /// The steps of `view` in a run of `n_events` of which `step` is shown.
+    pub fn steps(&self, view: FigureView, step: usize, n_events: usize) -> Steps {
+        let chosen = match view.is_of_a_step() {
+            true if self.format.is_of_text() => StepChoice::All,
+            true => self.steps,
+            false => StepChoice::Here,
+        };
+        match chosen {
+            StepChoice::Here => Steps::One(StepAt::At(step)),
+            StepChoice::All => Steps::All,
+            StepChoice::Range => {
+                let [first, last] = self.range.map(|step| step.min(n_events));
+                Steps::Range(StepAt::At(first.min(last)), StepAt::At(first.max(last)))
+            }
+        }
     }
 
     /// Whether the enlargement counts.

@@ -87,12 +87,7 @@ pub fn card<const D: usize>(ui: &mut Ui, look: &Look, view: Rect, tree: &Tree<D>
 }
 
 /// Says beside the pointer what a click does.
-pub fn hint<const D: usize>(
-    ui: &mut Ui,
-    look: &Look,
-    frame: PageInWindow,
-    under: &Under<D>,
-) {
+pub fn hint<const D: usize>(ui: &mut Ui, look: &Look, frame: PageInWindow, under: &Under<D>) {
     let Some(Click::Neighbour(direction)) = under.click else { return };
     let pointer = frame.on_screen(under.at);
     let room = frame.rect().shrink(8.0);
