@@ -196,3 +196,122 @@ fn no_branch_crosses_what_is_written_below_a_folded_node() {
     }
     assert!(n_below > 100, "{n_below}");
 }
+
+/// The branches of a figure, each with the node to which it leads.
+fn branches(diagram: &Diagram) -> impl Iterator<Item = (NodeId, &[[f64; 2]])> {
+    diagram.figure.drawn.iter().filter_map(|drawn| {
+        let is_branch = matches!(drawn.role, Role::Path | Role::Branch | Role::Rejected);
+        match &drawn.form {
+            Form::Polyline(line) if is_branch && drawn.part != Part::Whole => {
+                Some((drawn.node?, &line[..]))
+            }
+            _ => None,
+        }
+    })
+}
+
+#[test]
+fn no_branch_passes_behind_another_node() {
+    fn check<const D: usize>(run: &Run<D>, page: Page) {
+        for step in (0..=run.trace.events.len()).step_by(3) {
+            let diagram = run.diagram(step, &[], page);
+            for (child, line) in branches(&diagram) {
+                let parent = run.tree.parent(child);
+                let others = diagram
+                    .nodes
+                    .iter()
+                    .filter(|node| node.node != child && Some(node.node) != parent);
+                for other in others {
+                    let is_met = line.windows(2).any(|ends| {
+                        (0..=60).any(|n| {
+                            let share = f64::from(n) / 60.0;
+                            (0..2).all(|e| {
+                                let at = ends[0][e] + share * (ends[1][e] - ends[0][e]);
+                                (at - other.at[e]).abs() <= other.half
+                            })
+                        })
+                    });
+                    assert!(!is_met, "step {step}: the branch to {child:?} meets {other:?}");
+                }
+            }
+        }
+    }
+    check(&run::<2>(4), PAGE);
+    check(&run::<3>(3), Page { width: 360.0, height: 290.0 });
+}
+
+#[test]
+fn nodes_beside_each_other_do_not_touch() {
+    let run = run::<2>(4);
+    for width in [200.0, 360.0, 900.0] {
+        for step in 0..=run.trace.events.len() {
+            let diagram = run.diagram(step, &[], Page { width, height: 290.0 });
+            for (n, node) in diagram.nodes.iter().enumerate() {
+                for other in &diagram.nodes[..n] {
+                    let apart = (node.at[0] - other.at[0]).abs() - node.half - other.half;
+                    let is_level = (node.at[1] - other.at[1]).abs() < 1.0;
+                    assert!(!is_level || apart > 1.5, "{width} {step}: {node:?} {other:?}");
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn a_diagram_takes_the_width_that_its_page_has() {
+    let run = run::<2>(3);
+    let page = Page { width: 900.0, height: 290.0 };
+    let diagram = run.diagram(usize::MAX, &[], page);
+    let ends = diagram.nodes.iter().map(|node| node.at[0]);
+    let [left, right] = [ends.clone().fold(f64::MAX, f64::min), ends.fold(0.0, f64::max)];
+    assert!(right - left > 0.55 * page.width, "{left} {right}");
+    for drawn in diagram.figure.drawn.iter().filter(|drawn| drawn.role == Role::Level) {
+        if let Form::Polyline(line) = &drawn.form {
+            assert_eq!(line[1][0], page.width);
+        }
+    }
+}
+
+#[test]
+fn on_a_level_all_folded_nodes_have_their_number_of_leaves_or_none_has() {
+    let run = run::<3>(4);
+    let (mut n_all, page) = (0, Page { width: 500.0, height: 290.0 });
+    for step in 0..=run.trace.events.len() {
+        let diagram = run.diagram(step, &[], page);
+        let has_count = |node: NodeId| {
+            diagram.figure.drawn.iter().any(|drawn| {
+                let is_below = |at: [f64; 2]| {
+                    diagram.nodes.iter().any(|own| own.node == node && at[1] > own.at[1])
+                };
+                drawn.node == Some(node)
+                    && drawn.role == Role::Branch
+                    && matches!(drawn.form, Form::Text { at, .. } if is_below(at))
+            })
+        };
+        let moment = Moment::after(&run.tree, &run.trace, step);
+        let is_visited =
+            |node: NodeId| moment.leaves.iter().any(|leaf| run.tree.holds(node, leaf.node));
+        let folded = diagram
+            .nodes
+            .iter()
+            .filter(|node| matches!(node.kind, NodeKind::Folded { .. }) && !is_visited(node.node));
+        let folded: Vec<_> = folded.map(|node| (node.at[1], has_count(node.node))).collect();
+        for (y, has_one) in &folded {
+            n_all += usize::from(*has_one);
+            let same = folded.iter().filter(|(other, _)| (other - y).abs() < 1.0);
+            assert!(same.into_iter().all(|(_, other)| other == has_one), "step {step}: {folded:?}");
+        }
+    }
+    assert!(n_all > 100, "{n_all}");
+}
+
+#[test]
+fn leaves_that_are_ruled_out_are_dashed_as_their_branches_are() {
+    let run = run::<2>(1);
+    // The root is entered; its children, which are leaves, are chosen among.
+    let diagram = run.diagram(2, &[], PAGE);
+    let n_branches = n_of(&diagram, Role::Rejected, Part::Edge);
+    assert!(n_branches > 0);
+    // Two dashes from each corner of a square.
+    assert_eq!(n_of(&diagram, Role::Rejected, Part::Whole), 8 * n_branches);
+}

@@ -4,6 +4,7 @@ use super::draw::{Drawing, drawn, ground};
 use crate::figure::text_reach;
 use crate::{Anchor, Figure, Form, Role};
 use octoscope_core::tree::NodeId;
+use std::collections::HashSet;
 
 /// Distance of levels below which there is no room for a line below a node.
 const ROOM_BELOW: f64 = 42.0;
@@ -65,6 +66,18 @@ impl<const D: usize> Drawing<'_, D> {
         let at = [place[0], place[1] + self.half(n) + high + 1.5 + lower];
         let depth = self.items[n].depth;
         Some(Below { text, role, node, depth, at, reach: [wide, high] })
+    }
+
+    /// Leaves out what branches run over: numbers of visited leaves one by one, numbers of
+    /// leaves for all nodes of a level, as gaps among them would be taken for nothing there.
+    pub(super) fn retain_legible(&self, below: &mut Vec<Below>, fans: &[Option<f64>]) {
+        let counts = below.iter().filter(|text| text.role == Role::Branch);
+        let gaps: HashSet<usize> =
+            counts.filter(|text| self.is_crossed(text, fans)).map(|text| text.depth).collect();
+        below.retain(|text| match text.role == Role::Branch {
+            true => !gaps.contains(&text.depth),
+            false => !self.is_crossed(text, fans),
+        });
     }
 
     /// The numbers of the visited leaves in a folded node, or how many leaves it has.

@@ -7,13 +7,13 @@ use crate::{Drawn, Figure, Form, Part, Role};
 
 /// Least height in which branches fan out.
 const LEAST_FAN: f64 = 8.0;
-/// Room between what is written below siblings and the branches.
+/// Room between siblings, or what is written below them, and the branches.
 const GAP: f64 = 1.0;
 
 impl<const D: usize> Drawing<'_, D> {
     /// For every item, how far below its middle its branches part, if they are to pass
-    /// under what is written `below` its siblings; none where they meet none of it, or
-    /// where there is no room.
+    /// under its siblings and what is written `below` them; none where they meet none of
+    /// it, or where there is no room.
     pub(super) fn fans(&self, below: &[Below]) -> Vec<Option<f64>> {
         let mut branches: Vec<Vec<[[f64; 2]; 2]>> = vec![Vec::new(); self.items.len()];
         for (n, item) in self.items.iter().enumerate() {
@@ -22,23 +22,47 @@ impl<const D: usize> Drawing<'_, D> {
             }
         }
         let fan = |(parent, branches): (usize, Vec<[[f64; 2]; 2]>)| {
+            if branches.is_empty() {
+                return None;
+            }
             let depth = self.items[parent].depth;
-            let beside: Vec<_> =
-                below.iter().filter(|text| text.depth == depth).map(Below::area).collect();
-            let is_hit = |area: &[[f64; 2]; 2]| {
-                branches.iter().any(|&branch| clipped(branch, *area).is_some())
-            };
-            beside.iter().find(|area| is_hit(area))?;
-            // Flatter, they come under more of what is written.
-            let ends = || branches.iter().map(|branch| branch[1]);
-            let left = ends().map(|end| end[0]).fold(self.placed[parent][0], f64::min);
-            let right = ends().map(|end| end[0]).fold(self.placed[parent][0], f64::max);
-            let passed = beside.iter().filter(|[min, max]| min[0] <= right && left <= max[0]);
-            let lowest = passed.map(|area| area[1][1]).fold(f64::NEG_INFINITY, f64::max) + GAP;
-            let has_room = ends().all(|end| lowest + LEAST_FAN <= end[1]);
-            has_room.then(|| lowest - self.placed[parent][1])
+            let others = (0..self.items.len())
+                .filter(|&n| n != parent && self.items[n].depth == depth)
+                .map(|n| self.area(n));
+            let nodes: Vec<_> = others.collect();
+            let texts = below.iter().filter(|text| text.depth == depth).map(Below::area);
+            let all: Vec<_> = nodes.iter().copied().chain(texts).collect();
+            // What is written gives way where there is no room for both.
+            self.fan_under(parent, &branches, &all)
+                .or_else(|| self.fan_under(parent, &branches, &nodes))
         };
         branches.into_iter().enumerate().map(fan).collect()
+    }
+
+    /// How far below a parent its branches part to pass under these areas.
+    fn fan_under(
+        &self,
+        parent: usize,
+        branches: &[[[f64; 2]; 2]],
+        areas: &[[[f64; 2]; 2]],
+    ) -> Option<f64> {
+        let is_hit =
+            |area: &[[f64; 2]; 2]| branches.iter().any(|&line| clipped(line, *area).is_some());
+        areas.iter().find(|area| is_hit(area))?;
+        // Flatter, they come under more of what is there.
+        let ends = || branches.iter().map(|branch| branch[1]);
+        let left = ends().map(|end| end[0]).fold(self.placed[parent][0], f64::min);
+        let right = ends().map(|end| end[0]).fold(self.placed[parent][0], f64::max);
+        let passed = areas.iter().filter(|[min, max]| min[0] <= right && left <= max[0]);
+        let lowest = passed.map(|area| area[1][1]).fold(f64::NEG_INFINITY, f64::max) + GAP;
+        let has_room = ends().all(|end| lowest + LEAST_FAN <= end[1]);
+        has_room.then(|| lowest - self.placed[parent][1])
+    }
+
+    /// Least and largest corner of what a node covers, its line included.
+    fn area(&self, n: usize) -> [[f64; 2]; 2] {
+        let reach = self.half(n) + 1.5;
+        [-reach, reach].map(|by| self.placed[n].map(|x| x + by))
     }
 
     /// The line to an item, which begins with the stem of its parent's branches.
@@ -67,7 +91,7 @@ impl<const D: usize> Drawing<'_, D> {
     /// From the border of the parent, which is not covered, to above the child's number.
     fn branch(&self, n: usize, parent: usize) -> [[f64; 2]; 2] {
         let (from, to) = (self.placed[parent], self.placed[n]);
-        let room = if self.has_number(n) { NUMBER } else { 0.0 };
+        let room = if self.has_number(n) { NUMBER + self.line_around(n) } else { 0.0 };
         let end = [to[0], to[1] - self.half(n) - room];
         let way = [end[0] - from[0], end[1] - from[1]];
         let length = way[0].hypot(way[1]).max(1e-9);

@@ -25,8 +25,11 @@ pub(super) struct Drawing<'a, const D: usize> {
 
 /// Share of a visited leaf that the disc for its number takes.
 const DISC: f64 = 0.9;
+/// Distance of siblings at which nodes have their full size; nearer, they are so much
+/// smaller that none touches another.
+const SPACED: f64 = 22.0;
 /// Room above a node for its number.
-pub(super) const NUMBER: f64 = 13.0;
+pub(super) const NUMBER: f64 = 14.0;
 /// More than this beyond the page is not drawn.
 pub(super) const BEYOND: f64 = 40.0;
 
@@ -62,7 +65,7 @@ impl<const D: usize> Drawing<'_, D> {
         self.draw_levels(&mut figure);
         let mut below: Vec<Below> = nodes.iter().filter_map(|(n, _)| self.below(*n)).collect();
         let fans = self.fans(&below);
-        below.retain(|text| !self.is_crossed(text, &fans));
+        self.retain_legible(&mut below, &fans);
         // What matters lies above the rest.
         for lit in [false, true] {
             for n in (1..self.items.len()).filter(|&n| self.state(n).is_lit() == lit) {
@@ -99,7 +102,7 @@ impl<const D: usize> Drawing<'_, D> {
             (false, true) => 6.5,
             (false, false) => 8.5,
         };
-        f64::min(wanted, wanted / 20.0 * self.spacing)
+        f64::min(wanted, wanted / SPACED * self.spacing)
     }
 
     pub(super) fn is_folded(&self, n: usize) -> bool {
@@ -107,8 +110,7 @@ impl<const D: usize> Drawing<'_, D> {
     }
 
     fn draw_levels(&self, figure: &mut Figure) {
-        let right = self.placed.iter().map(|at| at[0]).fold(self.gutter, f64::max) + 12.0;
-        let right = right.min(self.page.width);
+        let right = self.page.width;
         let root_level = self.of.tree.domain().root_level();
         let deepest = self.items.iter().map(|item| item.depth).max().unwrap_or(0);
         for depth in 0..=deepest {
@@ -149,7 +151,13 @@ impl<const D: usize> Drawing<'_, D> {
         // The ground, so that no level or branch shows through.
         figure.drawn.push(ground(form(half), node.node));
         let mut push = |form, role| figure.drawn.push(drawn(form, role, node.node));
-        push(form(half), self.role(n, here, is_found).unwrap_or(Role::Node));
+        let role = self.role(n, here, is_found).unwrap_or(Role::Node);
+        match form(half) {
+            Form::Polygon(corners) if role == Role::Rejected => {
+                arms(&corners).for_each(|arm| push(arm, role));
+            }
+            form => push(form, role),
+        }
         if item.node.is_full() && state.visited.is_none() && !here {
             push(Form::Circle { centre: node.at, radius: 0.5 * half }, Role::Content);
         }
@@ -191,8 +199,7 @@ impl<const D: usize> Drawing<'_, D> {
             (Some(_), _) if !self.is_unfolded(n) => Some(visited),
             (_, Some(above)) => Some(Role::Ancestor { above }),
             (Some(_), None) => None,
-            // Of the smallest forms too little would be left by the dashes.
-            (None, None) => (state.is_rejected && self.is_folded(n)).then_some(Role::Rejected),
+            (None, None) => (state.is_rejected && !self.is_unfolded(n)).then_some(Role::Rejected),
         }
     }
 
@@ -200,6 +207,12 @@ impl<const D: usize> Drawing<'_, D> {
     pub(super) fn has_number(&self, n: usize) -> bool {
         let has_parent = self.items[n].parent.is_some();
         has_parent && self.spacing >= 9.0 && self.levels >= 30.0
+    }
+
+    /// How far the line around a node reaches beyond those of others: that of the
+    /// current one is thick.
+    pub(super) fn line_around(&self, n: usize) -> f64 {
+        if self.state(n).above_current == Some(0) { 2.5 } else { 0.0 }
     }
 
     fn write(&self, figure: &mut Figure, n: usize, node: &DiagramNode) {
@@ -218,8 +231,7 @@ impl<const D: usize> Drawing<'_, D> {
             } else {
                 Role::Branch
             };
-            // The line around the current node is thick.
-            let line = if state.above_current == Some(0) { 1.5 } else { 0.0 };
+            let line = self.line_around(n);
             push([x, y - node.half - line - 0.5 * NUMBER], child.0.to_string(), role);
         }
         match (node.kind, state.visited) {
@@ -246,6 +258,21 @@ impl<const D: usize> Drawing<'_, D> {
         let shown = |id: NodeId| nodes.iter().map(|(_, node)| node).find(|node| node.node == id);
         own_and_above.into_iter().find_map(shown)
     }
+}
+
+/// Dashes of a small outline, two from each of its corners: of dashes that began
+/// anywhere, too little would be left to tell what it is.
+fn arms(corners: &[[f64; 2]]) -> impl Iterator<Item = Form> {
+    // Not longer than one dash of the finest line.
+    const LONGEST: f64 = 4.5;
+    let n = corners.len();
+    let ends = (0..n).flat_map(move |at| [(at, (at + 1) % n), (at, (at + n - 1) % n)]);
+    ends.map(|(at, next)| {
+        let (from, to) = (corners[at], corners[next]);
+        let length = (to[0] - from[0]).hypot(to[1] - from[1]).max(1e-9);
+        let share = (LONGEST / length).min(0.34);
+        Form::Polyline(vec![from, std::array::from_fn(|e| from[e] + share * (to[e] - from[e]))])
+    })
 }
 
 pub(super) fn drawn(form: Form, role: Role, node: NodeId) -> Drawn {

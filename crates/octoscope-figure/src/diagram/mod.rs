@@ -112,7 +112,7 @@ const MARGIN: [f64; 3] = [14.0, 22.0, 6.0];
 /// is cut off by the page.
 const LEAST_SCALE: [f64; 2] = [0.72, 0.74];
 /// More than this would take nodes apart that belong together.
-const LARGEST_SCALE: [f64; 2] = [1.0, 1.3];
+const LARGEST_SCALE: [f64; 2] = [1.6, 1.6];
 
 /// Diagram on `page`; the nodes `unfolded` show their children wherever they are,
 /// and the node under the pointer, or what it lies in, is lit. O(path).
