@@ -113,8 +113,15 @@ struct Drawing<'a, const D: usize> {
     least: f64,
 }
 
+/// Half the height of the mark of a plane on its bar.
+const TICK: f64 = 8.0;
+/// From a bar down to the middle of its labels, and to the top of their letters.
+const DOWN: [f64; 2] = [17.0, 12.0];
+
 /// Text beside a bar.
 struct Label {
+    /// Where its mark stands on the bar.
+    tick: f64,
     /// Its left end and its middle height.
     at: [f64; 2],
     width: f64,
@@ -154,8 +161,12 @@ impl<const D: usize> Drawing<'_, D> {
         }
         for axis in 0..D {
             self.bar(sheet, axis);
+            let of_axis = self.labels(axis);
+            of_axis.iter().filter_map(|label| self.leader(axis, label)).for_each(|line| {
+                sheet.push(Role::Stop(axis), Part::Fine, Form::Polyline(line.to_vec()));
+            });
         }
-        for Label { at, width, text, is_odd } in labels {
+        for Label { at, width, text, is_odd, tick: _ } in labels {
             if is_odd {
                 let half = self.half_line();
                 let corner = [at[0] - 4.0, at[1] - half];
@@ -178,7 +189,7 @@ impl<const D: usize> Drawing<'_, D> {
         for (t, _) in self.rail.stops(axis) {
             let x = self.x_of(t);
             if (low..=high).contains(&t) {
-                sheet.line(Role::Stop(axis), [[x, y - 8.0], [x, y + 8.0]]);
+                sheet.line(Role::Stop(axis), [[x, y - TICK], [x, y + TICK]]);
             } else if !t.is_nan() {
                 // Beyond the end: a head that is higher than the bar.
                 let way = if t > high { 9.0 } else { -9.0 };
@@ -190,7 +201,7 @@ impl<const D: usize> Drawing<'_, D> {
 
     /// t with its subscript below each mark, and the value where there is room.
     fn labels(&self, axis: usize) -> Vec<Label> {
-        let y = self.bar_y(axis) + 17.0;
+        let y = self.bar_y(axis) + DOWN[0];
         let stops = self.rail.stops(axis);
         let room = [18.0, self.track[1] + 6.0];
         let mut labels = Vec::new();
@@ -218,27 +229,44 @@ impl<const D: usize> Drawing<'_, D> {
             if with_value { format!(" {}", self.rail.value(axis, t)) } else { String::new() };
         let text = joined([parameter(axis, plane), value.into()]);
         let width = metrics::width_of_least(Role::Words, &text, self.least);
-        Label { at: [x - 0.5 * width, 0.0], width, text, is_odd }
+        Label { tick: x, at: [x - 0.5 * width, 0.0], width, text, is_odd }
+    }
+
+    /// The line from a mark to its label, where that could not stand in the middle below.
+    fn leader(&self, axis: usize, label: &Label) -> Option<[[f64; 2]; 2]> {
+        const OFF: f64 = 4.0;
+        let [left, right] = [label.at[0], label.at[0] + label.width];
+        let is_off = (0.5 * (left + right) - label.tick).abs() > OFF;
+        let foot = label.tick.max(left + OFF).min(right - OFF);
+        let y = self.bar_y(axis);
+        is_off.then_some([[label.tick, y + TICK], [foot, y + DOWN[1]]])
     }
 
     /// A dashed line across all bars, interrupted where something is written.
     fn limit(&self, sheet: &mut Sheet, x: f64, labels: &[Label]) {
+        // Of less, a dash or two would be left.
+        const LEAST: f64 = 10.0;
+        let mut piece = |from: f64, to: f64| {
+            if to - from >= LEAST {
+                sheet.line(Role::Limit, [[x, from], [x, to]]);
+            }
+        };
         let mut from = 0.0;
         for label in labels {
             let [left, y] = label.at;
             if (left - 4.0..=left + label.width + 4.0).contains(&x) {
                 let half = self.half_line();
-                sheet.line(Role::Limit, [[x, from], [x, y - half]]);
+                piece(from, y - half);
                 from = y + half;
             }
         }
-        sheet.line(Role::Limit, [[x, from], [x, self.bottom() + 3.0]]);
+        piece(from, self.bottom() + 3.0);
     }
 
     /// The common axis, with 0 where it is in sight.
     fn scale(&self, sheet: &mut Sheet) {
         let (y, [left, right]) = (self.bottom() + 3.0, self.track);
-        sheet.arrow(Role::Scale, [[left, y], [right + 6.0, y]], 6.0);
+        sheet.arrow(Role::Rule, [[left, y], [right + 6.0, y]], 6.0);
         sheet.text(Role::Scale, [right + 4.0, y + 11.0], Anchor::End, "t");
         let [low, high] = self.range;
         if low < 0.0 && high > 0.0 {
@@ -267,11 +295,18 @@ impl<const D: usize> Drawing<'_, D> {
                 (self.x_of(t), format!("{} {}", texts.get(key), self.rail.told(t)).into())
             })
             .collect();
-        let wanted = texts.iter().map(|(x, text)| {
-            let width = metrics::width(Role::Note, text);
-            [x - 0.5 * width, width]
-        });
-        let starts = spread(&wanted.collect::<Vec<_>>(), GAP, [0.0, self.track[1] + 6.0]);
+        let wanted: Vec<[f64; 2]> = texts
+            .iter()
+            .map(|(x, text)| {
+                let width = metrics::width(Role::Note, text);
+                [x - 0.5 * width, width]
+            })
+            .collect();
+        // Not below the name of the axis, with which they would be read, if there is room.
+        let beside = self.track[1] - 12.0;
+        let all = wanted.iter().map(|[_, width]| width + GAP).sum::<f64>() - GAP;
+        let right = if all <= beside { beside } else { self.track[1] + 6.0 };
+        let starts = spread(&wanted, GAP, [0.0, right]);
         for ((_, text), start) in texts.into_iter().zip(starts) {
             sheet.text(Role::Note, [start, y], Anchor::Start, text);
         }
@@ -292,7 +327,7 @@ fn spread(wanted: &[[f64; 2]], gap: f64, [left, right]: [f64; 2]) -> Vec<f64> {
     }
     let mut groups: Vec<Group> = Vec::new();
     for &[start, width] in wanted {
-        groups.push(Group { start, width, n: 1 });
+        groups.push(Group { start: start.min(right - width), width, n: 1 });
         while let [.., before, last] = &mut groups[..]
             && before.start + before.width + gap > last.start
         {
@@ -305,9 +340,7 @@ fn spread(wanted: &[[f64; 2]], gap: f64, [left, right]: [f64; 2]) -> Vec<f64> {
             groups.pop();
         }
         if let [only] = &mut groups[..] {
-            only.start = only.start.min(right - only.width).max(left);
-        } else if let Some(last) = groups.last_mut() {
-            last.start = last.start.min(right - last.width);
+            only.start = only.start.max(left);
         }
     }
     let mut starts = Vec::with_capacity(wanted.len());
@@ -323,30 +356,4 @@ fn spread(wanted: &[[f64; 2]], gap: f64, [left, right]: [f64; 2]) -> Vec<f64> {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_largest_parameters_lie_at_different_places_of_the_rail() {
-        for reach in [1e308, f64::MAX] {
-            let range = [-reach, reach];
-            let [near, middle, far] = [-reach, 0.0, reach].map(|t| share_of(t, range));
-            assert!(
-                near < 0.1 && (middle - 0.5).abs() < 1e-12 && far > 0.9,
-                "{near} {middle} {far}"
-            );
-            assert!(at_share(0.75, range) > at_share(0.25, range));
-        }
-    }
-
-    #[test]
-    fn labels_that_want_the_same_place_are_spread_in_their_order() {
-        let check = |wanted: &[[f64; 2]], starts: &[f64]| {
-            assert_eq!(spread(wanted, 2.0, [0.0, 100.0]), starts, "{wanted:?}");
-        };
-        check(&[[10.0, 20.0], [50.0, 20.0]], &[10.0, 50.0]);
-        check(&[[40.0, 20.0], [40.0, 20.0]], &[29.0, 51.0]);
-        check(&[[-5.0, 20.0], [-5.0, 20.0], [0.0, 10.0]], &[0.0, 22.0, 44.0]);
-        check(&[[50.0, 20.0], [95.0, 20.0], [99.0, 20.0]], &[36.0, 58.0, 80.0]);
-    }
-}
+mod tests;

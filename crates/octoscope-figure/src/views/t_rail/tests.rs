@@ -1,0 +1,78 @@
+//! Laws of the rail's drawing.
+
+use super::*;
+use crate::{Colour, Palette, Style, Theme, contrast};
+use octoscope_core::progress::Progress;
+use octoscope_core::query::{Arithmetic, Query};
+use octoscope_core::scenario::{AnyScenario, built_in};
+use octoscope_core::trace::record;
+use octoscope_core::traverse::{Algorithm, Options};
+use octoscope_core::tree::build;
+
+#[test]
+fn labels_that_are_pushed_away_have_a_line_to_their_marks() {
+    let Some(AnyScenario::Octree(scenario)) = built_in("points-3d") else { panic!() };
+    let (content, grid) = (scenario.source.content().unwrap(), scenario.grid().unwrap());
+    let tree = build(&content, grid, &scenario.recipe, &Progress::default()).unwrap();
+    let ray = Ray::new([-0.16, 0.13, 0.2], [1.0, 0.62, 0.41]).unwrap();
+    let (algorithm, arithmetic) = (Algorithm::Parametric, Arithmetic::Doubles);
+    let query = Query::Ray { algorithm, options: Options::default(), arithmetic };
+    let trace = record(&tree, &ray, &query);
+    let mut n_lines = 0;
+    for step in 0..=trace.events.len() {
+        let moment = Moment::after(&tree, &trace, step);
+        let Some(rail) = Rail::of(&moment) else { continue };
+        let (range, track) = (rail.range(), [24.0, 252.0]);
+        let drawing = Drawing { rail: &rail, range, track, row: 40.0, least: 0.0 };
+        for axis in 0..3 {
+            let labels = drawing.labels(axis);
+            for (label, &(t, _)) in labels.iter().zip(&rail.stops(axis)) {
+                let [left, right] = [label.at[0], label.at[0] + label.width];
+                let middle = 0.5 * (left + right);
+                let Some([tick, foot]) = drawing.leader(axis, label) else {
+                    assert!((middle - drawing.x_of(t)).abs() <= 4.0, "step {step}: {t}");
+                    continue;
+                };
+                n_lines += 1;
+                assert_eq!(tick[0], drawing.x_of(t));
+                assert!(left < foot[0] && foot[0] < right, "step {step}: {t}");
+            }
+            let ends: Vec<[[f64; 2]; 2]> =
+                labels.iter().filter_map(|label| drawing.leader(axis, label)).collect();
+            let in_order =
+                ends.windows(2).all(|two| (0..2).all(|end| two[0][end][0] <= two[1][end][0]));
+            assert!(in_order, "step {step}: lines of {axis} cross");
+        }
+    }
+    assert!(n_lines > 50, "{n_lines}");
+}
+
+#[test]
+fn the_common_axis_is_seen_in_every_theme() {
+    for theme in Theme::ALL {
+        let line: Colour = Style::of(theme, Role::Rule).stroke.unwrap();
+        assert!(contrast(line, Palette::of(theme).background) >= 3.0, "{theme:?}");
+    }
+}
+
+#[test]
+fn the_largest_parameters_lie_at_different_places_of_the_rail() {
+    for reach in [1e308, f64::MAX] {
+        let range = [-reach, reach];
+        let [near, middle, far] = [-reach, 0.0, reach].map(|t| share_of(t, range));
+        assert!(near < 0.1 && (middle - 0.5).abs() < 1e-12 && far > 0.9, "{near} {middle} {far}");
+        assert!(at_share(0.75, range) > at_share(0.25, range));
+    }
+}
+
+#[test]
+fn labels_that_want_the_same_place_are_spread_in_their_order() {
+    let check = |wanted: &[[f64; 2]], starts: &[f64]| {
+        assert_eq!(spread(wanted, 2.0, [0.0, 100.0]), starts, "{wanted:?}");
+    };
+    check(&[[10.0, 20.0], [50.0, 20.0]], &[10.0, 50.0]);
+    check(&[[40.0, 20.0], [40.0, 20.0]], &[29.0, 51.0]);
+    check(&[[-5.0, 20.0], [-5.0, 20.0], [0.0, 10.0]], &[0.0, 22.0, 44.0]);
+    check(&[[50.0, 20.0], [95.0, 20.0], [99.0, 20.0]], &[36.0, 58.0, 80.0]);
+    check(&[[55.0, 30.0], [90.0, 30.0]], &[38.0, 70.0]);
+}
