@@ -30,7 +30,7 @@ use octoscope_core::trace::Moment;
 use octoscope_core::tree::NodeId;
 use octoscope_figure::{
     Camera, Mark, Page, Role as MarkRole, Show, axes, cells, content, crosses, node_mark,
-    space_figure,
+    space_figure_over,
 };
 use run::run_marks;
 
@@ -107,21 +107,21 @@ pub fn ui<const D: usize>(ui: &mut Ui, look: &Look, space: Space<'_, D>) {
     let expected = |&node: &NodeId| node_mark(&tree, node, MarkRole::Expected);
     painted.extend(document.right_nodes().iter().map(expected));
     painted.extend(hover::marks(&tree, hovered, under.as_ref()));
-    // What the graphics adapter cannot draw of its boxes.
-    let mut crossed = Vec::new();
+    // Boxes that the graphics adapter draws.
+    let mut below = Vec::new();
     if let Some(layers) = layers {
         let is_busy = view.playback.playing || ui.input(|input| !input.events.is_empty());
         let pace = if is_busy { Pace::Busy } else { Pace::Rest };
         layers.paint(ui, rect, &camera, document, (show, view.theme), (&painted, pace));
-        let boxes: Vec<Mark<D>> = painted.extract_if(.., |mark| base::draws(mark)).collect();
-        crossed = crosses(&boxes, &camera, frame.page);
+        (below, painted) = painted.into_iter().partition(base::draws);
     } else if document.tree.n_leaves() <= MOST_PAINTED {
         let cut = show.slice.and_then(|slice| slice.cut(document.tree.domain(), &camera));
         painted.extend(cells(&document.tree, show, cut.as_ref()));
     }
     painted.sort_by_cached_key(|mark| mark.role.layer());
-    let mut figure = space_figure(&painted, &camera, frame.page);
-    figure.drawn.splice(..0, crossed);
+    let mut figure = space_figure_over(&below, &painted, &camera, frame.page);
+    // What the adapter cannot draw of its boxes.
+    figure.drawn.splice(..0, crosses(&below, &camera, frame.page));
     paint_on_page(&painter, look, view.theme, frame, &figure);
     gesture::paint_region_being_drawn(ui, &painter, look, &response);
     let is_move = |event: &Event| matches!(event, Event::PointerMoved(_));

@@ -1,8 +1,12 @@
-//! Where the numbers of the visited leaves stand: each at its leaf, beside the
-//! part of the ray that lies in it, and none on another or on a handle. Where
-//! there is no room a number is left out: round ones stay, so that the sequence
-//! can still be read, and tens and the last one are rather pulled aside, with a
-//! line to their leaf.
+//! Where the numbers of the visited leaves stand: each in its leaf, beside the part of
+//! the ray that lies in it, or outside it with a line to it, and none on another or on
+//! a handle. Where there is no room a number is left out: round ones stay, so that the
+//! sequence can still be read, and the last one, which tells where the algorithm is.
+
+mod places;
+
+use crate::camera::clipped;
+use places::{aside, beside};
 
 /// Number that looks for a place.
 #[derive(Clone, Copy, Debug)]
@@ -30,16 +34,25 @@ pub(crate) struct Stand {
 /// Middle and half extents of what numbers may not cover.
 pub(crate) type Taken = [[f64; 2]; 2];
 
-/// Room between a disc and the ray.
-pub(crate) const GAP: f64 = 4.0;
 /// Room between two discs.
 const BETWEEN: f64 = 1.0;
 
-/// Where `numbers`, in their order, stand on a page of this size, one entry
-/// each. The last of them has a place unless handles leave none. O(n²) at
-/// worst, though no more discs are compared than the page has room for.
-pub(crate) fn stands(numbers: &[Number], taken: &[Taken], page: [f64; 2]) -> Vec<Option<Stand>> {
-    let mut crowd = Crowd { taken, page, placed: Vec::new() };
+/// What numbers may not cover.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Kept<'a> {
+    /// What neither discs nor lines may cover.
+    pub taken: &'a [Taken],
+    /// Lines that discs may not cover.
+    pub lines: &'a [[[f64; 2]; 2]],
+    /// Width and height of the page, which they may not leave.
+    pub page: [f64; 2],
+}
+
+/// Where `numbers`, in their order, stand, one entry each. The last of them has a
+/// place unless handles leave none. O(n²) at worst, though no more discs are compared
+/// than the page has room for.
+pub(crate) fn stands(numbers: &[Number], kept: Kept) -> Vec<Option<Stand>> {
+    let mut crowd = Crowd { kept, placed: Vec::new() };
     let mut stands = vec![None; numbers.len()];
 
     // Round numbers choose first: they are the ones by which one counts.
@@ -47,10 +60,8 @@ pub(crate) fn stands(numbers: &[Number], taken: &[Taken], page: [f64; 2]) -> Vec
     by_rank.sort_by_key(|&index| rank(numbers[index].order));
     for index in by_rank {
         let number = &numbers[index];
-        // Lines are for the few that one looks for; more would be a thicket.
-        let is_sought = rank(number.order) == 0 || index + 1 == numbers.len();
-        let aside = aside(number).filter(|_| is_sought);
-        let place = beside(number).chain(aside).find(|stand| crowd.has_room(number, stand));
+        let is_last = index + 1 == numbers.len();
+        let place = places_of(number, is_last).find(|stand| crowd.has_room(number, stand));
         if let Some(stand) = place {
             crowd.placed.push((number.radius, stand));
             stands[index] = place;
@@ -72,7 +83,7 @@ pub(crate) fn stands(numbers: &[Number], taken: &[Taken], page: [f64; 2]) -> Vec
         let loss = |stand: &Stand| -> usize {
             covered(*stand).map(|other| 1 << (2 * (3 - rank(numbers[other].order)))).sum()
         };
-        let free = beside(number).filter(|stand| crowd.is_free(number, stand));
+        let free = places_of(number, true).filter(|stand| crowd.is_free(number, stand));
         if let Some(stand) = free.min_by_key(loss) {
             let covered: Vec<usize> = covered(stand).collect();
             covered.into_iter().for_each(|other| stands[other] = None);
@@ -88,52 +99,21 @@ fn rank(order: usize) -> usize {
     if order == 1 { 0 } else { steps.unwrap_or(3) }
 }
 
-/// Places that touch the chord, the best first: those in the leaf, then those of
-/// which half is; at its middle, to the upper side, then the lower; then towards
-/// its ends.
-fn beside(number: &Number) -> impl Iterator<Item = Stand> + use<> {
-    let Number { chord, radius, leaf, .. } = *number;
-    let across = upwards(chord);
-    let away = radius + GAP;
-    let mut places: Vec<[f64; 2]> = [0.5, 0.25, 0.75, 0.0, 1.0]
-        .into_iter()
-        .flat_map(|share| [away, -away].map(|away| moved(between(chord, share), across, away)))
-        .collect();
-    if let Some([min, max]) = leaf {
-        let room = |at: &[f64; 2]| {
-            let sides = (0..2).map(|e| (at[e] - min[e]).min(max[e] - at[e]));
-            sides.fold(f64::INFINITY, f64::min)
-        };
-        places.sort_by_key(|at| match room(at) {
-            room if room >= radius => 0,
-            room if room >= 0.0 => 1,
-            _ => 2,
-        });
-    }
-    places.into_iter().map(|at| Stand { at, leader: None })
-}
-
-/// Places a little farther away, with a line from the middle of the chord.
-fn aside(number: &Number) -> impl Iterator<Item = Stand> + use<> {
-    let Number { chord, radius, .. } = *number;
-    let across = upwards(chord);
-    let along = [-across[1], across[0]];
-    let foot = between(chord, 0.5);
-    // Not farther than a glance follows the line.
-    let rows = [1.0, -1.0].map(|side| side * (3.0 * radius + GAP + 3.0));
-    rows.into_iter().flat_map(move |away| {
-        [0.0, -0.6, 0.6].map(|shift| {
-            let at = moved(moved(foot, across, away), along, shift * radius);
-            let length = distance(foot, at);
-            let rim = between([foot, at], 1.0 - radius / length);
-            Stand { at, leader: Some([foot, rim]) }
-        })
-    })
+/// The places of a number, the best first. Where its leaf is no area of the page, the
+/// side of the ray tells enough, and lines are for the few that one looks for: more
+/// would be a thicket.
+fn places_of(number: &Number, is_last: bool) -> impl Iterator<Item = Stand> + use<> {
+    let is_sought = rank(number.order) == 0 || is_last;
+    let rows = match (number.leaf, is_sought) {
+        (_, true) => 3,
+        (Some(_), false) => 2,
+        (None, false) => 0,
+    };
+    beside(number).into_iter().chain(aside(number, rows))
 }
 
 struct Crowd<'a> {
-    taken: &'a [Taken],
-    page: [f64; 2],
+    kept: Kept<'a>,
     placed: Vec<(f64, Stand)>,
 }
 
@@ -143,20 +123,33 @@ impl Crowd<'_> {
             && !self.placed.iter().any(|&other| collide((number.radius, *stand), other))
     }
 
-    /// Whether the disc lies on the page and covers nothing that must be seen.
+    /// Whether the disc lies on the page, and neither it nor its line covers anything
+    /// that must be seen.
     fn is_free(&self, number: &Number, stand: &Stand) -> bool {
+        let Kept { taken, lines, page } = self.kept;
         let radius = number.radius;
-        let on_page = (0..2).all(|e| (radius..=self.page[e] - radius).contains(&stand.at[e]));
+        let on_page = (0..2).all(|e| (radius..=page[e] - radius).contains(&stand.at[e]));
         on_page
-            && !self.taken.iter().any(|[middle, reach]| {
-                let beyond: [f64; 2] =
-                    std::array::from_fn(|e| ((stand.at[e] - middle[e]).abs() - reach[e]).max(0.0));
-                square(beyond) < radius * radius
-            })
+            && !taken.iter().any(|area| meets_disc(*area, stand.at, radius))
+            && !lines.iter().any(|line| distance_to_segment(stand.at, *line) < radius)
+            && !stand.leader.is_some_and(|line| taken.iter().any(|area| is_struck(*area, line)))
     }
 }
 
-/// Whether two numbers, or the line of one and the disc of the other, meet.
+fn meets_disc([middle, reach]: Taken, at: [f64; 2], radius: f64) -> bool {
+    let beyond: [f64; 2] = std::array::from_fn(|e| ((at[e] - middle[e]).abs() - reach[e]).max(0.0));
+    square(beyond) < radius * radius
+}
+
+/// Whether a line to a leaf strikes what is taken. Where its foot lies in that, or just
+/// beside it, there is no other way.
+fn is_struck([middle, reach]: Taken, [foot, rim]: [[f64; 2]; 2]) -> bool {
+    let area = [-1.0, 1.0].map(|sign| std::array::from_fn(|e| middle[e] + sign * reach[e]));
+    let is_at_foot = (0..2).all(|e| (area[0][e]..=area[1][e]).contains(&foot[e]));
+    !is_at_foot && clipped([between([foot, rim], 0.5), rim], area).is_some()
+}
+
+/// Whether two numbers, or the line of one and the disc or line of the other, meet.
 fn collide((radius, stand): (f64, Stand), (other_radius, other): (f64, Stand)) -> bool {
     let crosses = |line: Option<[[f64; 2]; 2]>, at, radius| {
         line.is_some_and(|line| distance_to_segment(at, line) < radius + BETWEEN)
@@ -166,26 +159,19 @@ fn collide((radius, stand): (f64, Stand), (other_radius, other): (f64, Stand)) -
     square(apart) < (radius + other_radius + BETWEEN).powi(2)
         || crosses(stand.leader, other.at, other_radius)
         || crosses(other.leader, stand.at, radius)
+        || matches!((stand.leader, other.leader), (Some(a), Some(b)) if cross(a, b))
 }
 
-/// Unit vector across a chord that points up on the page; to the right where
-/// the chord stands upright.
-fn upwards([from, to]: [[f64; 2]; 2]) -> [f64; 2] {
-    let length = distance(from, to);
-    if length < 1e-9 {
-        return [0.0, -1.0];
-    }
-    let across: [f64; 2] = [(to[1] - from[1]) / length, (from[0] - to[0]) / length];
-    let is_down = across[1] > 0.0 || across[1] == 0.0 && across[0] < 0.0;
-    if is_down { across.map(|x| -x) } else { across }
+/// Whether two segments cross each other.
+fn cross([a, b]: [[f64; 2]; 2], [c, d]: [[f64; 2]; 2]) -> bool {
+    let side = |[from, to]: [[f64; 2]; 2], at: [f64; 2]| {
+        (to[0] - from[0]) * (at[1] - from[1]) - (to[1] - from[1]) * (at[0] - from[0])
+    };
+    side([a, b], c) * side([a, b], d) < 0.0 && side([c, d], a) * side([c, d], b) < 0.0
 }
 
 fn between([from, to]: [[f64; 2]; 2], share: f64) -> [f64; 2] {
     std::array::from_fn(|e| from[e] + share * (to[e] - from[e]))
-}
-
-fn moved(from: [f64; 2], along: [f64; 2], by: f64) -> [f64; 2] {
-    std::array::from_fn(|e| from[e] + by * along[e])
 }
 
 fn square([x, y]: [f64; 2]) -> f64 {
@@ -209,11 +195,13 @@ pub(crate) fn distance_to_segment(at: [f64; 2], segment: [[f64; 2]; 2]) -> f64 {
 
 #[cfg(test)]
 mod tests {
+    use super::places::{GAP, area_in, moved};
     use super::*;
     use octoscope_core::random::Random;
 
     const PAGE: [f64; 2] = [800.0, 600.0];
     const RADIUS: f64 = 9.5;
+    const FREE: Kept<'static> = Kept { taken: &[], lines: &[], page: PAGE };
 
     /// Chords of these lengths, one after the other along a line from `from`.
     fn path(
@@ -232,7 +220,7 @@ mod tests {
     }
 
     fn check(numbers: &[Number], taken: &[Taken]) -> Vec<usize> {
-        let stands = stands(numbers, taken, PAGE);
+        let stands = stands(numbers, Kept { taken, lines: &[], page: PAGE });
         let shown: Vec<(&Number, Stand)> =
             numbers.iter().zip(stands).filter_map(|(n, stand)| Some((n, stand?))).collect();
         for (index, (number, stand)) in shown.iter().enumerate() {
@@ -255,7 +243,7 @@ mod tests {
     fn all_numbers_are_shown_where_there_is_room() {
         let numbers = path([50.0, 500.0], [0.8, -0.6], [40.0; 15]);
         assert_eq!(check(&numbers, &[]).len(), 15);
-        let upper = stands(&numbers, &[], PAGE);
+        let upper = stands(&numbers, FREE);
         assert!(upper.iter().all(|stand| stand.is_some_and(|stand| stand.leader.is_none())));
     }
 
@@ -275,7 +263,7 @@ mod tests {
         let chord = [[0.0, 112.0], [20.0, 100.0]];
         let leaf = Some([[0.0, 100.0], [80.0, 180.0]]);
         let number = Number { order: 1, chord, radius: RADIUS, leaf };
-        let stand = stands(&[number], &[], PAGE)[0].unwrap();
+        let stand = stands(&[number], FREE)[0].unwrap();
         assert!(stand.at[0] > RADIUS && stand.at[1] > 100.0 + RADIUS, "{stand:?}");
     }
 
@@ -296,5 +284,80 @@ mod tests {
             let lengths: Vec<f64> = (0..n).map(|_| random.between(0.0, 9.0).powi(2)).collect();
             check(&path(from, [angle.cos(), angle.sin()], lengths), &[[from, [8.0; 2]]]);
         }
+    }
+
+    /// The leaves of a random quadtree between two corners on the page.
+    fn leaves(random: &mut Random, [min, max]: [[f64; 2]; 2], depth: usize) -> Vec<[[f64; 2]; 2]> {
+        if depth == 0 || depth < 3 && random.below(3) == 0 {
+            return vec![[min, max]];
+        }
+        let middle: [f64; 2] = std::array::from_fn(|e| 0.5 * (min[e] + max[e]));
+        let quarters = [[0, 0], [0, 1], [1, 0], [1, 1]].map(|upper: [usize; 2]| {
+            let corner = |ends: [[f64; 2]; 2]| std::array::from_fn(|e| ends[upper[e]][e]);
+            [corner([min, middle]), corner([middle, max])]
+        });
+        quarters.into_iter().flat_map(|quarter| leaves(random, quarter, depth - 1)).collect()
+    }
+
+    #[test]
+    fn a_number_without_a_line_covers_more_of_its_leaf_than_of_any_other() {
+        let mut random = Random::new(11);
+        let (mut n_beside, mut n_aside) = (0, 0);
+        for _ in 0..150 {
+            let cells = leaves(&mut random, [[90.0, 30.0], [630.0, 570.0]], 6);
+            let angle = random.between(0.0, std::f64::consts::TAU);
+            let along = [angle.cos(), angle.sin()];
+            let through = [random.between(150.0, 570.0), random.between(90.0, 510.0)];
+            let ray = [-2000.0, 2000.0].map(|by| moved(through, along, by));
+            let mut chords: Vec<_> = cells
+                .iter()
+                .filter_map(|&leaf| Some((clipped(ray, leaf)?, leaf)))
+                .filter(|([from, to], _)| distance(*from, *to) > 1e-6)
+                .collect();
+            chords.sort_by(|(a, _), (b, _)| {
+                distance(ray[0], a[0]).total_cmp(&distance(ray[0], b[0]))
+            });
+            chords.truncate(1 + random.below(chords.len() as u64) as usize);
+            let numbers: Vec<Number> = chords
+                .iter()
+                .enumerate()
+                .map(|(n, &(chord, leaf))| Number {
+                    order: n + 1,
+                    chord,
+                    radius: RADIUS,
+                    leaf: Some(leaf),
+                })
+                .collect();
+            let shown = stands(&numbers, Kept { lines: &[ray], ..FREE });
+            assert!(shown.last().is_some_and(Option::is_some), "the last of {numbers:?}");
+            let all = || shown.iter().zip(&numbers).filter_map(|(stand, n)| Some(((*stand)?, n)));
+            for (Stand { at, leader }, number) in all() {
+                assert!(distance_to_segment(at, ray) >= RADIUS, "{number:?} covers the ray");
+                let Some(line) = leader else {
+                    n_beside += 1;
+                    let own = number.leaf.map_or(0.0, |leaf| area_in(at, RADIUS, leaf));
+                    let others = cells.iter().filter(|cell| Some(**cell) != number.leaf);
+                    let most = others.map(|cell| area_in(at, RADIUS, *cell)).fold(0.0, f64::max);
+                    assert!(own > most, "{number:?} stands at {at:?}: {own} < {most}");
+                    continue;
+                };
+                n_aside += 1;
+                for (other, _) in all().filter(|(_, other)| other.order != number.order) {
+                    let clear = distance_to_segment(other.at, line);
+                    assert!(clear > RADIUS, "the line of {number:?} crosses {other:?}");
+                }
+            }
+        }
+        assert!(n_beside > 500 && n_aside > 500, "{n_beside} {n_aside}");
+    }
+
+    #[test]
+    fn lines_to_leaves_do_not_strike_what_is_taken() {
+        let chord = [[300.0, 300.0], [310.0, 300.0]];
+        let leaf = Some([[300.0, 295.0], [310.0, 305.0]]);
+        let number = Number { order: 1, chord, radius: RADIUS, leaf };
+        let taken = [[[305.0, 286.0], [3.0; 2]]];
+        let stand = stands(&[number], Kept { taken: &taken, ..FREE })[0].unwrap();
+        assert!(stand.at[1] > 305.0, "{stand:?}");
     }
 }

@@ -5,7 +5,9 @@ mod arrows;
 mod away;
 mod boxes;
 mod cross;
+mod indices;
 mod inset;
+mod kept;
 mod labels;
 mod overlaid;
 
@@ -19,17 +21,30 @@ use crate::{Camera, Drawn, Figure, Form, Mark, Page, Part, Projected, Role, Shap
 use apart::is_apart;
 use arrows::last_point;
 use cross::cross_out;
+use indices::chosen;
 pub use inset::{drawn_box, is_large};
 use octoscope_core::geometry::Aabb;
+use octoscope_core::tree::NodeId;
 use overlaid::strong_boxes;
 
 /// Figure of `marks` as `camera` shows them on `page`. In space, boxes of one
 /// tree cover each other as they do for the eye; leaves and solids lie below
 /// the marks of the path, and what cannot be seen of them is left out.
 pub fn space_figure<const D: usize>(marks: &[Mark<D>], camera: &Camera<D>, page: Page) -> Figure {
+    space_figure_over(&[], marks, camera, page)
+}
+
+/// The same over boxes that are drawn `below` by others: labels and arrows heed them.
+pub fn space_figure_over<const D: usize>(
+    below: &[Mark<D>],
+    marks: &[Mark<D>],
+    camera: &Camera<D>,
+    page: Page,
+) -> Figure {
     let chord = chord_length(marks, camera, page);
-    let root: Vec<_> = marks.iter().filter(|mark| mark.role == Role::Root).collect();
-    let root = bounds_of(&root).or_else(|| bounds_of(&marks.iter().collect::<Vec<_>>()));
+    let all = || below.iter().chain(marks);
+    let root: Vec<_> = all().filter(|mark| mark.role == Role::Root).collect();
+    let root = bounds_of(&root).or_else(|| bounds_of(&all().collect::<Vec<_>>()));
     let middle = root.and_then(|root| camera.project(page, root.centre()));
     let mut canvas = Canvas {
         camera,
@@ -46,9 +61,12 @@ pub fn space_figure<const D: usize>(marks: &[Mark<D>], camera: &Camera<D>, page:
         drawn: vec![],
         in_space: vec![],
         arrows: vec![],
+        chosen: chosen(all()),
         taken: vec![],
+        kept: vec![],
         spared: vec![],
     };
+    below.iter().for_each(|mark| canvas.heed(mark));
     let (ground_marks, others): (Vec<_>, Vec<_>) = marks.iter().partition(|mark| is_ground(mark));
     for mark in others {
         canvas.draw(mark);
@@ -176,8 +194,12 @@ struct Canvas<'a, const D: usize> {
     in_space: Vec<InSpace<D>>,
     /// Arrows that are drawn among it, in pieces.
     arrows: Vec<Arrow<D>>,
+    /// The child that is taken, or the current node.
+    chosen: Vec<NodeId>,
     /// Middles and half extents of what labels may not cover.
     taken: Vec<[[f64; 2]; 2]>,
+    /// Lines that numbers may not cover.
+    kept: Vec<[[f64; 2]; 2]>,
     /// Lines and points that labels rather do not cover.
     spared: Vec<[[f64; 2]; 2]>,
 }
@@ -196,6 +218,7 @@ impl<const D: usize> Canvas<'_, D> {
             Shape::Box(bounds) if D == 2 => {
                 let bounds = self.drawn_box(mark, &bounds);
                 let points = self.outline(&bounds);
+                self.keep_box(mark.role, &points);
                 let side = bounds.size()[0] / self.camera.unit(self.page);
                 if has_ground(mark.role) {
                     self.spare(&points);
@@ -238,6 +261,7 @@ impl<const D: usize> Canvas<'_, D> {
             Shape::Segment(ends) => {
                 if let Some(line) = self.camera.project_segment(self.page, ends) {
                     self.spared.push(line.map(|p| p.at));
+                    self.keep_line(mark.role, line.map(|p| p.at));
                     let line = Form::Polyline(line.map(|p| p.at).to_vec());
                     self.push(mark, point_box(ends[0]), Part::Edge, line);
                 }

@@ -50,6 +50,7 @@ impl<const D: usize> Canvas<'_, D> {
         let half_width = HALF_WIDTH * head / HEAD;
         let [from, to] = beside(mark.role, [from, to]);
         self.spared.push([from, to]);
+        self.keep_line(mark.role, [from, to]);
         let along: [f64; 2] = std::array::from_fn(|e| (to[e] - from[e]) / length);
         let across = [-along[1], along[0]];
         let neck: [f64; 2] = std::array::from_fn(|e| to[e] - head * along[e]);

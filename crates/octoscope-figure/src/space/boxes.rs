@@ -53,6 +53,7 @@ impl<const D: usize> Canvas<'_, D> {
                 }
             }
         }
+        self.keep_sides(mark.role, &seen);
         let drawn = |(part, form)| Drawn { form, role: mark.role, part, node: mark.node };
         let [behind, front] =
             [behind, front].map(|parts| parts.into_iter().map(drawn).collect::<Vec<_>>());

@@ -3,8 +3,8 @@
 use super::{Canvas, LEGIBLE, above_space, distance};
 use crate::camera::{clipped, corners};
 use crate::figure::text_reach;
-use crate::numbers::{Number, Stand, distance_to_segment, stands};
-use crate::{Anchor, Form, Mark, Part, Projected, Role, Shape, Style, Theme};
+use crate::numbers::{Kept, Number, Stand, distance_to_segment, stands};
+use crate::{Anchor, Drawn, Form, Mark, Part, Projected, Role, Shape, Style, Theme};
 use octoscope_core::geometry::Aabb;
 use octoscope_core::tree::NodeId;
 use std::collections::HashMap;
@@ -38,6 +38,9 @@ impl<const D: usize> Canvas<'_, D> {
                     self.text(mark, at, text);
                 }
             }
+            Shape::LabelIn { at, bounds } if mark.role == Role::ChildIndex => {
+                self.write_index(mark, (at, &bounds), text);
+            }
             Shape::LabelIn { at, bounds } => self.write_in(mark, (at, &bounds), text),
             Shape::Plane { bounds, .. } => {
                 // A letter beside a small plane would hide what it names.
@@ -45,7 +48,8 @@ impl<const D: usize> Canvas<'_, D> {
                 if width.max(height) < LEGIBLE {
                     return;
                 }
-                // Beyond a corner of the plane, the lowest on the page first.
+                // Beyond a corner of the plane, the lowest on the page first, or as far
+                // beyond one of its sides.
                 let reach = text_reach(mark.role, text);
                 let Some(middle) = place(bounds.centre()) else {
                     return;
@@ -53,12 +57,15 @@ impl<const D: usize> Canvas<'_, D> {
                 let mut ends: Vec<_> = corners(&bounds).filter_map(place).collect();
                 ends.sort_by(|a, b| b[1].total_cmp(&a[1]).then(b[0].total_cmp(&a[0])));
                 ends.dedup();
-                let candidates = ends.into_iter().map(|end| {
-                    let length = distance(end, middle).max(1e-9);
-                    std::array::from_fn(|e| {
-                        end[e] + (end[e] - middle[e]) / length * (reach[e] + 5.0)
+                let candidates = [5.0, 16.0].into_iter().flat_map(|gap| {
+                    ends.iter().map(move |end| {
+                        let length = distance(*end, middle).max(1e-9);
+                        std::array::from_fn(|e| {
+                            end[e] + (end[e] - middle[e]) / length * (reach[e] + gap)
+                        })
                     })
                 });
+                let candidates: Vec<[f64; 2]> = candidates.collect();
                 if let Some(at) = self.clearest(candidates, reach) {
                     self.text(mark, at, text);
                 }
@@ -79,11 +86,7 @@ impl<const D: usize> Canvas<'_, D> {
     /// middle; where it covers the fewest lines.
     fn write_in(&mut self, mark: &Mark<D>, (at, bounds): ([f64; D], &Aabb<D>), text: &str) {
         let place = |world| self.camera.project(self.page, world).map(|p| p.at);
-        // A child's number lies on paler ground, a disc.
-        let reach = match text_reach(mark.role, text) {
-            [across, along] if mark.role == Role::ChildIndex => [across.max(along); 2],
-            reach => reach,
-        };
+        let reach = text_reach(mark.role, text);
         let [width, height] = self.extent(bounds);
         if width <= 2.0 * reach[0] + 4.0 || height <= 2.0 * reach[1] + 2.0 {
             return;
@@ -156,8 +159,14 @@ impl<const D: usize> Canvas<'_, D> {
         (0..2).all(|e| (reach[e]..=page[e] - reach[e]).contains(&at[e]))
     }
 
+    /// Whether a label would cover a line that has to be seen.
+    pub(super) fn strikes(&self, at: [f64; 2], reach: [f64; 2]) -> bool {
+        let area = [-1.0, 1.0].map(|sign| std::array::from_fn(|e| at[e] + sign * reach[e]));
+        self.kept.iter().any(|line| clipped(*line, area).is_some())
+    }
+
     /// Number of lines and points that a label would cover.
-    fn n_covered(&self, at: [f64; 2], reach: [f64; 2]) -> usize {
+    pub(super) fn n_covered(&self, at: [f64; 2], reach: [f64; 2]) -> usize {
         const ROOM: f64 = 1.5;
         let corner = |sign: f64| std::array::from_fn(|e| at[e] + sign * (reach[e] + ROOM));
         let area = [corner(-1.0), corner(1.0)];
@@ -165,7 +174,7 @@ impl<const D: usize> Canvas<'_, D> {
     }
 
     /// Width and height of a box on the page.
-    fn extent(&self, bounds: &Aabb<D>) -> [f64; 2] {
+    pub(super) fn extent(&self, bounds: &Aabb<D>) -> [f64; 2] {
         let on_page = corners(bounds).filter_map(|c| self.camera.project(self.page, c));
         let (mut min, mut max) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
         for Projected { at, .. } in on_page {
@@ -209,7 +218,8 @@ impl<const D: usize> Canvas<'_, D> {
                 labels.push((mark, disc, text));
             }
         }
-        let stands = stands(&numbers, &self.taken, page);
+        let kept = Kept { taken: &self.taken, lines: &self.kept, page };
+        let stands = stands(&numbers, kept);
         let stands: Vec<_> = labels
             .into_iter()
             .zip(stands)
@@ -248,12 +258,14 @@ impl<const D: usize> Canvas<'_, D> {
         areas.collect()
     }
 
-    /// A child's number lies on lines, on paler ground.
-    fn text(&mut self, mark: &Mark<D>, at: [f64; 2], text: &str) {
-        if mark.role == Role::ChildIndex {
+    /// Letters of planes lie on lines and points, on ground of their own.
+    pub(super) fn text(&mut self, mark: &Mark<D>, at: [f64; 2], text: &str) {
+        if matches!(mark.role, Role::MidPlane(_) | Role::ExitPlane(_)) {
             let [half_width, half_height] = text_reach(mark.role, text);
-            let halo = Form::Circle { centre: at, radius: half_width.max(half_height) };
-            self.push_at(above_space(mark.role), mark, Part::Whole, halo);
+            let form = rectangle(at, [half_width + 2.0, half_height]);
+            let (role, part) = (Role::Node, Part::Face(0));
+            let halo = Drawn { form, role, part, node: mark.node };
+            self.drawn.push((above_space(mark.role), halo));
         }
         let form = Form::Text { at, anchor: Anchor::Middle, text: text.into() };
         self.push_at(above_space(mark.role), mark, Part::Whole, form);
@@ -261,7 +273,7 @@ impl<const D: usize> Canvas<'_, D> {
 
     /// The first of some places where a label covers nothing; from then on it
     /// is taken.
-    fn room(
+    pub(super) fn room(
         &mut self,
         places: impl IntoIterator<Item = [f64; 2]>,
         reach: [f64; 2],
@@ -275,4 +287,10 @@ impl<const D: usize> Canvas<'_, D> {
         self.taken.push([at, reach]);
         Some(at)
     }
+}
+
+/// A rectangle around a place.
+pub(super) fn rectangle([x, y]: [f64; 2], [wide, high]: [f64; 2]) -> Form {
+    let corners = [[-wide, -high], [wide, -high], [wide, high], [-wide, high]];
+    Form::Polygon(corners.map(|[dx, dy]| [x + dx, y + dy]).to_vec())
 }

@@ -143,8 +143,8 @@ impl Style {
                 ..line(p.axes[axis], 2.5).lettered(p.axes[axis], 12.0, Weight::Strong)
             },
             Role::ChildIndex => Self {
-                fill: Some(p.background.faded(0.75)),
-                ..Self::default().lettered(p.ink, 12.0, Weight::Strong)
+                fill: Some(p.background),
+                ..line(p.quiet_ink.faded(0.6), 0.8).lettered(p.ink, 12.0, Weight::Strong)
             },
             Role::CellCode => Self::default().lettered(p.quiet_ink, 10.0, Weight::Mono),
             Role::OwnedSide => line(p.ink, 2.5),

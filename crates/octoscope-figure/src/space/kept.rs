@@ -1,0 +1,56 @@
+//! What numbers and the tags of children may not cover: the ray, and the boxes of what
+//! is asked for and looked up.
+
+use super::{Canvas, distance};
+use crate::sides::{Side, sides_to_eye};
+use crate::{Mark, Role, Shape};
+
+/// Boxes with sides of less than this, in page units, are covered nowhere.
+const SMALL: f64 = 40.0;
+
+impl<const D: usize> Canvas<'_, D> {
+    /// Heeds a box that is drawn by others.
+    pub(super) fn heed(&mut self, mark: &Mark<D>) {
+        if let Shape::Box(bounds) = mark.shape {
+            let seen = sides_to_eye(self.camera, self.page, &bounds);
+            self.keep_sides(mark.role, &seen);
+            for side in seen {
+                let outline: Vec<[f64; 2]> = side.polygon.iter().map(|p| p.at).collect();
+                self.spare(&outline);
+            }
+        }
+    }
+
+    pub(super) fn keep_line(&mut self, role: Role, line: [[f64; 2]; 2]) {
+        if matches!(role, Role::Ray | Role::RayBeyond | Role::Direction) {
+            self.kept.push(line);
+        }
+    }
+
+    /// Keeps the outline of a box in the plane, and all of a small one.
+    pub(super) fn keep_box(&mut self, role: Role, outline: &[[f64; 2]]) {
+        if !matches!(role, Role::GridCell | Role::Target | Role::Region) {
+            return;
+        }
+        let next = outline.iter().cycle().skip(1);
+        let lines: Vec<_> = outline.iter().zip(next).map(|(a, b)| [*a, *b]).collect();
+        if lines.iter().all(|[from, to]| distance(*from, *to) < SMALL) {
+            let end = |e: usize, pick: fn(f64, f64) -> f64, start: f64| {
+                outline.iter().map(|point| point[e]).fold(start, pick)
+            };
+            let min: [f64; 2] = std::array::from_fn(|e| end(e, f64::min, f64::INFINITY));
+            let max: [f64; 2] = std::array::from_fn(|e| end(e, f64::max, f64::NEG_INFINITY));
+            let middle = std::array::from_fn(|e| 0.5 * (min[e] + max[e]));
+            self.taken.push([middle, std::array::from_fn(|e| 0.5 * (max[e] - min[e]) + 1.0)]);
+        }
+        self.kept.extend(lines);
+    }
+
+    /// The same in space, by the sides that are seen.
+    pub(super) fn keep_sides(&mut self, role: Role, seen: &[Side<D>]) {
+        for side in seen {
+            let outline: Vec<[f64; 2]> = side.polygon.iter().map(|p| p.at).collect();
+            self.keep_box(role, &outline);
+        }
+    }
+}
