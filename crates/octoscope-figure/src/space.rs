@@ -10,13 +10,13 @@ mod inset;
 mod kept;
 mod labels;
 mod overlaid;
+mod painted;
 
 pub use cross::crosses;
 
 use crate::camera::corners;
 use crate::ground::{bounds_of, ground, is_ground};
-use crate::painter::{Half, Painted, at_share, back_to_front};
-use crate::parts::{Arrow, part_of_plane};
+use crate::parts::Arrow;
 use crate::{Camera, Drawn, Figure, Form, Mark, Page, Part, Projected, Role, Shape, Style, Theme};
 use apart::is_apart;
 use arrows::last_point;
@@ -26,6 +26,7 @@ pub use inset::{drawn_box, is_large};
 use octoscope_core::geometry::Aabb;
 use octoscope_core::tree::NodeId;
 use overlaid::strong_boxes;
+use painted::painted;
 
 /// Figure of `marks` as `camera` shows them on `page`. In space, boxes of one
 /// tree cover each other as they do for the eye; leaves and solids lie below
@@ -118,49 +119,6 @@ fn chord_length<const D: usize>(marks: &[Mark<D>], camera: &Camera<D>, page: Pag
         [Some(enter), Some(exit)] => distance(enter, exit),
         [_, _] => f64::INFINITY,
     }
-}
-
-/// What lies in space, the farthest first.
-fn painted<const D: usize>(
-    mut in_space: Vec<InSpace<D>>,
-    arrows: &[Arrow<D>],
-    root: Option<&Aabb<D>>,
-    camera: &Camera<D>,
-    page: Page,
-) -> Vec<Drawn> {
-    let boxes: Vec<Aabb<D>> = in_space.iter().map(|item| item.bounds).collect();
-    let lines: Vec<[[f64; D]; 2]> = arrows.iter().map(|arrow| arrow.ends).collect();
-    // Without a root, around the boxes: one alone is its own.
-    let ends = boxes.iter().flat_map(|b| [b.min, b.max]);
-    let all = if boxes.is_empty() {
-        Aabb::around(lines.iter().flatten().copied())
-    } else {
-        Aabb::around(ends)
-    };
-    let Some(root) = root.copied().or(all) else {
-        return Vec::new();
-    };
-    let mut drawn = Vec::new();
-    for next in back_to_front(&root, &boxes, &lines, camera) {
-        match next {
-            Painted::Half(index, Half::Behind) => drawn.append(&mut in_space[index].behind),
-            Painted::Half(index, Half::Front) => drawn.append(&mut in_space[index].front),
-            Painted::Flat(index, part) => {
-                let item = &mut in_space[index];
-                if part == item.bounds {
-                    drawn.append(&mut item.front);
-                } else if let Some(first) = item.front.first() {
-                    drawn.extend(part_of_plane(camera, page, first, &item.bounds, &part));
-                }
-            }
-            Painted::Piece(index, between) => {
-                let arrow = &arrows[index];
-                let ends = between.map(|share| at_share(arrow.ends, share));
-                drawn.extend(arrow.piece(camera.visible_segment(page, ends)));
-            }
-        }
-    }
-    drawn
 }
 
 /// Place in the drawing order of what lies above all of space, by its role.
