@@ -29,7 +29,7 @@ use octoscope_core::query::Query;
 use octoscope_core::trace::Moment;
 use octoscope_core::tree::NodeId;
 use octoscope_figure::{
-    Camera, Mark, Page, Role as MarkRole, Show, axes, cells, content, crosses, node_mark,
+    Camera, Page, Role as MarkRole, Show, axes, cells, content, crosses, node_mark,
     space_figure_over,
 };
 use run::run_marks;
