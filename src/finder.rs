@@ -30,6 +30,8 @@ pub struct Hit {
     pub target: Target,
     /// Its name.
     pub name: String,
+    /// Its name in the other language, where only that one matches.
+    pub other: Option<String>,
 }
 
 impl Target {
@@ -84,6 +86,9 @@ impl Target {
     }
 }
 
+/// How much further down what only another language knows is listed.
+const FOREIGN: u8 = 10;
+
 /// What matches all words of `wanted` by its name in either language or by its
 /// identifier, best first; everything if nothing is wanted. Names are in `language`.
 pub fn find(wanted: &str, language: Language) -> Vec<Hit> {
@@ -93,18 +98,23 @@ pub fn find(wanted: &str, language: Language) -> Vec<Hit> {
     let mut hits: Vec<(u8, Hit)> = Vec::new();
     for target in Target::all() {
         let mut best = closeness(&folded(target.id()), &words).map(|rank| rank + 1);
-        let mut shown = String::new();
+        let (mut shown, mut other) = (String::new(), None);
         for (each, texts, paper) in &all_texts {
             let name = target.name(texts, paper);
-            let foreign = u8::from(*each != language);
-            let rank = closeness(&folded(&name), &words).map(|rank| rank + foreign);
-            best = [best, rank].into_iter().flatten().min();
+            let rank = closeness(&folded(&name), &words);
             if *each == language {
+                best = [best, rank].into_iter().flatten().min();
                 shown = name;
+            } else {
+                other = rank.map(|rank| (rank + FOREIGN, name)).or(other);
             }
         }
-        if let Some(rank) = best {
-            hits.push((rank, Hit { target, name: shown }));
+        // The other language is asked only where this one does not know it.
+        let other = other.filter(|_| best.is_none());
+        let rank = best.or(other.as_ref().map(|(rank, _)| *rank));
+        if let Some(rank) = rank {
+            let other = other.map(|(_, name)| name);
+            hits.push((rank, Hit { target, name: shown, other }));
         }
     }
     // Stable: equals stay in the order of the menus.
@@ -172,6 +182,15 @@ mod tests {
         let with = find("Öffnen", Language::German);
         assert!(with.iter().any(|hit| hit.target == Target::Command(Command::Open)));
         assert_eq!(with, find("offnen", Language::German));
+    }
+
+    #[test]
+    fn names_of_the_shown_language_come_first_and_others_are_told() {
+        let hits = find("eb", Language::English);
+        let foreign: Vec<bool> = hits.iter().map(|hit| hit.other.is_some()).collect();
+        assert!(foreign.is_sorted() && foreign.contains(&true), "{hits:?}");
+        let named = hits.iter().filter_map(|hit| hit.other.as_ref());
+        assert!(named.into_iter().all(|name| folded(name).contains("eb")), "{hits:?}");
     }
 
     #[test]

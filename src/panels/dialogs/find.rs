@@ -53,9 +53,10 @@ fn row<'a>(ui: &Ui, look: &Look, hit: &Hit, chosen: bool) -> Button<'a> {
         Target::Command(command) => command.row().keys.first(),
         Target::Scene(_) | Target::Algorithm(_) | Target::Erratum(_) | Target::Reading(_) => None,
     };
-    let side = match key {
-        Some(key) => shortcut::shown(look, key),
-        None => look.text(hit.target.kind()),
+    let side = match (&hit.other, key) {
+        (Some(other), _) => other.clone(),
+        (None, Some(key)) => shortcut::shown(look, key),
+        (None, None) => look.text(hit.target.kind()),
     };
     let side = RichText::new(side).size(13.0);
     let side = if chosen { side } else { side.color(look.palette.quiet) };
