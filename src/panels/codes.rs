@@ -4,6 +4,7 @@ use crate::look::Look;
 use crate::widgets::bit_table;
 use eframe::egui::{RichText, Ui};
 use octoscope_core::event::Event;
+use octoscope_core::explain::RichText as Rich;
 use octoscope_core::trace::Moment;
 use octoscope_core::traverse::Variants;
 use octoscope_core::tree::Tree;
@@ -34,6 +35,6 @@ pub fn ui<const D: usize>(
     let known = format!("{}; {}", codes.morton, child_rule::<D>(&look.texts));
     ui.label(RichText::new(known).size(13.0).color(look.palette.quiet));
     if let Some(child) = codes.child {
-        ui.label(RichText::new(child).size(14.0));
+        ui.label(RichText::new(Rich::from(child).unbroken().plain()).size(14.0));
     }
 }

@@ -18,6 +18,8 @@ pub fn rich_label(ui: &mut Ui, look: &Look, text: &RichText, size: f32, width: f
 pub fn rich_job(text: &RichText, look: &Look, size: f32, width: f32) -> LayoutJob {
     let mut job = LayoutJob::default();
     job.wrap.max_width = width;
+    // Only where lines are broken.
+    let text = if width.is_finite() { text.unbroken() } else { text.clone() };
     for span in &text.0 {
         let family = if span.strong || span.axis.is_some() {
             look.strong_family()

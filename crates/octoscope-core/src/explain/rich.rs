@@ -33,6 +33,31 @@ impl<T: Into<String>> From<T> for RichText {
     }
 }
 
+/// A space at which no line ends.
+const NO_BREAK: char = '\u{a0}';
+/// Brackets of more letters may be broken.
+const SHORT_BRACKETS: usize = 24;
+
+/// Which letters are in brackets so short that they stay on one line.
+fn within_short_brackets(letters: &[char]) -> Vec<bool> {
+    let mut within = vec![false; letters.len()];
+    let mut opened = Vec::new();
+    for (at, letter) in letters.iter().enumerate() {
+        match letter {
+            '(' => opened.push(at),
+            ')' => {
+                if let Some(from) = opened.pop()
+                    && at - from <= SHORT_BRACKETS
+                {
+                    within[from..at].fill(true);
+                }
+            }
+            _ => {}
+        }
+    }
+    within
+}
+
 /// First of three marks that begin a piece in the colour of an axis.
 const AXIS: u32 = 0xE000;
 const STRONG: char = '\u{E003}';
@@ -55,6 +80,31 @@ impl RichText {
             plain.push_str(&span.text);
         }
         plain
+    }
+
+    /// The same with no-break spaces where no line should end: within short brackets,
+    /// around an equals sign, after a relation, and between a word and its number.
+    pub fn unbroken(&self) -> Self {
+        let letters: Vec<char> = self.0.iter().flat_map(|span| span.text.chars()).collect();
+        let in_brackets = within_short_brackets(&letters);
+        let is_kept = |at: usize| {
+            let before = at.checked_sub(1).and_then(|before| letters.get(before));
+            let after = letters.get(at + 1);
+            let is_number = |c: &char| c.is_ascii_digit() || matches!(c, '−' | '∞' | '=');
+            in_brackets[at]
+                || before.is_some_and(|c| matches!(c, '=' | '<' | '>' | '≤' | '≥' | '≠'))
+                || before.is_some_and(|c| c.is_alphanumeric()) && after.is_some_and(is_number)
+        };
+        let mut at = 0;
+        let mut spans = self.0.clone();
+        for span in &mut spans {
+            let text = span.text.chars().map(|c| {
+                at += 1;
+                if c == ' ' && is_kept(at - 1) { NO_BREAK } else { c }
+            });
+            span.text = text.collect();
+        }
+        Self(spans)
     }
 
     /// Reads a text as [`Self::plain`] writes it: the letter before a low line bears what
@@ -137,6 +187,20 @@ pub(super) fn shortened(short: &str, whole: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn what_belongs_together_is_not_broken() {
+        let check = |text: &str, lines: &[&str]| {
+            let unbroken = RichText::from(text).unbroken().plain();
+            let parts: Vec<_> =
+                unbroken.split(' ').map(|part| part.replace(NO_BREAK, " ")).collect();
+            assert_eq!(parts, lines);
+        };
+        check("up to (16, 16, 8) of level 3.", &["up", "to", "(16, 16, 8)", "of", "level 3."]);
+        check("t = 0.66 < s = −1 ends", &["t = 0.66", "< s = −1", "ends"]);
+        check("child 6 (3 in Morton order)", &["child 6", "(3 in Morton order)"]);
+        check("at 0.25, 0.5", &["at 0.25,", "0.5"]);
+    }
 
     #[test]
     fn subscripts_are_read_as_they_are_written() {
