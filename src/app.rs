@@ -195,7 +195,9 @@ impl App {
     /// Title of what is open, with a star where it has changes that no file has.
     fn titled(&self) -> String {
         let title = with_document!(&self.document, d => {
-            short_title(d.opened(), d.tree.n_leaves(), self.view.language)
+            short_title(d.opened(), d.tree.n_leaves(), self.view.language, |id| {
+                self.look.text(&format!("scene-{id}"))
+            })
         });
         let mark = if self.is_changed() { " *" } else { "" };
         format!("{title}{mark}")

@@ -243,7 +243,7 @@ fn question<const D: usize>(
     }
     query::ui(ui, look, document);
     ui.add_space(GAP);
-    let of = show::Of::tree(&document.tree);
+    let of = show::Of::tree(&document.tree, &document.scenario.query);
     show::ui(ui, look, view.show_mut::<D>(), of);
     chosen
 }

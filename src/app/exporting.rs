@@ -73,7 +73,7 @@ impl App {
         let views = with_document!(&self.document, d => views_of(&d.scenario.query));
         choice.view = request.view;
         let mut show = *self.show_of_document();
-        let of = with_document!(&self.document, d => Of::tree(&d.tree));
+        let of = with_document!(&self.document, d => Of::tree(&d.tree, &d.scenario.query));
         let shown = Shown {
             choice: &mut choice,
             views: &views,

@@ -6,6 +6,7 @@ use crate::look::Look;
 use crate::show_change::ShownPart;
 use crate::widgets::heading;
 use eframe::egui::{CollapsingHeader, FontId, Grid, RichText, Ui};
+use octoscope_core::query::Query;
 use octoscope_core::tree::Tree;
 use octoscope_figure::Show;
 
@@ -19,12 +20,33 @@ pub struct Of {
     pub dimension: usize,
     /// Level of its root.
     pub root_level: u8,
+    /// What is asked of it.
+    pub asked: Asked,
+}
+
+/// What is asked of a tree.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Asked {
+    /// The leaves on a ray.
+    Ray,
+    /// Something else, for which there is no ray.
+    Other,
+}
+
+impl Asked {
+    fn by<const D: usize>(query: &Query<D>) -> Self {
+        match query {
+            Query::Ray { .. } => Self::Ray,
+            Query::Point { .. } | Query::Region { .. } | Query::Neighbour { .. } => Self::Other,
+        }
+    }
 }
 
 impl Of {
-    /// That of a tree.
-    pub fn tree<const D: usize>(tree: &Tree<D>) -> Self {
-        Self { dimension: D, root_level: tree.domain().root_level() }
+    /// That of a tree of which `query` asks something.
+    pub fn tree<const D: usize>(tree: &Tree<D>, query: &Query<D>) -> Self {
+        let root_level = tree.domain().root_level();
+        Self { dimension: D, root_level, asked: Asked::by(query) }
     }
 }
 
@@ -47,7 +69,10 @@ pub fn ui(ui: &mut Ui, look: &Look, show: &mut Show, of: Of) {
     let font = FontId::proportional(SIZE);
     // In space, what is asked for more rarely is folded as well.
     let is_beside = |part: &ShownPart| of.dimension == 2 || *part != ShownPart::HalfOpenSides;
-    let parts: Vec<ShownPart> = PARTS.into_iter().filter(is_beside).collect();
+    let is_of_ray =
+        |part: &ShownPart| matches!(part, ShownPart::OrderNumbers | ShownPart::MirroredRay);
+    let is_seen = |part: &ShownPart| of.asked == Asked::Ray || !is_of_ray(part);
+    let parts: Vec<ShownPart> = PARTS.into_iter().filter(is_beside).filter(is_seen).collect();
     let names: Vec<String> = parts.iter().map(|part| look.text(part.id())).collect();
     let width = |name: &String| {
         ui.painter().layout_no_wrap(name.clone(), font.clone(), look.palette.ink).size().x

@@ -4,16 +4,18 @@ use super::names::step_texts;
 use crate::scenario::{Scenario, Source};
 use crate::text::Language;
 
-/// Kind of tree, scene and number of leaves, in one short line.
+/// Kind of tree, scene and number of leaves, in one short line; a built-in scene by the
+/// name that `name_of` has for its identifier.
 pub fn short_title<const D: usize>(
     scenario: &Scenario<D>,
     n_leaves: usize,
     language: Language,
+    name_of: impl Fn(&str) -> String,
 ) -> String {
     let texts = step_texts(language);
     let tree = texts.get(if D == 2 { "title-quadtree" } else { "title-octree" });
     let scene = match &scenario.source {
-        Source::BuiltIn { name, .. } => name.clone(),
+        Source::BuiltIn { name, .. } => name_of(name),
         Source::Inline(_) => texts.get("scene-inline"),
         Source::File { path, .. } => path.rsplit('/').next().unwrap_or(path).to_owned(),
     };
