@@ -201,18 +201,18 @@ scene-inline = own data
 
 algorithm-parametric = Parametric, by one rule
 algorithm-parametric-table = Parametric, by tables
-algorithm-esvo = Parametric, without recursion
+algorithm-esvo = Parametric, iterative
 algorithm-all-children = Every child tested
-algorithm-hero = HERO: mask and sorted planes
-algorithm-gargantini = Gargantini: classified cuts
+algorithm-hero = HERO: sorted planes
+algorithm-gargantini = Gargantini: cuts
 algorithm-codes = Location codes
-algorithm-glassner = Glassner: from the root again
+algorithm-glassner = Glassner: from the root
 algorithm-samet = Samet: neighbour tables
 algorithm-samet-corner = SametCorner (reconstructed)
 algorithm-samet-net = SametNet (reconstructed)
-algorithm-bsp = Sung–Shirley: binary partition
-algorithm-dda = Amanatides–Woo: finest grid
-algorithm-dda-octree = Grid, looked up in the tree
+algorithm-bsp = Sung–Shirley: binary
+algorithm-dda = Amanatides–Woo: grid
+algorithm-dda-octree = Grid, looked up in tree
 algorithm-exhaustive = Every leaf, exactly
 
 query-ray = Ray
