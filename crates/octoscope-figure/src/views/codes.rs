@@ -202,3 +202,105 @@ pub(super) fn view<const D: usize>(subject: &Subject<D>, width: f64) -> Figure {
     sheet.text(Role::Note, [0.0, bottom + 8.0], Anchor::Start, morton);
     sheet.figure([width, bottom + 16.0])
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::{figure_texts, neighbour_tables, region_table};
+    use super::*;
+    use octoscope_core::progress::Progress;
+    use octoscope_core::query::{Arithmetic, Query};
+    use octoscope_core::scenario::{AnyScenario, built_in};
+    use octoscope_core::text::Language;
+    use octoscope_core::trace::record;
+    use octoscope_core::traverse::{Algorithm, Options};
+    use octoscope_core::tree::build;
+
+    /// Shows `check` the texts, the tree and every moment of a query on the 82 points with
+    /// the event before it.
+    fn for_every_step(
+        query: &Query<2>,
+        mut check: impl FnMut(&Texts, &Tree<2>, &Moment<2>, &Event<2>),
+    ) {
+        let Some(AnyScenario::Quadtree(scenario)) = built_in("quadtree-82") else { panic!() };
+        let (content, grid) = (scenario.source.content().unwrap(), scenario.grid().unwrap());
+        let tree = build(&content, grid, &scenario.recipe, &Progress::default()).unwrap();
+        let texts = Texts::new(Language::English, &[figure_texts(Language::English)]);
+        let trace = record(&tree, &scenario.ray, query);
+        let mut moment = Moment::default();
+        for event in &trace.events {
+            moment.apply(&tree, event);
+            check(&texts, &tree, &moment, event);
+        }
+    }
+
+    fn along(algorithm: Algorithm) -> Query<2> {
+        let options = Options::default();
+        Query::Ray { algorithm, options, arithmetic: Arithmetic::Doubles }
+    }
+
+    #[test]
+    fn on_the_grid_the_codes_are_those_of_the_cell_that_the_step_goes_to() {
+        let mut n_crossed = 0;
+        for_every_step(&along(Algorithm::Dda), |texts, tree, moment, event| {
+            let Event::Cross { cell, outside, .. } = event else { return };
+            let codes = code_table(texts, tree, moment, Some(event), Variants::NONE);
+            if outside.is_empty() {
+                assert_eq!(codes.of, format!("cell {}, {}", cell[0], cell[1]));
+                assert_eq!([0, 1].map(|e| codes.table.rows[e].bits), *cell);
+                n_crossed += 1;
+            }
+        });
+        assert!(n_crossed > 10);
+    }
+
+    #[test]
+    fn a_child_is_told_only_where_a_step_reaches_one() {
+        let mut n_told = 0;
+        for_every_step(&along(Algorithm::ParametricTable), |texts, tree, moment, event| {
+            let child = code_table(texts, tree, moment, Some(event), Variants::NONE).child;
+            let is_visit = matches!(event, Event::Visit { state: Some(_), .. });
+            assert_eq!(child.is_some(), is_visit, "{event:?}");
+            // An equation is not broken over lines.
+            assert!(child.is_none_or(|child| !child.contains(" = ")));
+            n_told += usize::from(is_visit);
+        });
+        assert!(n_told > 10);
+    }
+
+    #[test]
+    fn tables_of_bits_that_stand_one_below_the_other_share_their_columns() {
+        let variants = Variants::NONE;
+        let region = Query::Region { min: [0.3, 0.35], max: [0.41, 0.44], variants };
+        for query in [along(Algorithm::Codes), region] {
+            let mut n_tables = 0;
+            for_every_step(&query, |texts, tree, moment, event| {
+                let codes = code_table(texts, tree, moment, Some(event), variants).table;
+                let room = [codes.name_room, codes.note_room];
+                let computed = neighbour_tables(texts, tree, moment);
+                let computed = computed.into_iter().flat_map(|computed| computed.tables);
+                let region = region_table(texts, tree, moment).map(|(table, _)| table);
+                for table in computed.chain(region) {
+                    assert_eq!([table.name_room, table.note_room], room, "{event:?}");
+                    assert!(table.name_width() <= room[0] && table.note_width() <= room[1]);
+                    n_tables += 1;
+                }
+            });
+            assert!(n_tables > 0);
+        }
+    }
+
+    #[test]
+    fn the_bit_of_a_step_is_framed_in_the_region_as_in_the_codes() {
+        let variants = Variants::NONE;
+        let region = Query::Region { min: [0.3, 0.35], max: [0.41, 0.44], variants };
+        let mut n_followed = 0;
+        for_every_step(&region, |texts, tree, moment, event| {
+            let Event::Follow { level, .. } = *event else { return };
+            let (table, _) = region_table(texts, tree, moment).unwrap();
+            assert_eq!(table.framed, Some(level - 1));
+            assert_eq!(table.rows[0].name, "c_x0");
+            n_followed += 1;
+        });
+        assert!(n_followed > 0);
+    }
+}
