@@ -174,7 +174,7 @@ fn buttons(ui: &mut Ui, look: &Look, shown: &mut Shown) -> Option<Answer> {
         });
     });
     if let Some(refused) = shown.refused {
-        ui.add(Label::new(RichText::new(refused).color(look.palette.ray)).wrap());
+        ui.add(Label::new(RichText::new(refused).color(look.palette.rejected)).wrap());
     } else if files::is_there(Path::new(shown.choice.file.trim())) {
         let note = RichText::new(look.text("export-replaces"));
         ui.label(note.color(look.palette.quiet).size(13.0));

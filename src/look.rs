@@ -35,6 +35,8 @@ pub struct Palette {
     pub hairline: Color32,
     /// Hints of structure.
     pub grid: Color32,
+    /// The rail of a slider.
+    pub rail: Color32,
     /// The axes x, y, z.
     pub axes: [Color32; 3],
     /// The ray.
@@ -43,6 +45,8 @@ pub struct Palette {
     pub current_fill: Color32,
     /// Around what is current.
     pub current_line: Color32,
+    /// Behind what the step uses in tables.
+    pub lit: Color32,
     /// What was not taken.
     pub rejected: Color32,
     /// Over what is not to be looked at.

@@ -8,7 +8,7 @@ use eframe::egui::{
     TextStyle, Visuals, style::ScrollStyle, vec2,
 };
 use octoscope_core::text::Language;
-use octoscope_figure::{Colour, Theme};
+use octoscope_figure::{Colour, Theme, contrast};
 use std::sync::Arc;
 
 /// Texts and colours for the panels.
@@ -37,16 +37,25 @@ fn palette(theme: Theme) -> Palette {
         field: color32(palette.field),
         hairline: color32(palette.hairline),
         grid: color32(palette.grid),
+        rail: color32(rail(&palette)),
         axes: palette.axes.map(color32),
         ray: color32(palette.ray),
         current_fill: color32(palette.current.faded(palette.current_fill.max(0.22))),
         current_line: color32(palette.current_outline),
+        lit: color32(palette.lit),
         rejected: color32(palette.rejected),
         shade: color32(palette.shade),
         blank: color32(palette.blank),
         accent: color32(palette.accent),
         on_accent: color32(palette.on_accent),
     }
+}
+
+/// The quietest colour that is told from what is behind a panel.
+fn rail(palette: &octoscope_figure::Palette) -> Colour {
+    let shares = (1..=20).map(|n| palette.quiet_ink.faded(0.05 * f64::from(n)).over(palette.panel));
+    let mut seen = shares.filter(|&colour| contrast(colour, palette.panel) >= 3.2);
+    seen.next().unwrap_or(palette.quiet_ink)
 }
 
 /// Makes the program's own fonts known.
@@ -170,4 +179,18 @@ fn visuals(theme: Theme) -> Visuals {
         widget.expansion = 0.0;
     }
     visuals
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_rail_of_a_slider_is_seen_in_every_theme() {
+        for theme in Theme::ALL {
+            let palette = octoscope_figure::Palette::of(theme);
+            let ratio = contrast(rail(&palette), palette.panel);
+            assert!(ratio >= 3.0, "{theme:?} {ratio:.2}");
+        }
+    }
 }

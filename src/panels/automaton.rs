@@ -46,13 +46,13 @@ pub fn ui<const D: usize>(
         paint_figure(ui, look, rect, &diagram);
         ui.vertical(|ui| {
             caption(ui, if D == 2 { "automaton-table-1" } else { "automaton-table-3" });
-            let setting = Setting { id: "exit-table", gap: 14.0, least: 28.0 };
+            let setting = Setting { gap: 14.0, least: 28.0 };
             table(ui, look, &automaton.exit_table(&look.texts), setting);
         });
     });
     if D == 3 {
         caption(ui, "automaton-table-2");
-        let setting = Setting { id: "entry-table", gap: 12.0, least: 0.0 };
+        let setting = Setting { gap: 12.0, least: 0.0 };
         table(ui, look, &automaton.entry_table(), setting);
     }
 }

@@ -1,13 +1,25 @@
 //! Every child of a node, tested one after the other.
 
 use crate::look::Look;
-use crate::widgets::{Lit, caption, child_bits, lit};
-use eframe::egui::{Grid, RichText, Ui};
+use crate::widgets::{Setting, bits_of, caption, node_note, range, table};
+use eframe::egui::Ui;
 use octoscope_core::event::Event;
 use octoscope_core::explain::approx;
 use octoscope_core::geometry::Axes;
 use octoscope_core::trace::Moment;
 use octoscope_core::tree::{Child, NodeId, Tree};
+use octoscope_figure::Anchor;
+use octoscope_figure::views::{Entry, Table, Tone};
+
+/// The node whose children are tested. `past` are the events so far.
+pub fn note<const D: usize>(
+    look: &Look,
+    tree: &Tree<D>,
+    moment: &Moment<D>,
+    past: &[Event<D>],
+) -> String {
+    node_note(look, tree, at_work(tree, moment, past).map(|(node, _)| node))
+}
 
 /// The children of the node at work in the order of their tests: hit or missed,
 /// and between which parameters. `past` are the events so far.
@@ -23,50 +35,36 @@ pub fn ui<const D: usize>(
         return;
     };
     let mask = moment.clip.map_or(Axes::NONE, |clip| clip.mirror);
-    let codes = tree.code(parent).map(|c| c.to_string()).join(", ");
-    let arguments = [("level", tree.level(parent).into()), ("codes", codes.into())];
-    caption(ui, look, look.texts.format("node-note", &arguments));
-    let grid = Grid::new("children").num_columns(4);
-    grid.spacing([14.0, 0.0]).min_col_width(24.0).min_row_height(18.0).show(ui, |ui| {
-        for key in ["children-order", "children-child", "children-bits", "children-interval"] {
-            caption(ui, look, look.text(key));
-        }
-        ui.end_row();
-        for (n, state) in Child::<D>::all().enumerate() {
-            let child = state.mirrored(mask);
-            let node = tree.child(tree.node(parent), child).id;
-            let test = tests.iter().find(|(tested, _)| *tested == node);
-            let last = tests.last().is_some_and(|(tested, _)| *tested == node);
-            let visited = moment.stack.iter().any(|frame| frame.node == node);
-            let tone = match (last, visited, test) {
-                (true, _, _) => Lit::Used,
-                (false, true, _) => Lit::Line,
-                (false, false, Some((_, Some(_)))) => Lit::No,
-                (false, false, Some((_, None)) | None) => Lit::Quiet,
-            };
-            ui.label(lit(look, (n + 1).to_string(), Lit::Quiet));
-            ui.label(lit(look, child.0.to_string(), tone));
-            child_bits(ui, look, child, Axes::NONE);
-            match test {
-                Some((_, Some([enter, exit]))) => {
-                    let told = if enter == exit {
-                        approx(*enter)
-                    } else {
-                        format!("{} – {}", approx(*enter), approx(*exit))
-                    };
-                    ui.label(lit(look, told, tone));
-                }
-                Some((_, None)) => {
-                    let missed = RichText::new(look.text("children-missed")).size(13.0);
-                    ui.label(missed.color(look.palette.rejected));
-                }
-                None => {
-                    ui.label(lit(look, "·", Lit::Quiet));
-                }
-            }
-            ui.end_row();
-        }
-    });
+    let row = |(n, state): (usize, Child<D>)| {
+        let child = state.mirrored(mask);
+        let node = tree.child(tree.node(parent), child).id;
+        let test = tests.iter().find(|(tested, _)| *tested == node);
+        let last = tests.last().is_some_and(|(tested, _)| *tested == node);
+        let visited = moment.stack.iter().any(|frame| frame.node == node);
+        let tone = match (last, visited, test) {
+            (true, _, _) => Tone::Used,
+            (false, true, _) => Tone::Line,
+            (false, false, Some((_, Some(_)))) => Tone::Plain,
+            (false, false, Some((_, None)) | None) => Tone::Quiet,
+        };
+        let told = match test {
+            Some((_, Some([enter, exit]))) if enter == exit => approx(*enter),
+            Some((_, Some(interval))) => range(*interval),
+            Some((_, None)) => look.text("children-missed"),
+            None => "·".to_owned(),
+        };
+        let number = (n + 1).to_string();
+        [number.into(), child.0.to_string().into(), bits_of(child), told.into()]
+            .map(|text| Entry::new(text, tone))
+            .to_vec()
+    };
+    let head = ["children-order", "children-child", "children-bits", "children-interval"];
+    let children = Table {
+        columns: vec![Anchor::Middle, Anchor::Middle, Anchor::Start, Anchor::Start],
+        head: head.map(|key| look.text(key).into()).to_vec(),
+        rows: Child::<D>::all().enumerate().map(row).collect(),
+    };
+    table(ui, look, &children, Setting { gap: 14.0, least: 16.0 });
 }
 
 /// Tests of nodes, with the interval in which the ray is in each.

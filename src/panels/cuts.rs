@@ -1,13 +1,17 @@
 //! Mid planes sorted along the ray, and the pieces that they cut it into.
 
 use crate::look::Look;
-use crate::widgets::{Lit, beside_or_below, caption, child_bits, lit, rich_job};
-use eframe::egui::{Grid, Label, Ui};
+use crate::widgets::{
+    Setting, beside_or_below, bits_of, caption, child_bits, node_note, range, table,
+};
+use eframe::egui::Ui;
 use octoscope_core::event::Event;
 use octoscope_core::explain::{RichText, Span, approx};
 use octoscope_core::geometry::{AXIS_NAMES, Axes};
 use octoscope_core::trace::{Cuts, Extent, Frame, Moment};
 use octoscope_core::tree::{Child, Tree};
+use octoscope_figure::Anchor;
+use octoscope_figure::views::{Entry, Table, Tone};
 
 /// Piece of the ray between two neighbouring cuts.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -20,114 +24,106 @@ struct Piece<const D: usize> {
     flipped: Axes<D>,
 }
 
+/// The node that is cut.
+pub fn note<const D: usize>(look: &Look, tree: &Tree<D>, moment: &Moment<D>) -> String {
+    node_note(look, tree, at_work(moment).map(|(frame, _)| frame.node))
+}
+
+/// The innermost frame at work whose mid planes are known, with their parameters.
+fn at_work<const D: usize>(moment: &Moment<D>) -> Option<(&Frame<D>, [f64; D])> {
+    let is_at_work = |frame: &&Frame<D>| matches!(frame.extent, Extent::Interval(_));
+    let mut frames = moment.stack.iter().rev().filter(is_at_work);
+    frames.find_map(|frame| Some((frame, frame.mid?)))
+}
+
 /// The mid planes of the node at work in their order, those outside its interval
 /// quiet, and the child of every piece in between, with the flipped bits lit.
-pub fn ui<const D: usize>(
-    ui: &mut Ui,
-    look: &Look,
-    tree: &Tree<D>,
-    moment: &Moment<D>,
-    event: Option<&Event<D>>,
-) {
-    let at_work = |frame: &&Frame<D>| matches!(frame.extent, Extent::Interval(_));
-    let frames = moment.stack.iter().rev().filter(at_work);
-    let inner = frames.clone().find(|frame| frame.mid.is_some());
-    let Some((frame, mid)) = inner.and_then(|frame| Some((frame, frame.mid?))) else {
+pub fn ui<const D: usize>(ui: &mut Ui, look: &Look, moment: &Moment<D>, event: Option<&Event<D>>) {
+    let Some((frame, mid)) = at_work(moment) else {
         caption(ui, look, look.text("cuts-none"));
         return;
     };
     let mask = moment.clip.map_or(Axes::NONE, |clip| clip.mirror);
     ui.horizontal(|ui| {
-        let codes = tree.code(frame.node).map(|c| c.to_string()).join(", ");
-        let level = tree.level(frame.node);
-        let arguments = [("level", level.into()), ("codes", codes.into())];
-        caption(ui, look, look.texts.format("node-note", &arguments));
-        ui.add_space(12.0);
         caption(ui, look, look.text("cuts-mask"));
-        child_bits(ui, look, Child::<D>(mask.0), Axes::NONE);
+        child_bits(ui, look, Child::<D>(mask.0));
     });
     beside_or_below(ui, |ui| {
-        ui.vertical(|ui| planes(ui, look, frame, mid));
+        ui.vertical(|ui| {
+            table(ui, look, &planes(look, frame, mid), Setting { gap: 8.0, least: 16.0 });
+        });
         ui.add_space(12.0);
         ui.vertical(|ui| {
             if let Some(cuts) = frame.cuts {
                 let all = pieces([frame.enter(), frame.exit()], mid, cuts, mask);
-                pieces_table(ui, look, &all, frame.child, event);
+                let pieces = pieces_table(look, &all, frame.child, event);
+                table(ui, look, &pieces, Setting { gap: 6.0, least: 8.0 });
             }
         });
     });
 }
 
 /// The mid planes: sorted if they are, else in the order of the axes.
-fn planes<const D: usize>(ui: &mut Ui, look: &Look, frame: &Frame<D>, mid: [f64; D]) {
-    let grid = Grid::new("cuts").num_columns(3);
-    grid.spacing([8.0, 0.0]).min_col_width(16.0).min_row_height(18.0).show(ui, |ui| {
-        caption(ui, look, look.text("cuts-plane"));
-        caption(ui, look, "t");
-        ui.label("");
-        ui.end_row();
-        let order = frame.cuts.map_or_else(|| std::array::from_fn(|e| e as u8), |cuts| cuts.order);
-        for axis in order.map(usize::from) {
-            let inside = frame.cuts.is_some_and(|cuts| cuts.inside.contains(axis));
-            let name = vec![
-                Span { text: "t".to_owned(), axis: Some(axis), ..Span::default() },
-                Span {
-                    text: format!("{}m", AXIS_NAMES[axis]),
-                    axis: Some(axis),
-                    sub: true,
-                    ..Span::default()
-                },
-            ];
-            ui.add(Label::new(rich_job(&RichText(name), look, 14.0, 60.0)));
-            let (tone, key) = if inside {
-                (Lit::No, "cuts-inside")
-            } else if mid[axis] <= frame.enter() {
-                (Lit::Quiet, "cuts-before")
-            } else {
-                (Lit::Quiet, "cuts-after")
-            };
-            ui.label(lit(look, approx(mid[axis]), tone));
-            if frame.cuts.is_some() {
-                ui.label(lit(look, look.text(key), tone).size(look.type_size(12.0)));
-            }
-            ui.end_row();
-        }
-    });
+fn planes<const D: usize>(look: &Look, frame: &Frame<D>, mid: [f64; D]) -> Table {
+    let order = frame.cuts.map_or_else(|| std::array::from_fn(|e| e as u8), |cuts| cuts.order);
+    let row = |axis: usize| {
+        let inside = frame.cuts.is_some_and(|cuts| cuts.inside.contains(axis));
+        let (tone, key) = if inside {
+            (Tone::Plain, "cuts-inside")
+        } else if mid[axis] <= frame.enter() {
+            (Tone::Quiet, "cuts-before")
+        } else {
+            (Tone::Quiet, "cuts-after")
+        };
+        let told = if frame.cuts.is_some() { look.text(key) } else { String::new() };
+        vec![
+            Entry::new(RichText::with_subscripts(&format!("t_{}m", AXIS_NAMES[axis])), tone),
+            Entry::new(approx(mid[axis]), tone),
+            Entry::new(told, tone),
+        ]
+    };
+    Table {
+        columns: vec![Anchor::Start; 3],
+        head: vec![look.text("cuts-plane").into(), "t".into(), "".into()],
+        rows: order.map(usize::from).into_iter().map(row).collect(),
+    }
 }
 
 fn pieces_table<const D: usize>(
-    ui: &mut Ui,
     look: &Look,
     pieces: &[Piece<D>],
     child: Option<Child<D>>,
     event: Option<&Event<D>>,
-) {
+) -> Table {
     let now = pieces.iter().position(|piece| Some(piece.child) == child);
-    let grid = Grid::new("pieces").num_columns(3);
-    grid.spacing([8.0, 0.0]).min_col_width(16.0).min_row_height(18.0).show(ui, |ui| {
-        caption(ui, look, look.text("cuts-piece"));
-        caption(ui, look, look.text("cuts-child"));
-        ui.label("");
-        ui.end_row();
-        for (n, piece) in pieces.iter().enumerate() {
-            let tone = match now {
-                Some(now) if n == now => Lit::Used,
-                Some(now) if n < now => Lit::No,
-                _ => Lit::Quiet,
-            };
-            ui.label(lit(look, format!("{} – {}", approx(piece.from), approx(piece.to)), tone));
-            let flips = matches!(event, Some(Event::Flip { .. })) && now == Some(n);
-            // What comes later is not known yet.
-            if now.is_some_and(|now| n <= now) {
-                ui.label(lit(look, piece.child.0.to_string(), tone));
-                child_bits(ui, look, piece.child, if flips { piece.flipped } else { Axes::NONE });
-            } else {
-                ui.label(lit(look, "·", Lit::Quiet));
-                ui.label("");
-            }
-            ui.end_row();
-        }
-    });
+    let flips = matches!(event, Some(Event::Flip { .. }));
+    let row = |(n, piece): (usize, &Piece<D>)| {
+        let is_now = now == Some(n);
+        let tone = match now {
+            Some(_) if is_now && flips => Tone::Line,
+            Some(_) if is_now => Tone::Used,
+            Some(now) if n < now => Tone::Plain,
+            Some(_) | None => Tone::Quiet,
+        };
+        // What comes later is not known yet.
+        let is_known = now.is_some_and(|now| n <= now);
+        let child = if is_known { piece.child.0.to_string() } else { "·".to_owned() };
+        let bit = |axis: usize| {
+            let span = bits_of(piece.child).0.swap_remove(axis);
+            let text = Span { text: span.text.trim().to_owned(), ..span };
+            let is_lit = is_now && flips && piece.flipped.contains(axis);
+            let text = RichText(if is_known { vec![text] } else { Vec::new() });
+            Entry::new(text, if is_lit { Tone::Used } else { tone })
+        };
+        let first = [Entry::new(range([piece.from, piece.to]), tone), Entry::new(child, tone)];
+        first.into_iter().chain((0..D).map(bit)).collect()
+    };
+    let [piece, child] = ["cuts-piece", "cuts-child"].map(|key| RichText::from(look.text(key)));
+    Table {
+        columns: [Anchor::Start].into_iter().chain([Anchor::Middle; 4]).take(2 + D).collect(),
+        head: vec![piece, child],
+        rows: pieces.iter().enumerate().map(row).collect(),
+    }
 }
 
 /// The pieces into which the mid planes cut the interval, with their children.

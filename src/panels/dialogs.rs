@@ -105,7 +105,7 @@ fn path(ui: &mut Ui, look: &Look, typed: &mut Typed) -> bool {
         state.store(ui.ctx(), field.id);
     }
     if typed.replaces {
-        let question = RichText::new(look.text("path-replaces")).color(look.palette.ray);
+        let question = RichText::new(look.text("path-replaces")).strong();
         ui.add(Label::new(question).wrap());
     }
     let confirm = if typed.replaces { "path-replace" } else { confirm };

@@ -1,12 +1,15 @@
 //! The net of links between neighbours.
 
 use crate::look::Look;
-use crate::widgets::{Lit, caption, lit, per_axis, rich_job};
-use eframe::egui::{Grid, Label, RichText, Ui};
+use crate::widgets::{Setting, caption, node_note, per_axis, table};
+use eframe::egui::Ui;
 use octoscope_core::event::Event;
+use octoscope_core::explain::{RichText, Span};
 use octoscope_core::geometry::{AXIS_NAMES, Ray};
 use octoscope_core::trace::{Moment, Trace};
-use octoscope_core::tree::Tree;
+use octoscope_core::tree::{NodeId, Tree};
+use octoscope_figure::Anchor;
+use octoscope_figure::views::{Entry, Table, Tone};
 
 /// A tree, and the ray that goes through it along links.
 #[derive(Clone, Copy, Debug)]
@@ -15,6 +18,40 @@ pub struct Net<'a, const D: usize> {
     pub tree: &'a Tree<D>,
     /// The ray.
     pub ray: &'a Ray<D>,
+}
+
+/// The leaf that is left.
+pub fn note<const D: usize>(
+    look: &Look,
+    tree: &Tree<D>,
+    trace: &Trace<D>,
+    moment: &Moment<D>,
+) -> String {
+    node_note(look, tree, left(trace, moment).map(|(node, _)| node))
+}
+
+/// The leaf that is left, and the axis of the link that is followed.
+fn left<const D: usize>(trace: &Trace<D>, moment: &Moment<D>) -> Option<(NodeId, Option<usize>)> {
+    // Only an algorithm that follows links has had them made; and not while the
+    // first leaf is still looked for.
+    let has_links = trace.events.iter().any(|event| matches!(event, Event::Rope { .. }));
+    let leaf = moment.leaves.last().filter(|_| has_links)?;
+    let past = &trace.events[..moment.step.min(trace.events.len())];
+    let left = moment.detour.links.last().map(|link| link[0]);
+    let since_leaf = past.iter().rev().take_while(|event| !matches!(event, Event::Leaf { .. }));
+    let mut followed = since_leaf.filter_map(|event| {
+        if let Event::Rope { axis, node } = event {
+            Some((usize::from(*axis), *node))
+        } else {
+            None
+        }
+    });
+    Some(match followed.next() {
+        // At the border a link leads nowhere, and the node stays.
+        Some((axis, None)) => (moment.current.unwrap_or(leaf.node), Some(axis)),
+        Some((axis, Some(_))) => (left.unwrap_or(leaf.node), Some(axis)),
+        None => (leaf.node, None),
+    })
 }
 
 /// Where the links of the leaf that is left lead to, a row each; the one that is
@@ -26,73 +63,39 @@ pub fn ui<const D: usize>(
     trace: &Trace<D>,
     moment: &Moment<D>,
 ) {
-    // Only an algorithm that follows links has had them made; and not while the
-    // first leaf is still looked for.
-    let has_links = trace.events.iter().any(|event| matches!(event, Event::Rope { .. }));
-    let past = &trace.events[..moment.step.min(trace.events.len())];
-    let Some(leaf) = moment.leaves.last().filter(|_| has_links) else {
+    let Some((from, followed)) = left(trace, moment) else {
         caption(ui, look, look.text("links-none"));
         return;
     };
-    let left = moment.detour.links.last().map(|link| link[0]);
-    let since_leaf = past.iter().rev().take_while(|event| !matches!(event, Event::Leaf { .. }));
-    let mut followed = since_leaf.filter_map(|event| {
-        if let Event::Rope { axis, node } = event {
-            Some((usize::from(*axis), *node))
-        } else {
-            None
-        }
-    });
-    let followed = followed.next();
-    // At the border a link leads nowhere, and the node stays.
-    let from = match followed {
-        Some((_, None)) => moment.current.unwrap_or(leaf.node),
-        Some((_, Some(_))) => left.unwrap_or(leaf.node),
-        None => leaf.node,
-    };
-    let codes = tree.code(from).map(|c| c.to_string()).join(", ");
-    let arguments = [("level", tree.level(from).into()), ("codes", codes.into())];
-    caption(ui, look, look.texts.format("links-of", &arguments));
-    let grid = Grid::new("links").num_columns(4);
-    // The longest words of all columns take about 260 points.
-    let gap = ((ui.available_width() - 260.0) / 3.0).clamp(4.0, 14.0);
-    grid.spacing([gap, 0.0]).min_col_width(24.0).min_row_height(18.0).show(ui, |ui| {
-        for key in ["links-side", "stack-level", "stack-codes", "links-size"] {
-            caption(ui, look, look.text(key));
-        }
-        ui.end_row();
-        for axis in 0..D {
-            for (upper, sign) in [(false, "−"), (true, "+")] {
-                let forward = ray.direction()[axis] > 0.0;
-                let used = followed.is_some_and(|(a, _)| a == axis) && forward == upper;
-                let tone = if used { Lit::Used } else { Lit::No };
-                let side = RichText::new(format!("{}{sign}", AXIS_NAMES[axis])).size(13.0);
-                ui.label(side.strong().color(look.palette.axes[axis]));
-                match tree.neighbour_across(from, axis, upper) {
-                    Some(node) => {
-                        ui.label(lit(look, tree.level(node).to_string(), tone));
-                        let codes = per_axis(tree.code(node).map(|c| c.to_string()));
-                        ui.add(Label::new(rich_job(&codes, look, 13.0, 160.0)));
-                        let key = if tree.level(node) > tree.level(from) {
-                            "links-larger"
-                        } else if tree.node(node).is_leaf() {
-                            "links-equal"
-                        } else {
-                            "links-divided"
-                        };
-                        ui.label(lit(look, look.text(key), tone).size(look.type_size(12.0)));
-                    }
-                    None => {
-                        ui.label(lit(look, "–", tone));
-                        ui.label(
-                            lit(look, look.text("links-border"), Lit::Quiet)
-                                .size(look.type_size(12.0)),
-                        );
-                        ui.label("");
-                    }
-                }
-                ui.end_row();
+    let row = |axis: usize, upper: bool| {
+        let forward = ray.direction()[axis] > 0.0;
+        let used = followed == Some(axis) && forward == upper;
+        let tone = if used { Tone::Used } else { Tone::Plain };
+        let side = format!("{}{}", AXIS_NAMES[axis], if upper { "+" } else { "−" });
+        let side = RichText(vec![Span { text: side, axis: Some(axis), ..Span::default() }]);
+        let [level, codes, size] = match tree.neighbour_across(from, axis, upper) {
+            Some(node) => {
+                let key = if tree.level(node) > tree.level(from) {
+                    "links-larger"
+                } else if tree.node(node).is_leaf() {
+                    "links-equal"
+                } else {
+                    "links-divided"
+                };
+                let codes = per_axis(tree.code(node).map(|c| c.to_string()));
+                [tree.level(node).to_string().into(), codes, look.text(key).into()]
             }
-        }
-    });
+            None => ["–".into(), look.text("links-border").into(), "".into()],
+        };
+        [side, level, codes, size].map(|text| Entry::new(text, tone)).to_vec()
+    };
+    let head = ["links-side", "stack-level", "stack-codes", "links-size"];
+    let links = Table {
+        columns: vec![Anchor::Start, Anchor::Middle, Anchor::Start, Anchor::Start],
+        head: head.map(|key| look.text(key).into()).to_vec(),
+        rows: (0..D).flat_map(|axis| [row(axis, false), row(axis, true)]).collect(),
+    };
+    // The longest words of all columns take about 290 points.
+    let gap = ((ui.available_width() - 290.0) / 3.0).clamp(4.0, 14.0);
+    table(ui, look, &links, Setting { gap, least: 20.0 });
 }

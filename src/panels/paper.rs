@@ -133,7 +133,7 @@ fn told_of(look: &Look, verdict: &Verdict, longer: &str) -> RichText {
         }
         (None, None) => return RichText::new(look.text("paper-agrees")),
     };
-    RichText::new(told).strong().color(look.palette.ray)
+    RichText::new(told).strong().color(look.palette.rejected)
 }
 
 /// What is printed and what is right: as formulas where these tell it.

@@ -236,16 +236,21 @@ fn fields<const D: usize>(
     const GAP: f32 = 8.0;
     let name = ui.spacing().interact_size.x;
     let width = 0.5 * (ui.available_width() - name) - GAP;
-    Grid::new(key).num_columns(1 + points.len()).spacing([GAP, 4.0]).show(ui, |ui| {
+    let grid = Grid::new(key).num_columns(1 + points.len()).spacing([GAP, 4.0]);
+    grid.max_col_width(width).show(ui, |ui| {
+        if points.len() > 1 {
+            ui.label("");
+            for end in ["query-region-from", "query-region-to"] {
+                ui.label(RichText::new(look.text(end)).size(13.0).color(look.palette.quiet));
+            }
+            ui.end_row();
+        }
         for axis in 0..D {
             let color = look.palette.axes[axis];
             ui.label(RichText::new(AXIS_NAMES[axis]).strong().color(color));
             for (n, point) in points.iter_mut().enumerate() {
                 let name = format!("{} {}{}", look.text(key), AXIS_NAMES[axis], n);
-                ui.scope(|ui| {
-                    ui.set_max_width(width);
-                    number_field(ui, look, &name, &mut point[axis], side / 256.0, color);
-                });
+                number_field(ui, look, &name, &mut point[axis], side / 256.0, color);
             }
             ui.end_row();
         }

@@ -15,7 +15,8 @@ pub fn ui<const D: usize>(ui: &mut Ui, look: &Look, ray: &mut Ray<D>, side: f64)
     let name = ui.painter().layout_no_wrap(title.clone(), font, look.palette.ink).size().x;
     let name = name.max(ui.spacing().interact_size.x);
     let width = 0.5 * (ui.available_width() - name) - GAP;
-    Grid::new("ray").num_columns(3).spacing([GAP, 4.0]).show(ui, |ui| {
+    let grid = Grid::new("ray").num_columns(3).spacing([GAP, 4.0]);
+    grid.max_col_width(width).show(ui, |ui| {
         heading(ui, look, &title, "");
         for key in ["ray-origin", "ray-direction"] {
             ui.label(RichText::new(look.text(key)).size(13.0).color(look.palette.quiet));
@@ -28,10 +29,7 @@ pub fn ui<const D: usize>(ui: &mut Ui, look: &Look, ray: &mut Ray<D>, side: f64)
                 [("ray-origin", &mut origin[axis]), ("ray-direction", &mut direction[axis])]
             {
                 let name = format!("{} {}", look.text(key), AXIS_NAMES[axis]);
-                ui.scope(|ui| {
-                    ui.set_max_width(width);
-                    number_field(ui, look, &name, value, side / 256.0, color);
-                });
+                number_field(ui, look, &name, value, side / 256.0, color);
             }
             ui.end_row();
         }

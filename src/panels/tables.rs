@@ -1,12 +1,15 @@
 //! Tables of neighbours, and the way up and down by them.
 
 use crate::look::Look;
-use crate::widgets::{Lit, beside_or_below, caption, lit, segments};
-use eframe::egui::{CollapsingHeader, Grid, Id, Response, RichText, Ui};
+use crate::widgets::{Setting, beside_or_below, caption, segments, table};
+use eframe::egui::{CollapsingHeader, Id, Response, RichText, Ui};
 use octoscope_core::event::{Event, Lookup};
+use octoscope_core::explain::{RichText as Coloured, Span};
 use octoscope_core::geometry::AXIS_NAMES;
 use octoscope_core::locate::{Direction, adjacent, common_part, reflected};
 use octoscope_core::tree::{Child, NodeId, Tree};
+use octoscope_figure::Anchor;
+use octoscope_figure::views::{self, Entry, Tone};
 
 /// One of the tables.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -171,66 +174,88 @@ pub fn ui<const D: usize>(ui: &mut Ui, look: &Look, tree: &Tree<D>, past: &[Even
 const COLUMN: f32 = 22.0;
 const CAPTIONS: f32 = 62.0;
 
-/// Distance between columns: less where there is no room.
-fn gap<const D: usize>(ui: &Ui) -> f32 {
+/// How the tables are set: closer where there is no room.
+fn setting<const D: usize>(ui: &Ui) -> Setting {
     let columns = Child::<D>::COUNT as f32;
-    ((ui.available_width() - CAPTIONS) / columns - COLUMN).clamp(2.0, 10.0)
+    let gap = ((ui.available_width() - CAPTIONS) / columns - COLUMN).clamp(2.0, 10.0);
+    Setting { gap, least: COLUMN }
+}
+
+/// A caption, then an entry for every child below its number.
+fn columns<const D: usize>() -> Vec<Anchor> {
+    let children = std::iter::repeat_n(Anchor::Middle, Child::<D>::COUNT);
+    std::iter::once(Anchor::Start).chain(children).collect()
 }
 
 /// The three tables for one direction.
 fn children<const D: usize>(ui: &mut Ui, look: &Look, used: Used<D>, is_over: bool) {
     // What is over is lit no more than what is beside it.
-    let [strong, line] = if is_over { [Lit::Line, Lit::No] } else { [Lit::Used, Lit::Line] };
-    let grid = Grid::new("children").num_columns(1 + Child::<D>::COUNT);
-    let spacing = [gap::<D>(ui), 0.0];
-    grid.spacing(spacing).min_col_width(COLUMN).min_row_height(18.0).show(ui, |ui| {
-        caption(ui, look, look.text("tables-child"));
-        for child in Child::<D>::all() {
-            let tone = if child == used.child { line } else { Lit::No };
-            ui.label(lit(look, child.0.to_string(), tone));
-        }
-        ui.end_row();
-        for table in Table::ALL {
-            let in_use = used.kind.tables(used.lookup).contains(&table);
-            caption(ui, look, table.name());
-            for child in Child::<D>::all() {
-                let tone = match (in_use, child == used.child) {
-                    (true, true) => strong,
-                    (true, false) | (false, true) => line,
-                    (false, false) => Lit::No,
-                };
-                entry(ui, look, table, used.direction, child, tone);
-            }
-            ui.end_row();
-        }
+    let [strong, line] = if is_over { [Tone::Line, Tone::Plain] } else { [Tone::Used, Tone::Line] };
+    let row = |caption: String, entry: &dyn Fn(Child<D>) -> Entry| {
+        let caption = Entry::new(caption, Tone::Quiet);
+        std::iter::once(caption).chain(Child::<D>::all().map(entry)).collect()
+    };
+    let numbers = row(look.text("tables-child"), &|child| {
+        let tone = if child == used.child { line } else { Tone::Plain };
+        Entry::new(child.0.to_string(), tone)
     });
+    let rows = Table::ALL.map(|table| {
+        let in_use = used.kind.tables(used.lookup).contains(&table);
+        row(table.name().to_owned(), &|child| {
+            let tone = match (in_use, child == used.child) {
+                (true, true) => strong,
+                (true, false) | (false, true) => line,
+                (false, false) => Tone::Plain,
+            };
+            Entry::new(entry(look, table, used.direction, child, with_axes), tone)
+        })
+    });
+    let shown = views::Table {
+        columns: columns::<D>(),
+        head: Vec::new(),
+        rows: std::iter::once(numbers).chain(rows).collect(),
+    };
+    let mut responses = table(ui, look, &shown, setting::<D>(ui)).into_iter().skip(1);
+    for table in Table::ALL {
+        explain(look, table, used.direction, responses.next().unwrap_or_default());
+    }
 }
 
-/// An entry, which tells its rule where it is pointed at.
+/// Lets every entry of a row tell its rule where it is pointed at.
+fn explain<const D: usize>(
+    look: &Look,
+    table: Table,
+    direction: [i8; D],
+    responses: Vec<Response>,
+) {
+    for (child, response) in Child::<D>::all().zip(responses.into_iter().skip(1)) {
+        let bits: Vec<_> = (0..D)
+            .map(|e| format!("{} = {}", AXIS_NAMES[e], u8::from(child.is_upper(e))))
+            .collect();
+        let arguments = [
+            ("child", child.0.into()),
+            ("bits", bits.join(", ").into()),
+            ("direction", named(direction).into()),
+        ];
+        response.on_hover_text(look.texts.format(table.why(), &arguments));
+    }
+}
+
+/// What a table says of a child; a direction as `told` writes it.
 fn entry<const D: usize>(
-    ui: &mut Ui,
     look: &Look,
     table: Table,
     direction: [i8; D],
     child: Child<D>,
-    tone: Lit,
-) -> Response {
-    let text = match table {
-        Table::Adjacent if adjacent(direction, child) => look.text("tables-yes"),
-        Table::Adjacent => "–".to_owned(),
-        Table::Common if common_part(direction, child) == [0; D] => "–".to_owned(),
-        Table::Common => signs(common_part(direction, child)),
-        Table::Reflect => reflected(direction, child).0.to_string(),
-    };
-    let bits: Vec<_> =
-        (0..D).map(|e| format!("{} = {}", AXIS_NAMES[e], u8::from(child.is_upper(e)))).collect();
-    let arguments = [
-        ("child", child.0.into()),
-        ("bits", bits.join(", ").into()),
-        ("direction", named(direction).into()),
-    ];
-    let why = look.texts.format(table.why(), &arguments);
-    ui.label(lit(look, text, tone).size(look.type_size(12.0))).on_hover_text(why)
+    told: fn([i8; D]) -> Coloured,
+) -> Coloured {
+    match table {
+        Table::Adjacent if adjacent(direction, child) => look.text("tables-yes").into(),
+        Table::Adjacent => "–".into(),
+        Table::Common if common_part(direction, child) == [0; D] => "–".into(),
+        Table::Common => told(common_part(direction, child)),
+        Table::Reflect => reflected(direction, child).0.to_string().into(),
+    }
 }
 
 /// The nodes of one way, each with the child that led there.
@@ -256,61 +281,77 @@ fn list<const D: usize>(ui: &mut Ui, look: &Look, tree: &Tree<D>, steps: &[Step<
         label.on_hover_text(look.texts.format("node-note", &arguments));
     }
     if steps.is_empty() {
-        ui.label(lit(look, "–", Lit::Quiet));
+        caption(ui, look, "–");
     }
 }
 
 /// One of the tables for all directions: sides, then edges, then corners.
 fn all<const D: usize>(ui: &mut Ui, look: &Look, used: Option<Used<D>>) {
     let id = Id::unique("chosen-table");
-    let mut table = ui.data(|data| data.get_temp(id)).unwrap_or(Table::Common);
-    segments(ui, &mut table, &Table::ALL.map(|table| (table, table.name().to_owned())));
-    ui.data_mut(|data| data.insert_temp(id, table));
-    let grid = Grid::new("directions").num_columns(1 + Child::<D>::COUNT);
-    let spacing = [gap::<D>(ui), 0.0];
-    grid.spacing(spacing).min_col_width(COLUMN).min_row_height(17.0).show(ui, |ui| {
-        caption(ui, look, AXIS_NAMES[..D].join(""));
-        for child in Child::<D>::all() {
-            let tone =
-                if used.is_some_and(|used| used.child == child) { Lit::Line } else { Lit::Quiet };
-            ui.label(lit(look, child.0.to_string(), tone));
-        }
-        ui.end_row();
-        for n_axes in 1..=D {
-            let is_kind = |d: &[i8; D]| d.iter().filter(|s| **s != 0).count() == n_axes;
-            let kind = Direction::<D>::all().map(Direction::components).filter(is_kind);
-            for direction in kind {
-                let row = used.is_some_and(|used| used.direction == direction);
-                ui.label(lit(look, signs(direction), if row { Lit::Line } else { Lit::Quiet }));
-                for child in Child::<D>::all() {
-                    let column = used.is_some_and(|used| used.child == child);
-                    let tone = match (row, column) {
-                        (true, true) => Lit::Used,
-                        (true, false) | (false, true) => Lit::Line,
-                        (false, false) => Lit::No,
-                    };
-                    entry(ui, look, table, direction, child, tone);
-                }
-                ui.end_row();
-            }
-        }
+    let mut chosen = ui.data(|data| data.get_temp(id)).unwrap_or(Table::Common);
+    segments(ui, &mut chosen, &Table::ALL.map(|table| (table, table.name().to_owned())));
+    ui.data_mut(|data| data.insert_temp(id, chosen));
+    let row = |direction: [i8; D]| {
+        let in_row = used.is_some_and(|used| used.direction == direction);
+        let name = Entry::new(signs(direction), if in_row { Tone::Line } else { Tone::Plain });
+        let entries = Child::<D>::all().map(|child| {
+            let tone = match (in_row, used.is_some_and(|used| used.child == child)) {
+                (true, true) => Tone::Used,
+                (true, false) | (false, true) => Tone::Line,
+                (false, false) => Tone::Plain,
+            };
+            Entry::new(entry(look, chosen, direction, child, signs), tone)
+        });
+        std::iter::once(name).chain(entries).collect()
+    };
+    // Sides, then edges, then corners.
+    let n_axes = |d: &[i8; D]| d.iter().filter(|sign| **sign != 0).count();
+    let mut directions: Vec<_> = Direction::<D>::all().map(Direction::components).collect();
+    directions.sort_by_key(n_axes);
+    let numbers = Child::<D>::all().map(|child| {
+        let in_column = used.is_some_and(|used| used.child == child);
+        Entry::new(child.0.to_string(), if in_column { Tone::Line } else { Tone::Quiet })
     });
+    let letters = (0..D).map(|axis| Span {
+        text: AXIS_NAMES[axis].to_owned(),
+        axis: Some(axis),
+        ..Span::default()
+    });
+    let letters = Entry::new(Coloured(letters.collect()), Tone::Plain);
+    let numbers = std::iter::once(letters).chain(numbers).collect();
+    let shown = views::Table {
+        columns: columns::<D>(),
+        head: Vec::new(),
+        rows: std::iter::once(numbers).chain(directions.iter().copied().map(row)).collect(),
+    };
+    let responses = table(ui, look, &shown, setting::<D>(ui)).into_iter().skip(1);
+    for (direction, responses) in directions.into_iter().zip(responses) {
+        explain(look, chosen, direction, responses);
+    }
 }
 
-/// A direction by its signs, x first: +−, +· …
-fn signs<const D: usize>(direction: [i8; D]) -> String {
-    direction
-        .iter()
-        .map(|s| {
-            if *s > 0 {
-                '+'
-            } else if *s < 0 {
-                '−'
-            } else {
-                '·'
-            }
-        })
-        .collect()
+/// A direction by its signs, x first, each in the colour of its axis: +−, +· …
+fn signs<const D: usize>(direction: [i8; D]) -> Coloured {
+    let sign = |axis: usize| match direction[axis].signum() {
+        1 => ("+".to_owned(), Some(axis)),
+        -1 => ("−".to_owned(), Some(axis)),
+        _ => ("·".to_owned(), None),
+    };
+    let spans = (0..D).map(sign);
+    Coloured(spans.map(|(text, axis)| Span { text, axis, ..Span::default() }).collect())
+}
+
+/// The same by axes and signs, +z, where not every axis has a sign.
+fn with_axes<const D: usize>(direction: [i8; D]) -> Coloured {
+    if direction.iter().all(|sign| *sign != 0) {
+        return signs(direction);
+    }
+    let mut told = signs(direction);
+    told.0.retain(|span| span.axis.is_some());
+    for span in &mut told.0 {
+        span.text.extend(span.axis.map(|axis| AXIS_NAMES[axis]));
+    }
+    told
 }
 
 /// A direction by axes and signs: +x −y.
@@ -327,7 +368,9 @@ mod tests {
 
     #[test]
     fn directions_are_told_by_their_signs() {
-        assert_eq!(signs([1, 0, -1]), "+·−");
+        assert_eq!(signs([1, 0, -1]).plain(), "+·−");
+        assert_eq!(with_axes([0, 0, -1]).plain(), "−z");
+        assert_eq!(with_axes([1, 1, -1]).plain(), "++−");
         assert_eq!(named([1, 0, -1]), "+x −z");
     }
 

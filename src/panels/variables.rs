@@ -17,7 +17,7 @@ pub fn ui(ui: &mut Ui, look: &Look, variables: &[Changed]) -> Option<NodeId> {
     Grid::new("variables").num_columns(2).spacing([8.0, 0.0]).min_row_height(18.0).show(ui, |ui| {
         for Changed { variable, is_changed } in variables {
             ui.add(Label::new(rich_job(&variable.name, look, 13.0, NAMES_WIDTH)));
-            let fill = if *is_changed { look.palette.current_fill } else { look.palette.panel };
+            let fill = if *is_changed { look.palette.lit } else { look.palette.panel };
             let frame = Frame::new().fill(fill).corner_radius(CornerRadius::same(3));
             let shown = frame.inner_margin(Margin::symmetric(5, 0)).show(ui, |ui| {
                 ui.add(Label::new(rich_job(&variable.value, look, 13.0, most_width)));

@@ -2,10 +2,9 @@
 
 use crate::look::Look;
 use crate::view::Hover;
-use crate::widgets::{Lit, caption, child_bits, lit, node_note, rich_label};
+use crate::widgets::{caption, child_bits, node_note, rich_label};
 use eframe::egui::{Grid, RichText, Ui};
 use octoscope_core::explain::{Naming, fate_name, fate_numbers, fate_sentence};
-use octoscope_core::geometry::Axes;
 use octoscope_core::text::Language;
 use octoscope_core::trace::{Fate, fate};
 use octoscope_core::tree::{Child, NodeId};
@@ -48,13 +47,16 @@ pub fn ui<const D: usize>(
     let is_pointed = |node: NodeId| pointed.is_some_and(|inner| tree.holds(node, inner));
     let n_columns = if has_bits { 4 } else { 3 };
     let grid = Grid::new("why-not").num_columns(n_columns).spacing([12.0, 0.0]).min_col_width(18.0);
+    let are_lit: Vec<bool> = fates.iter().map(|&(_, node, _)| is_pointed(node)).collect();
+    let ground = look.palette.lit;
+    let grid = grid
+        .with_row_color(move |row, _| are_lit.get(row).copied().unwrap_or(false).then_some(ground));
     grid.min_row_height(20.0).show(ui, |ui| {
         for &(child, node, fate) in &fates {
             let top = ui.cursor().min;
-            let tone = if is_pointed(node) { Lit::Line } else { Lit::No };
-            ui.label(lit(look, child.0.to_string(), tone));
+            ui.label(RichText::new(child.0.to_string()).monospace().size(13.0));
             if has_bits {
-                child_bits(ui, look, child, Axes::NONE);
+                child_bits(ui, look, child);
             }
             let color = match fate {
                 Fate::RuledOut(_) | Fate::Strayed(_) | Fate::PassedBy(_) => look.palette.rejected,

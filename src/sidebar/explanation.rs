@@ -111,10 +111,14 @@ fn note<const D: usize>(
         PanelKind::Grid => grid::note(look, moment),
         PanelKind::Tree => tree::note(look, &document.shown(moment)),
         PanelKind::WhyNot => why_not::note(look, &document.shown(moment)),
-        PanelKind::Cuts
-        | PanelKind::Children
-        | PanelKind::Links
-        | PanelKind::Halves
+        PanelKind::Cuts => cuts::note(look, &document.tree, moment),
+        PanelKind::Children => {
+            let events = &document.trace.events;
+            let past = &events[..moment.step.min(events.len())];
+            children::note(look, &document.tree, moment, past)
+        }
+        PanelKind::Links => links::note(look, &document.tree, &document.trace, moment),
+        PanelKind::Halves
         | PanelKind::Region
         | PanelKind::Neighbour
         | PanelKind::Listing
@@ -172,7 +176,7 @@ fn body<const D: usize>(
             pointed.into_iter().for_each(|node| view.hover.offer(node));
         }
         PanelKind::Tables => tables::ui(ui, look, &tree, past),
-        PanelKind::Cuts => cuts::ui(ui, look, &tree, moment, event),
+        PanelKind::Cuts => cuts::ui(ui, look, moment, event),
         PanelKind::Children => children::ui(ui, look, &tree, moment, past),
         PanelKind::WayDown => {
             way_down::ui(ui, look, &tree, document.traced_ray(), moment, past);

@@ -28,7 +28,12 @@ pub fn slider_field<N: Numeric>(
         ui.spacing_mut().slider_width = (ui.available_width() - room).max(SHORTEST);
         let clamping = SliderClamping::Edits;
         let slider = Slider::new(value, range[0]..=range[1]).clamping(clamping);
-        let response = ui.add(set(slider).show_value(false));
+        let response = ui
+            .scope(|ui| {
+                ui.visuals_mut().widgets.inactive.bg_fill = look.palette.rail;
+                ui.add(set(slider).show_value(false))
+            })
+            .inner;
         let shown = value.to_f64();
         response.widget_info(|| WidgetInfo::slider(true, shown, name));
         field_in_range(ui, look, name, value, range, drag_speed, clamping);

@@ -1,59 +1,181 @@
 //! Tables of the views, entry by entry.
 
-use super::rich_job;
 use crate::look::Look;
-use eframe::egui::text::{LayoutJob, TextFormat};
-use eframe::egui::{Align, Color32, FontFamily, FontId, Grid, Ui, vec2};
+use eframe::egui::text::LayoutJob;
+use eframe::egui::{
+    FontFamily, Galley, Label, Painter, Rect, Response, Sense, Stroke, StrokeKind, Ui, WidgetInfo,
+    accesskit::Role, pos2, text::TextFormat, vec2,
+};
+use octoscope_core::explain::{RichText, Span};
 use octoscope_figure::views::{Entry, Table, Tone};
+use std::sync::Arc;
 
 /// How a table is set in a panel.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Setting {
-    /// Tells the table apart from others in the same panel.
-    pub id: &'static str,
     /// Room between columns.
     pub gap: f32,
     /// Least width of a column.
     pub least: f32,
 }
 
-/// Shows a table.
-pub fn table(ui: &mut Ui, look: &Look, table: &Table, setting: Setting) {
-    let n_columns = table.columns.len();
-    let grid = Grid::new(setting.id).num_columns(n_columns).spacing(vec2(setting.gap, 0.0));
-    grid.min_col_width(setting.least).min_row_height(18.0).show(ui, |ui| {
-        for head in &table.head {
-            ui.label(rich_job(head, look, 13.0, f32::INFINITY));
+/// Height of type in a table, and of a row.
+const SIZE: f32 = 13.0;
+const ROW: f32 = 18.0;
+/// How far the ground of a lit entry may reach beyond the table.
+const BEYOND: f32 = 4.0;
+
+/// Shows a table: what is lit fills its cells, and what is used bears a frame. Returns its
+/// entries row by row, without the head.
+pub fn table(ui: &mut Ui, look: &Look, table: &Table, setting: Setting) -> Vec<Vec<Response>> {
+    let painter = ui.painter().clone();
+    let head: Vec<_> = table.head.iter().map(|text| head_of(&painter, look, text)).collect();
+    let rows: Vec<Vec<_>> = table
+        .rows
+        .iter()
+        .map(|row| row.iter().map(|entry| galley_of(&painter, look, entry)).collect())
+        .collect();
+    let lines = || rows.iter().chain([&head]);
+    let widest = |column: usize| {
+        let wide = lines().filter_map(|line| line.get(column)).map(|galley| galley.size().x);
+        wide.fold(setting.least, f32::max)
+    };
+    let widths: Vec<f32> = (0..table.columns.len()).map(widest).collect();
+    let highest = lines().flatten().map(|galley| galley.size().y).fold(ROW, f32::max);
+    let height = highest.ceil();
+    let n_lines = rows.len() + usize::from(!head.is_empty());
+    let gaps = setting.gap * widths.len().saturating_sub(1) as f32;
+    let size = vec2(widths.iter().sum::<f32>() + gaps, height * n_lines as f32);
+    let (room, _) = ui.allocate_exact_size(size, Sense::hover());
+    let cell = |line: usize, column: usize| {
+        let before: f32 = widths[..column].iter().map(|wide| wide + setting.gap).sum();
+        let corner = room.min + vec2(before, height * line as f32);
+        Rect::from_min_size(corner, vec2(widths[column], height))
+    };
+    let put = |ui: &mut Ui, cell: Rect, column: usize, galley: &Arc<Galley>| {
+        let share = table.columns[column].share() as f32;
+        let x = cell.left() + share * (cell.width() - galley.size().x);
+        // The middle of its capitals is that of the row.
+        let y = cell.center().y + 0.36 * look.type_size(SIZE) - baseline(galley);
+        let place = Rect::from_min_size(pos2(x, y.round()), galley.size());
+        ui.put(place, Label::new(Arc::clone(galley)))
+    };
+    for (column, galley) in head.iter().enumerate().filter(|(_, galley)| !galley.is_empty()) {
+        put(ui, cell(0, column), column, galley);
+    }
+    let n_heads = n_lines - rows.len();
+    let mut shown = Vec::new();
+    for (n, (row, galleys)) in table.rows.iter().zip(&rows).enumerate() {
+        for run in runs(row) {
+            let [first, last] = [run.first, run.last].map(|column| cell(n + n_heads, column));
+            let beyond = (0.5 * setting.gap).min(BEYOND);
+            let ground = first.union(last).expand2(vec2(beyond, 0.0));
+            light(&painter, look, ground, run.tone);
         }
-        if !table.head.is_empty() {
-            ui.end_row();
-        }
-        for row in &table.rows {
-            for entry in row {
-                ui.label(job(look, entry));
-            }
-            ui.end_row();
-        }
-    });
+        let entries = row.iter().zip(galleys).enumerate().map(|(column, (entry, galley))| {
+            let response = put(ui, cell(n + n_heads, column), column, galley);
+            let spoken = entry.text.plain();
+            response.widget_info(|| WidgetInfo::labeled(Role::Label, true, spoken.as_str()));
+            response
+        });
+        shown.push(entries.collect());
+    }
+    shown
 }
 
-fn job(look: &Look, entry: &Entry) -> LayoutJob {
-    let palette = &look.palette;
-    let background = match entry.tone {
-        Tone::Quiet | Tone::Plain => Color32::TRANSPARENT,
-        Tone::Line => palette.current_fill,
-        Tone::Used => palette.current_line.gamma_multiply(0.55),
-    };
-    let color = if entry.tone == Tone::Quiet { palette.quiet } else { palette.ink };
+/// Neighbouring entries of a row that are lit alike.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+struct Run {
+    first: usize,
+    last: usize,
+    tone: Tone,
+}
+
+fn runs(row: &[Entry]) -> Vec<Run> {
+    let mut runs: Vec<Run> = Vec::new();
+    for (column, entry) in row.iter().enumerate() {
+        match (runs.last_mut(), entry.tone) {
+            (_, Tone::Quiet | Tone::Plain) => {}
+            (Some(run), tone) if run.tone == tone && run.last + 1 == column => run.last = column,
+            (_, tone @ (Tone::Line | Tone::Used)) => {
+                runs.push(Run { first: column, last: column, tone });
+            }
+        }
+    }
+    runs
+}
+
+fn light(painter: &Painter, look: &Look, ground: Rect, tone: Tone) {
+    painter.rect_filled(ground, 2.0, look.palette.lit);
+    if tone == Tone::Used {
+        let frame = Stroke::new(1.5, look.palette.current_line);
+        painter.rect_stroke(ground, 2.0, frame, StrokeKind::Inside);
+    }
+}
+
+/// How far below its top the first line of a text stands.
+fn baseline(galley: &Galley) -> f32 {
+    let row = galley.rows.first();
+    row.and_then(|row| Some(row.pos.y + row.glyphs.first()?.pos.y)).unwrap_or(0.0)
+}
+
+/// The head of a column.
+fn head_of(painter: &Painter, look: &Look, text: &RichText) -> Arc<Galley> {
     let mut job = LayoutJob::default();
-    for span in &entry.text.0 {
-        let strong = span.strong || span.axis.is_some() || entry.tone == Tone::Used;
-        let family = if strong { look.mono_strong_family() } else { FontFamily::Monospace };
-        let font_id = FontId::new(if span.sub { look.type_size(10.0) } else { 13.0 }, family);
-        let color = span.axis.map_or(color, |axis| palette.axes[axis]);
-        let valign = if span.sub { Align::BOTTOM } else { Align::Center };
-        let format = TextFormat { font_id, color, background, valign, ..TextFormat::default() };
+    for span in &text.0 {
+        let is_axis = span.axis.is_some();
+        let family = if is_axis { look.strong_family() } else { FontFamily::Proportional };
+        let mut format = look.set(span, 12.0, family);
+        format.color = span.axis.map_or(look.palette.quiet, |axis| look.palette.axes[axis]);
         job.append(&span.text, 0.0, format);
     }
-    job
+    painter.layout_job(job)
+}
+
+fn galley_of(painter: &Painter, look: &Look, entry: &Entry) -> Arc<Galley> {
+    let palette = &look.palette;
+    let ink = if entry.tone == Tone::Quiet { palette.quiet } else { palette.ink };
+    let mut job = LayoutJob::default();
+    for span in &entry.text.0 {
+        let is_strong = span.strong || span.axis.is_some() || entry.tone == Tone::Used;
+        let color = span.axis.map_or(ink, |axis| palette.axes[axis]);
+        let format = look.set(span, SIZE, family(look, span, is_strong));
+        job.append(&span.text, 0.0, TextFormat { color, ..format });
+    }
+    painter.layout_job(job)
+}
+
+/// Numbers and what stands in columns is in the mono, words in the sans.
+fn family(look: &Look, span: &Span, is_strong: bool) -> FontFamily {
+    match (is_word(span), is_strong) {
+        (true, false) => FontFamily::Proportional,
+        (true, true) => look.strong_family(),
+        (false, false) => FontFamily::Monospace,
+        (false, true) => look.mono_strong_family(),
+    }
+}
+
+fn is_word(span: &Span) -> bool {
+    let letters = |text: &str| text.chars().all(|c| c.is_alphabetic() || c == ' ' || c == '-');
+    span.axis.is_none() && span.text.len() > 1 && letters(&span.text) && span.text != "NaN"
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn entries_that_are_lit_alike_share_a_ground() {
+        let row = [Tone::Used, Tone::Used, Tone::Line, Tone::Plain, Tone::Line];
+        let row = row.map(|tone| Entry::new("0", tone));
+        let told: Vec<_> = runs(&row).iter().map(|run| (run.first, run.last, run.tone)).collect();
+        assert_eq!(told, [(0, 1, Tone::Used), (2, 2, Tone::Line), (4, 4, Tone::Line)]);
+    }
+
+    #[test]
+    fn words_are_set_in_the_sans() {
+        let is_word = |text: &str| is_word(&Span { text: text.to_owned(), ..Span::default() });
+        assert!(is_word("schneidet") && is_word("end"));
+        assert!(!is_word("NaN") && !is_word("0.5") && !is_word("x") && !is_word("−∞"));
+    }
 }

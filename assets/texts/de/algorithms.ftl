@@ -29,10 +29,7 @@ children-interval = t
 children-missed = verfehlt
 
 way-down-none = Zeigt den Weg von der Wurzel, sobald ein Punkt gesucht wird.
-way-down-count = { $n ->
-    [one] einmal von der Wurzel
-   *[other] { $n } × von der Wurzel
-}
+way-down-count = { $n } ×
 way-down-level = Stufe { $level }
 way-down-root = Wurzel
 way-down-exit = Austritt
@@ -55,7 +52,6 @@ tables-common-why = Kind { $child } hat { $bits }. Von { $direction } bleiben di
 tables-reflect-why = Kind { $child } hat { $bits }. Die Bits aller Achsen in { $direction } werden umgekehrt.
 
 links-none = Zeigt die Verweise eines Blattes, sobald das erste gefunden ist.
-links-of = des Blattes auf Stufe { $level }, Codes { $codes }
 links-side = Seite
 links-size = Nachbar
 links-larger = größeres Blatt

@@ -29,10 +29,7 @@ children-interval = t
 children-missed = missed
 
 way-down-none = Shows the path from the root once a point is looked for.
-way-down-count = { $n ->
-    [one] once from the root
-   *[other] { $n } × from the root
-}
+way-down-count = { $n } ×
 way-down-level = level { $level }
 way-down-root = root
 way-down-exit = exit point
@@ -55,7 +52,6 @@ tables-common-why = Child { $child } has { $bits }. Of { $direction } what stays
 tables-reflect-why = Child { $child } has { $bits }. The bits of all axes in { $direction } are flipped.
 
 links-none = Shows the links of a leaf once the first one is found.
-links-of = of the leaf of level { $level }, codes { $codes }
 links-side = side
 links-size = neighbour
 links-larger = larger leaf

@@ -120,6 +120,8 @@ pub struct Palette {
     pub current_fill: f64,
     /// Outline of the current node.
     pub current_outline: Colour,
+    /// Behind what the step uses in tables, covering: text of every colour is read on it.
+    pub lit: Colour,
     /// Rejected, and what is wrong.
     pub rejected: Colour,
     /// Outline of the root and its descendants on the stack.
@@ -148,6 +150,7 @@ impl Palette {
             ("ray", self.ray),
             ("current", self.current),
             ("current-outline", self.current_outline),
+            ("lit", self.lit),
             ("rejected", self.rejected),
             ("ancestor", self.ancestor),
             ("accent", self.accent),
@@ -170,6 +173,7 @@ impl Palette {
             current: Colour::hex(0xe69f00),
             current_fill: 0.18,
             current_outline: Colour::hex(0xbe8402),
+            lit: Colour::hex(0xfdf5e5),
             rejected: Colour::hex(0x6f33a5),
             ancestor: Colour::hex(0x6d8faf),
             shade: Colour::hex(0x000000).faded(0.6),
@@ -192,6 +196,7 @@ impl Palette {
                 ray: Colour::hex(0xc80663),
                 current_fill: 0.35,
                 current_outline: Colour::hex(0xa26a0d),
+                lit: Colour::hex(0xfdf3de),
                 rejected: Colour::hex(0x6f339c),
                 ancestor: Colour::hex(0x000000),
                 ..light
@@ -209,6 +214,7 @@ impl Palette {
                 current: Colour::hex(0xffc147),
                 current_fill: 0.15,
                 current_outline: Colour::hex(0xffc147),
+                lit: Colour::hex(0x3d3523),
                 rejected: Colour::hex(0xc9b9f7),
                 ancestor: Colour::hex(0x96a1bf),
                 shade: Colour::hex(0x000000).faded(0.7),
@@ -258,7 +264,7 @@ mod tests {
             for text in
                 [p.ink, p.quiet_ink, p.ray, p.rejected, p.accent, p.axes[0], p.axes[1], p.axes[2]]
             {
-                for below in [p.background, p.panel, p.field] {
+                for below in [p.background, p.panel, p.field, p.lit] {
                     let ratio = contrast(text, below);
                     assert!(ratio >= 4.5, "{theme:?} {text:?} has {ratio:.2}");
                 }

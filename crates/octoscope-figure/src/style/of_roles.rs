@@ -157,13 +157,9 @@ impl Style {
             Role::Code => Self::default().lettered(p.ink, 11.5, Weight::Mono),
             Role::Bit => Self::default().lettered(p.ink, 14.0, Weight::MonoStrong),
             Role::Entry => Self { fill: Some(p.field), ..line(p.grid, 0.8) },
-            Role::LitEntry => Self {
-                fill: Some(p.current.faded(2.2 * p.current_fill)),
-                ..line(p.current_outline, 1.8)
-            },
-            Role::LitLine => {
-                Self { fill: Some(p.current.faded(p.current_fill)), ..Self::default() }
-            }
+            // Letters in the colours of the axes stand on them.
+            Role::LitEntry => Self { fill: Some(p.lit), ..line(p.current_outline, 1.8) },
+            Role::LitLine => Self { fill: Some(p.lit), ..Self::default() },
             Role::Rule => line(p.quiet_ink, 1.0),
             Role::Inside => {
                 Self { fill: Some(p.current.faded(1.2 * p.current_fill)), ..Self::default() }

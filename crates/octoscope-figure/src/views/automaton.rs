@@ -87,7 +87,7 @@ impl<const D: usize> Automaton<D> {
             std::iter::once(number).chain(next).collect()
         };
         Table {
-            columns: vec![Anchor::Start; D + 1],
+            columns: vec![Anchor::Middle; D + 1],
             head: std::iter::once(texts.get("automaton-state-column").into()).chain(axes).collect(),
             rows: Child::all().map(row).collect(),
         }
