@@ -235,7 +235,7 @@ fn fields<const D: usize>(
 ) {
     const GAP: f32 = 8.0;
     let name = ui.spacing().interact_size.x;
-    let width = 0.5 * (ui.available_width() - name) - GAP;
+    let width = (0.5 * (ui.available_width() - name) - GAP).floor();
     let grid = Grid::new(key).num_columns(1 + points.len()).spacing([GAP, 4.0]);
     grid.max_col_width(width).show(ui, |ui| {
         if points.len() > 1 {

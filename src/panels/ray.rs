@@ -14,7 +14,8 @@ pub fn ui<const D: usize>(ui: &mut Ui, look: &Look, ray: &mut Ray<D>, side: f64)
     let font = FontId::new(14.0, look.strong_family());
     let name = ui.painter().layout_no_wrap(title.clone(), font, look.palette.ink).size().x;
     let name = name.max(ui.spacing().interact_size.x);
-    let width = 0.5 * (ui.available_width() - name) - GAP;
+    // Whole points: what is rounded up must not widen the column.
+    let width = (0.5 * (ui.available_width() - name) - GAP).floor();
     let grid = Grid::new("ray").num_columns(3).spacing([GAP, 4.0]);
     grid.max_col_width(width).show(ui, |ui| {
         heading(ui, look, &title, "");

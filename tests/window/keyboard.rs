@@ -46,6 +46,8 @@ impl Desk {
     /// Steps to the end by the presenter's key; the number of sentences told.
     fn step_through(&mut self) -> usize {
         self.press(Key::Home);
+        // Takes away what is said of the scene that was open before.
+        self.press(Key::Escape);
         let n_steps = self.state().document().n_events();
         let mut sentences = vec![self.sentence()];
         for _ in 0..n_steps {

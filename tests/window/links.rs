@@ -66,7 +66,8 @@ fn pointing_at_the_rail_lights_the_leaf_at_that_parameter() {
 fn pointing_at_a_variable_lights_the_node_that_it_is() {
     let mut desk = desk(Preset::Debug);
     let leaf = first_leaf(&desk);
-    let codes = desk.plane().tree.code(leaf).map(|code| code.to_string()).join(", ");
+    // It is not broken after its comma.
+    let codes = desk.plane().tree.code(leaf).map(|code| code.to_string()).join(",\u{a0}");
     let value = desk.get_by_label(&format!("({codes})")).rect();
     desk.point_at(value.center());
     assert_eq!(lit(&desk), Some(leaf));

@@ -148,7 +148,7 @@ fn the_key_leads_to_where_a_detour_begins_or_says_why_nothing_is_wrong() {
 fn loading_a_counterexample_says_which_algorithm_and_rules_are_at_work() {
     for (language, told) in [
         (Language::English, "Algorithm: Parametric, by tables; rule B-3 as printed"),
-        (Language::German, "Verfahren: Parametrisch, mit Tabellen; Regel B-3 wie gedruckt"),
+        (Language::German, "Verfahren: Parametrisch, Tabellen; Regel B-3 wie gedruckt"),
     ] {
         let mut desk = Desk::new();
         follow(&mut desk, Algorithm::Parametric, Variant::B3);

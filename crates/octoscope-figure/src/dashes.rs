@@ -120,7 +120,7 @@ mod tests {
 
     #[test]
     fn every_corner_has_a_dash_around_it_and_every_side_whole_dashes() {
-        for size in [[12.0, 12.0], [20.5, 20.5], [31.0, 62.0], [100.0, 37.7], [40.0, 333.0]] {
+        for size in [[16.0, 16.0], [20.5, 20.5], [31.0, 62.0], [100.0, 37.7], [40.0, 333.0]] {
             for role in [Role::Target, Role::Rejected, Role::Missed, Role::Expected] {
                 let points = rectangle(size);
                 let form = Form::Polygon(points.clone());
