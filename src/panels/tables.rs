@@ -3,7 +3,7 @@
 mod way;
 
 use crate::look::Look;
-use crate::widgets::{Setting, beside_or_below, caption, segments, table};
+use crate::widgets::{Setting, beside_or_below, caption, segments, table, table_width};
 use eframe::egui::{CollapsingHeader, Id, Response, RichText, Ui};
 use octoscope_core::event::{Event, Lookup};
 use octoscope_core::explain::{RichText as Coloured, Span};
@@ -85,11 +85,11 @@ fn children<const D: usize>(ui: &mut Ui, look: &Look, used: Used<D>, is_over: bo
         let caption = Entry::new(caption, Tone::Quiet);
         std::iter::once(caption).chain(Child::<D>::all().map(entry)).collect()
     };
-    let numbers = row(look.text("tables-child"), &|child| {
+    let numbers: Vec<Entry> = row(look.text("tables-child"), &|child| {
         let tone = if child == used.child { line } else { Tone::Plain };
         Entry::new(child.0.to_string(), tone)
     });
-    let rows = Table::ALL.map(|table| {
+    let rows_of = |table: Table, told: fn([i8; D]) -> Coloured| {
         let in_use = used.kind.tables(used.lookup).contains(&table);
         row(table.name().to_owned(), &|child| {
             let tone = match (in_use, child == used.child) {
@@ -97,15 +97,22 @@ fn children<const D: usize>(ui: &mut Ui, look: &Look, used: Used<D>, is_over: bo
                 (true, false) | (false, true) => line,
                 (false, false) => Tone::Plain,
             };
-            Entry::new(entry(look, table, used.direction, child, with_axes), tone)
+            Entry::new(entry(look, table, used.direction, child, told), tone)
         })
-    });
-    let shown = views::Table {
+    };
+    let written = |told: fn([i8; D]) -> Coloured| views::Table {
         columns: columns::<D>(),
         head: Vec::new(),
-        rows: std::iter::once(numbers).chain(rows).collect(),
+        rows: std::iter::once(numbers.clone())
+            .chain(Table::ALL.map(|table| rows_of(table, told)))
+            .collect(),
     };
-    let mut responses = table(ui, look, &shown, setting::<D>(ui)).into_iter().skip(1);
+    let setting = setting::<D>(ui);
+    let mut shown = written(with_axes);
+    if table_width(ui, look, &shown, setting) > ui.available_width() {
+        shown = written(signs);
+    }
+    let mut responses = table(ui, look, &shown, setting).into_iter().skip(1);
     for table in Table::ALL {
         explain(look, table, used.direction, responses.next().unwrap_or_default());
     }

@@ -40,6 +40,6 @@ pub use rich::{fitting_size, rich_job, rich_label};
 pub use segments::{explained_segments, segments};
 pub use slider_field::slider_field;
 pub use step_slider::step_slider;
-pub use table::{Setting, table};
+pub use table::{Setting, table, table_width};
 pub use tick::tick;
 pub use typed_field::refused_number;

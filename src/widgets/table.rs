@@ -35,17 +35,12 @@ pub fn table(ui: &mut Ui, look: &Look, table: &Table, setting: Setting) -> Vec<V
         .iter()
         .map(|row| row.iter().map(|entry| galley_of(&painter, look, entry)).collect())
         .collect();
-    let lines = || rows.iter().chain([&head]);
-    let widest = |column: usize| {
-        let wide = lines().filter_map(|line| line.get(column)).map(|galley| galley.size().x);
-        wide.fold(setting.least, f32::max)
-    };
-    let widths: Vec<f32> = (0..table.columns.len()).map(widest).collect();
-    let highest = lines().flatten().map(|galley| galley.size().y).fold(ROW, f32::max);
+    let widths = widths(&painter, look, table, setting);
+    let highest =
+        rows.iter().chain([&head]).flatten().map(|galley| galley.size().y).fold(ROW, f32::max);
     let height = highest.ceil();
     let n_lines = rows.len() + usize::from(!head.is_empty());
-    let gaps = setting.gap * widths.len().saturating_sub(1) as f32;
-    let size = vec2(widths.iter().sum::<f32>() + gaps, height * n_lines as f32);
+    let size = vec2(whole(&widths, setting), height * n_lines as f32);
     let (room, _) = ui.allocate_exact_size(size, Sense::hover());
     let cell = |line: usize, column: usize| {
         let before: f32 = widths[..column].iter().map(|wide| wide + setting.gap).sum();
@@ -81,6 +76,26 @@ pub fn table(ui: &mut Ui, look: &Look, table: &Table, setting: Setting) -> Vec<V
         shown.push(entries.collect());
     }
     shown
+}
+
+/// How wide a table is when it is shown.
+pub fn table_width(ui: &Ui, look: &Look, table: &Table, setting: Setting) -> f32 {
+    whole(&widths(ui.painter(), look, table, setting), setting)
+}
+
+/// Width of every column.
+fn widths(painter: &Painter, look: &Look, table: &Table, setting: Setting) -> Vec<f32> {
+    let widest = |column: usize| {
+        let head = table.head.get(column).map(|text| head_of(painter, look, text));
+        let entries = table.rows.iter().filter_map(|row| row.get(column));
+        let entries = entries.map(|entry| galley_of(painter, look, entry));
+        entries.chain(head).map(|galley| galley.size().x).fold(setting.least, f32::max)
+    };
+    (0..table.columns.len()).map(widest).collect()
+}
+
+fn whole(widths: &[f32], setting: Setting) -> f32 {
+    widths.iter().sum::<f32>() + setting.gap * widths.len().saturating_sub(1) as f32
 }
 
 /// Neighbouring entries of a row that are lit alike.

@@ -53,6 +53,23 @@ fn painted(desk: &Desk) -> Vec<(String, f32)> {
     all
 }
 
+/// Texts beside the picture that are cut off at their right.
+fn cut(desk: &Desk) -> Vec<String> {
+    let name = texts(desk.state().view.language).get("space-name");
+    let space = desk.get_by_role_and_label(Role::Canvas, &name).rect();
+    let mut all = Vec::new();
+    for ClippedShape { clip_rect, shape, .. } in &desk.output().shapes {
+        each_text(shape, &mut |text| {
+            let seen = text.visual_bounding_rect();
+            let is_beside = seen.is_positive() && seen.left() >= space.right();
+            if is_beside && !clip_rect.expand(0.5).x_range().contains(seen.right()) {
+                all.push(text.galley.job.text.clone());
+            }
+        });
+    }
+    all
+}
+
 fn each_text(shape: &Shape, see: &mut impl FnMut(&TextShape)) {
     if let Shape::Text(text) = shape {
         see(text);
@@ -105,6 +122,7 @@ fn everything_in_a_lecture_is_read_from_the_back_row_at_once() {
                             faults.push(format!("{place}: {size:.1} {text}"));
                         }
                     }
+                    faults.extend(cut(&desk).iter().map(|text| format!("{place}: cuts {text}")));
                     let overflow = desk.overflow();
                     if overflow > 0.5 {
                         faults.push(format!("{place}: scrolls by {overflow}"));
