@@ -73,7 +73,7 @@ const SCENES: [(&str, &str); 7] = [
     ),
     (
         "the same, all leaves",
-        r#"{"octoscope":1,"dimension":3,"scene":{"built-in":"sphere-grid","parameters":{"n":5}},"build":{"depth":7},"query":{"kind":"ray","algorithm":"exhaustive"}}"#,
+        r#"{"octoscope":1,"dimension":3,"scene":{"built-in":"sphere-grid","parameters":{"n":5}},"build":{"depth":7},"query":"ray","algorithm":"exhaustive"}"#,
     ),
 ];
 
