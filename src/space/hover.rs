@@ -4,7 +4,7 @@
 use super::card::{Seen, in_corner};
 use super::gesture::{Click, Under};
 use crate::look::Look;
-use crate::widgets::{PageInWindow, rich_job};
+use crate::widgets::{PageInWindow, node_note, rich_job};
 use eframe::egui::text::LayoutJob;
 use eframe::egui::{
     FontId, Galley, Label, Pos2, Rect, RichText, Ui, Vec2, WidgetInfo, accesskit::Role, pos2, vec2,
@@ -61,9 +61,7 @@ const CARD: f32 = 300.0;
 /// Writes level and codes of a node, and why it is not visited, into a corner of the view.
 pub fn card<const D: usize>(ui: &mut Ui, look: &Look, view: Rect, tree: &Tree<D>, told: &Told) {
     const PADDING: Vec2 = vec2(6.0, 3.0);
-    let codes = tree.code(told.node).map(|code| code.to_string()).join(", ");
-    let arguments = [("level", tree.level(told.node).into()), ("codes", codes.into())];
-    let note = look.texts.format("node-note", &arguments);
+    let note = node_note(look, tree, Some(told.node));
     let most = CARD.min(view.width() - 32.0);
     let font = FontId::proportional(look.type_size(13.0));
     let note_job = LayoutJob::simple(note.clone(), font, look.palette.quiet, most);

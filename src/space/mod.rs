@@ -129,22 +129,30 @@ pub fn ui<const D: usize>(ui: &mut Ui, look: &Look, space: Space<'_, D>) {
     if moved || view.pointed.is_none() {
         view.pointed = Some(moment.step);
     }
-    let of = document.shown(moment);
     if let Some(node) = hovered {
-        let cell = frame.bounds_of(&camera, &tree.node_box(node));
-        let why = why::why(&of, node, view.language);
-        let is_asked = matches!(document.scenario.query, Query::Ray { .. });
-        let ray = is_asked.then_some(document.scenario.ray);
-        let ends = |ray: Ray<D>| [ray.origin(), ray.at(1.0)].map(|end| frame.place(&camera, end));
-        let ray = ray.map(ends).and_then(|[from, to]| from.zip(to));
-        let seen = Seen { cell, ray: ray.map(|(from, to)| [from, to]) };
-        let told = Told { node, why, seen };
-        hover::card(ui, look, rect, &tree, &told);
+        let why = why::why(&document.shown(moment), node, view.language);
+        let seen = seen(document, frame, &camera, node);
+        hover::card(ui, look, rect, &tree, &Told { node, why, seen });
     }
     let hint = under.filter(|_| view.pointed == Some(moment.step) && !view.spotlight);
     if let Some(under) = hint {
         hover::hint(ui, look, frame, &under);
     }
+}
+
+/// What is to be seen beside what is said of a node: its cell, and the ray that is asked for.
+fn seen<const D: usize>(
+    document: &Document<D>,
+    frame: PageInWindow,
+    camera: &Camera<D>,
+    node: NodeId,
+) -> Seen {
+    let cell = frame.bounds_of(camera, &document.tree.node_box(node));
+    let is_asked = matches!(document.scenario.query, Query::Ray { .. });
+    let ray = is_asked.then_some(document.scenario.ray);
+    let ends = |ray: Ray<D>| [ray.origin(), ray.at(1.0)].map(|end| frame.place(camera, end));
+    let ray = ray.map(ends).and_then(|[from, to]| Some([from?, to?]));
+    Seen { cell, ray }
 }
 
 /// What is shown in this frame: children move apart, and back together, in a short time.
