@@ -32,6 +32,10 @@ pub(crate) fn ground<const D: usize>(
     camera: &Camera<D>,
     page: Page,
 ) -> Vec<Drawn> {
+    // A depth map is as large as the page.
+    if marks.is_empty() {
+        return Vec::new();
+    }
     let view = View { camera, page, root };
     let of = |role: Role| marks.iter().filter(move |mark| mark.role == role).copied();
     let boxes = |role: Role| {

@@ -3,9 +3,10 @@
 //! a handle. Where there is no room a number is left out: round ones stay, so that the
 //! sequence can still be read, and the last one, which tells where the algorithm is.
 
+mod crowd;
 mod places;
 
-use crate::camera::clipped;
+use crowd::{Crowd, collide};
 use places::{aside, beside};
 
 /// Number that looks for a place.
@@ -34,9 +35,6 @@ pub(crate) struct Stand {
 /// Middle and half extents of what numbers may not cover.
 pub(crate) type Taken = [[f64; 2]; 2];
 
-/// Room between two discs.
-const BETWEEN: f64 = 1.0;
-
 /// What numbers may not cover.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Kept<'a> {
@@ -49,10 +47,10 @@ pub(crate) struct Kept<'a> {
 }
 
 /// Where `numbers`, in their order, stand, one entry each. The last of them has a
-/// place unless handles leave none. O(n²) at worst, though no more discs are compared
-/// than the page has room for.
+/// place unless handles leave none. O(n): a disc is compared with those nearby alone,
+/// and there is room for few.
 pub(crate) fn stands(numbers: &[Number], kept: Kept) -> Vec<Option<Stand>> {
-    let mut crowd = Crowd { kept, placed: Vec::new() };
+    let mut crowd = Crowd::new(kept);
     let mut stands = vec![None; numbers.len()];
 
     // Round numbers choose first: they are the ones by which one counts.
@@ -63,7 +61,7 @@ pub(crate) fn stands(numbers: &[Number], kept: Kept) -> Vec<Option<Stand>> {
         let is_last = index + 1 == numbers.len();
         let place = places_of(number, is_last).find(|stand| crowd.has_room(number, stand));
         if let Some(stand) = place {
-            crowd.placed.push((number.radius, stand));
+            crowd.place(number.radius, stand);
             stands[index] = place;
         }
     }
@@ -112,64 +110,6 @@ fn places_of(number: &Number, is_last: bool) -> impl Iterator<Item = Stand> + us
     beside(number).into_iter().chain(aside(number, rows))
 }
 
-struct Crowd<'a> {
-    kept: Kept<'a>,
-    placed: Vec<(f64, Stand)>,
-}
-
-impl Crowd<'_> {
-    fn has_room(&self, number: &Number, stand: &Stand) -> bool {
-        self.is_free(number, stand)
-            && !self.placed.iter().any(|&other| collide((number.radius, *stand), other))
-    }
-
-    /// Whether the disc lies on the page, and neither it nor its line covers anything
-    /// that must be seen.
-    fn is_free(&self, number: &Number, stand: &Stand) -> bool {
-        let Kept { taken, lines, page } = self.kept;
-        let radius = number.radius;
-        let on_page = (0..2).all(|e| (radius..=page[e] - radius).contains(&stand.at[e]));
-        on_page
-            && !taken.iter().any(|area| meets_disc(*area, stand.at, radius))
-            && !lines.iter().any(|line| distance_to_segment(stand.at, *line) < radius)
-            && !stand.leader.is_some_and(|line| taken.iter().any(|area| is_struck(*area, line)))
-    }
-}
-
-fn meets_disc([middle, reach]: Taken, at: [f64; 2], radius: f64) -> bool {
-    let beyond: [f64; 2] = std::array::from_fn(|e| ((at[e] - middle[e]).abs() - reach[e]).max(0.0));
-    square(beyond) < radius * radius
-}
-
-/// Whether a line to a leaf strikes what is taken. Where its foot lies in that, or just
-/// beside it, there is no other way.
-fn is_struck([middle, reach]: Taken, [foot, rim]: [[f64; 2]; 2]) -> bool {
-    let area = [-1.0, 1.0].map(|sign| std::array::from_fn(|e| middle[e] + sign * reach[e]));
-    let is_at_foot = (0..2).all(|e| (area[0][e]..=area[1][e]).contains(&foot[e]));
-    !is_at_foot && clipped([between([foot, rim], 0.5), rim], area).is_some()
-}
-
-/// Whether two numbers, or the line of one and the disc or line of the other, meet.
-fn collide((radius, stand): (f64, Stand), (other_radius, other): (f64, Stand)) -> bool {
-    let crosses = |line: Option<[[f64; 2]; 2]>, at, radius| {
-        line.is_some_and(|line| distance_to_segment(at, line) < radius + BETWEEN)
-    };
-    // All pairs are asked: a root would take most of the time.
-    let apart = std::array::from_fn(|e| stand.at[e] - other.at[e]);
-    square(apart) < (radius + other_radius + BETWEEN).powi(2)
-        || crosses(stand.leader, other.at, other_radius)
-        || crosses(other.leader, stand.at, radius)
-        || matches!((stand.leader, other.leader), (Some(a), Some(b)) if cross(a, b))
-}
-
-/// Whether two segments cross each other.
-fn cross([a, b]: [[f64; 2]; 2], [c, d]: [[f64; 2]; 2]) -> bool {
-    let side = |[from, to]: [[f64; 2]; 2], at: [f64; 2]| {
-        (to[0] - from[0]) * (at[1] - from[1]) - (to[1] - from[1]) * (at[0] - from[0])
-    };
-    side([a, b], c) * side([a, b], d) < 0.0 && side([c, d], a) * side([c, d], b) < 0.0
-}
-
 fn between([from, to]: [[f64; 2]; 2], share: f64) -> [f64; 2] {
     std::array::from_fn(|e| from[e] + share * (to[e] - from[e]))
 }
@@ -179,24 +119,34 @@ fn square([x, y]: [f64; 2]) -> f64 {
 }
 
 fn distance(a: [f64; 2], b: [f64; 2]) -> f64 {
-    (a[0] - b[0]).hypot(a[1] - b[1])
+    square_between(a, b).sqrt()
+}
+
+fn square_between(a: [f64; 2], b: [f64; 2]) -> f64 {
+    square([a[0] - b[0], a[1] - b[1]])
 }
 
 /// Distance of a point from a line between two points.
 pub(crate) fn distance_to_segment(at: [f64; 2], segment: [[f64; 2]; 2]) -> f64 {
+    square_to_segment(at, segment).sqrt()
+}
+
+/// The square of that distance: most are only compared, and a root takes its time.
+fn square_to_segment(at: [f64; 2], segment: [[f64; 2]; 2]) -> f64 {
     let [from, to] = segment;
-    let length = distance(from, to);
-    if length < 1e-9 {
-        return distance(at, from);
+    let length = square_between(from, to);
+    if length < 1e-18 {
+        return square_between(at, from);
     }
     let along = (0..2).map(|e| (at[e] - from[e]) * (to[e] - from[e])).sum::<f64>();
-    distance(at, between(segment, (along / (length * length)).clamp(0.0, 1.0)))
+    square_between(at, between(segment, (along / length).clamp(0.0, 1.0)))
 }
 
 #[cfg(test)]
 mod tests {
     use super::places::{GAP, area_in, moved};
     use super::*;
+    use crate::camera::clipped;
     use octoscope_core::random::Random;
 
     const PAGE: [f64; 2] = [800.0, 600.0];

@@ -14,6 +14,9 @@ const LEAST: f64 = 0.7;
 /// the leaf is no area of the page, all that touch the chord.
 pub(super) fn beside(number: &Number) -> Vec<Stand> {
     let Number { chord, radius, leaf, .. } = *number;
+    if leaf.is_some_and(|leaf| area(leaf) < LEAST * disc(radius)) {
+        return Vec::new();
+    }
     let across = upwards(chord);
     let away = radius + GAP;
     // At its middle, to the upper side, then the lower; then towards its ends.
@@ -61,6 +64,10 @@ pub(super) fn aside(number: &Number, rows: usize) -> impl Iterator<Item = Stand>
         let rim = between([foot, at], 1.0 - radius / distance(foot, at));
         Stand { at, leader: Some([foot, rim]) }
     })
+}
+
+fn area([min, max]: [[f64; 2]; 2]) -> f64 {
+    (max[0] - min[0]) * (max[1] - min[1])
 }
 
 fn disc(radius: f64) -> f64 {

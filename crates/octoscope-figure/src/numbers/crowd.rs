@@ -1,0 +1,190 @@
+//! The numbers that are placed, and what they may not cover: by squares of the page, so
+//! that a place is compared with what is near alone.
+
+use super::{Kept, Number, Stand, Taken, between, square, square_between, square_to_segment};
+use crate::camera::clipped;
+
+/// Room between two discs.
+const BETWEEN: f64 = 1.0;
+/// Side of a square of the page: about that of two discs.
+const SQUARE: f64 = 32.0;
+
+/// What numbers may not cover, and those that have their places.
+pub(super) struct Crowd<'a> {
+    kept: Kept<'a>,
+    squares: Squares,
+    placed: Vec<(f64, Stand)>,
+}
+
+impl<'a> Crowd<'a> {
+    pub(super) fn new(kept: Kept<'a>) -> Self {
+        let mut squares = Squares::of(kept.page);
+        for (index, [middle, reach]) in kept.taken.iter().enumerate() {
+            squares.add([-1.0, 1.0].map(|sign| moved(*middle, sign, *reach)), |square| {
+                square.taken.push(index);
+            });
+        }
+        Self { kept, squares, placed: Vec::new() }
+    }
+
+    /// From now on this place is taken.
+    pub(super) fn place(&mut self, radius: f64, stand: Stand) {
+        let index = self.placed.len();
+        self.placed.push((radius, stand));
+        self.squares.add(extent(radius, &stand), |square| square.placed.push(index));
+    }
+
+    pub(super) fn has_room(&self, number: &Number, stand: &Stand) -> bool {
+        let own = (number.radius, *stand);
+        let mut near = self.squares.near(extent(number.radius, stand));
+        self.is_free(number, stand)
+            && !near
+                .any(|square| square.placed.iter().any(|&other| collide(own, self.placed[other])))
+    }
+
+    /// Whether the disc lies on the page, and neither it nor its line covers anything
+    /// that must be seen.
+    pub(super) fn is_free(&self, number: &Number, stand: &Stand) -> bool {
+        let Kept { taken, lines, page } = self.kept;
+        let radius = number.radius;
+        let on_page = (0..2).all(|e| (radius..=page[e] - radius).contains(&stand.at[e]));
+        let covers = |index: &usize| {
+            let area = taken[*index];
+            meets_disc(area, stand.at, radius)
+                || stand.leader.is_some_and(|line| is_struck(area, line))
+        };
+        let mut near = self.squares.near(extent(radius, stand));
+        on_page
+            && !near.any(|square| square.taken.iter().any(covers))
+            && !lines.iter().any(|line| square_to_segment(stand.at, *line) < radius * radius)
+    }
+}
+
+/// Least and largest corner of a disc with its line, and the room around it.
+fn extent(radius: f64, stand: &Stand) -> [[f64; 2]; 2] {
+    let reach = [radius + BETWEEN; 2];
+    let [mut min, mut max] = [-1.0, 1.0].map(|sign| moved(stand.at, sign, reach));
+    for end in stand.leader.iter().flatten() {
+        min = std::array::from_fn(|e| min[e].min(end[e]));
+        max = std::array::from_fn(|e| max[e].max(end[e]));
+    }
+    [min, max]
+}
+
+fn moved(at: [f64; 2], sign: f64, reach: [f64; 2]) -> [f64; 2] {
+    std::array::from_fn(|e| at[e] + sign * reach[e])
+}
+
+/// The page in squares; those at its borders hold what lies beyond, too.
+struct Squares {
+    across: usize,
+    down: usize,
+    squares: Vec<Square>,
+}
+
+/// What lies in a square, by index.
+#[derive(Clone, Default)]
+struct Square {
+    taken: Vec<usize>,
+    placed: Vec<usize>,
+}
+
+impl Squares {
+    fn of(page: [f64; 2]) -> Self {
+        let [across, down] = page.map(|side| (side / SQUARE) as usize + 1);
+        Self { across, down, squares: vec![Square::default(); across * down] }
+    }
+
+    /// Indices of the squares between two corners.
+    fn between(&self, [min, max]: [[f64; 2]; 2]) -> impl Iterator<Item = usize> + use<> {
+        let index = |at: f64, most: usize| ((at / SQUARE).max(0.0) as usize).min(most - 1);
+        let [left, right] = [min, max].map(|end| index(end[0], self.across));
+        let [top, bottom] = [min, max].map(|end| index(end[1], self.down));
+        let across = self.across;
+        (top..=bottom).flat_map(move |y| (left..=right).map(move |x| y * across + x))
+    }
+
+    fn add(&mut self, corners: [[f64; 2]; 2], push: impl Fn(&mut Square)) {
+        for index in self.between(corners) {
+            push(&mut self.squares[index]);
+        }
+    }
+
+    fn near(&self, corners: [[f64; 2]; 2]) -> impl Iterator<Item = &Square> {
+        self.between(corners).map(|index| &self.squares[index])
+    }
+}
+
+fn meets_disc([middle, reach]: Taken, at: [f64; 2], radius: f64) -> bool {
+    let beyond: [f64; 2] = std::array::from_fn(|e| ((at[e] - middle[e]).abs() - reach[e]).max(0.0));
+    square(beyond) < radius * radius
+}
+
+/// Whether a line to a leaf strikes what is taken. Where its foot lies in that, or just
+/// beside it, there is no other way.
+fn is_struck([middle, reach]: Taken, [foot, rim]: [[f64; 2]; 2]) -> bool {
+    let area = [-1.0, 1.0].map(|sign| std::array::from_fn(|e| middle[e] + sign * reach[e]));
+    let is_at_foot = (0..2).all(|e| (area[0][e]..=area[1][e]).contains(&foot[e]));
+    !is_at_foot && clipped([between([foot, rim], 0.5), rim], area).is_some()
+}
+
+/// Whether two numbers, or the line of one and the disc or line of the other, meet.
+pub(super) fn collide((radius, stand): (f64, Stand), (other_radius, other): (f64, Stand)) -> bool {
+    let crosses = |line: Option<[[f64; 2]; 2]>, at, radius: f64| {
+        line.is_some_and(|line| square_to_segment(at, line) < (radius + BETWEEN).powi(2))
+    };
+    square_between(stand.at, other.at) < (radius + other_radius + BETWEEN).powi(2)
+        || crosses(stand.leader, other.at, other_radius)
+        || crosses(other.leader, stand.at, radius)
+        || matches!((stand.leader, other.leader), (Some(a), Some(b)) if cross(a, b))
+}
+
+/// Whether two segments cross each other.
+fn cross([a, b]: [[f64; 2]; 2], [c, d]: [[f64; 2]; 2]) -> bool {
+    let side = |[from, to]: [[f64; 2]; 2], at: [f64; 2]| {
+        (to[0] - from[0]) * (at[1] - from[1]) - (to[1] - from[1]) * (at[0] - from[0])
+    };
+    side([a, b], c) * side([a, b], d) < 0.0 && side([c, d], a) * side([c, d], b) < 0.0
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use octoscope_core::random::Random;
+
+    #[test]
+    fn what_is_near_is_all_that_can_be_met() {
+        let mut random = Random::new(5);
+        let page = [300.0, 200.0];
+        let mut at = |beyond: f64| page.map(|side| random.between(-beyond, side + beyond));
+        let taken: Vec<Taken> = (0..12).map(|n| [at(30.0), [f64::from(n) * 2.0, 3.0]]).collect();
+        let mut stand = |n: u32| {
+            let at_disc = at(0.0);
+            let foot = at(0.0).map(|x| 0.2 * x);
+            let foot = std::array::from_fn(|e| at_disc[e] + foot[e] - 25.0);
+            Stand { at: at_disc, leader: n.is_multiple_of(3).then_some([foot, at_disc]) }
+        };
+        let mut crowd = Crowd::new(Kept { taken: &taken, lines: &[], page });
+        let (mut n_free, mut n_met) = (0, 0);
+        for n in 0..3000 {
+            let radius = 3.0 + f64::from(n % 7);
+            let number = Number { order: 1, chord: [[0.0; 2]; 2], radius, leaf: None };
+            let stand = stand(n);
+            let is_on_page = (0..2).all(|e| (radius..=page[e] - radius).contains(&stand.at[e]));
+            let covers = |area: &Taken| {
+                meets_disc(*area, stand.at, radius)
+                    || stand.leader.is_some_and(|line| is_struck(*area, line))
+            };
+            let is_free = is_on_page && !taken.iter().any(covers);
+            let meets = crowd.placed.iter().any(|&other| collide((radius, stand), other));
+            assert_eq!(crowd.is_free(&number, &stand), is_free, "{stand:?}");
+            assert_eq!(crowd.has_room(&number, &stand), is_free && !meets, "{stand:?}");
+            n_free += usize::from(is_free);
+            n_met += usize::from(is_free && meets);
+            if n < 40 {
+                crowd.place(radius, stand);
+            }
+        }
+        assert!(n_free > 500 && n_met > 100 && n_met < n_free, "{n_free} {n_met}");
+    }
+}
