@@ -3,16 +3,16 @@
 
 mod settings;
 
-use crate::lab::{Choice, ENDINGS, Ending, Tab, figure};
+use crate::lab::{Choice, ENDINGS, Ending, Tab, figure_in};
 use crate::look::Look;
-use crate::widgets::{paint_figure, room, segments};
+use crate::widgets::{self, paint_larger, segments};
 use eframe::egui::{
-    Align, Button, ComboBox, Context, Frame, Id, Label, Layout, Modal, RichText, ScrollArea, Sense,
-    TextWrapMode, Ui, WidgetInfo, accesskit::Role,
+    Align, Button, ComboBox, Context, Frame, Id, Layout, Modal, RichText, ScrollArea, Sense, Ui,
+    WidgetInfo, accesskit::Role,
 };
 use octoscope_core::measure::{Quantity, Results, Watched};
 use octoscope_figure::views::lab::scene_name;
-use octoscope_figure::{Figure, Form};
+use octoscope_figure::{Figure, Form, Page};
 
 /// What the dialog shows, and what it changes.
 pub struct Shown<'a> {
@@ -20,8 +20,6 @@ pub struct Shown<'a> {
     pub choice: &'a mut Choice,
     /// What was measured.
     pub results: &'a Results,
-    /// All numbers of it, line by line.
-    pub lines: &'a [String],
     /// What algorithms do on the present ray.
     pub watched: &'a [Watched],
     /// Whether something is being measured.
@@ -98,20 +96,14 @@ pub fn ui(context: &Context, look: &Look, mut shown: Shown) -> Option<Answer> {
 fn tabs(ui: &mut Ui, look: &Look, choice: &mut Choice, results: &Results) {
     let tabs = Tab::ALL.map(|tab| (tab, look.text(tab.id())));
     segments(ui, &mut choice.tab, &tabs);
-    if !matches!(choice.tab, Tab::Scenes | Tab::Growth) {
+    if matches!(choice.tab, Tab::Published | Tab::Processor) {
         ui.add_space(6.0);
         return;
     }
     ui.horizontal_wrapped(|ui| match choice.tab {
         Tab::Scenes => {
             costs(ui, look, choice);
-            let depths: Vec<(u8, String)> =
-                results.depths().into_iter().map(|depth| (depth, depth.to_string())).collect();
-            if depths.len() > 1 {
-                ui.label(look.text("lab-depth"));
-                choice.depth = choice.depth_in(results);
-                segments(ui, &mut choice.depth, &depths);
-            }
+            depths(ui, look, choice, results);
         }
         Tab::Growth => {
             costs(ui, look, choice);
@@ -119,15 +111,35 @@ fn tabs(ui: &mut Ui, look: &Look, choice: &mut Choice, results: &Results) {
             let sizes =
                 Quantity::SIZES.map(|size| look.text(&format!("lab-quantity-{}", size.id())));
             list(ui, "lab size", &look.text("lab-against"), &mut choice.size, &sizes);
-            let scenes: Vec<String> =
-                results.scenes().into_iter().map(|scene| scene_name(scene, &look.texts)).collect();
-            if scenes.len() > 1 {
-                list(ui, "lab scene", &look.text("lab-scene"), &mut choice.scene, &scenes);
-            }
+            scenes(ui, look, choice, results);
         }
-        Tab::Published | Tab::Table | Tab::Processor => {}
+        Tab::Table => {
+            scenes(ui, look, choice, results);
+            depths(ui, look, choice, results);
+        }
+        Tab::Published | Tab::Processor => {}
     });
     ui.add_space(6.0);
+}
+
+/// Which of the depths that were measured.
+fn depths(ui: &mut Ui, look: &Look, choice: &mut Choice, results: &Results) {
+    let depths: Vec<(u8, String)> =
+        results.depths().into_iter().map(|depth| (depth, depth.to_string())).collect();
+    if depths.len() > 1 {
+        ui.label(look.text("lab-depth"));
+        choice.depth = choice.depth_in(results);
+        segments(ui, &mut choice.depth, &depths);
+    }
+}
+
+/// Which of the scenes that were measured.
+fn scenes(ui: &mut Ui, look: &Look, choice: &mut Choice, results: &Results) {
+    let scenes: Vec<String> =
+        results.scenes().into_iter().map(|scene| scene_name(scene, &look.texts)).collect();
+    if scenes.len() > 1 {
+        list(ui, "lab scene", &look.text("lab-scene"), &mut choice.scene, &scenes);
+    }
 }
 
 /// Which of the costs.
@@ -150,24 +162,16 @@ fn list(ui: &mut Ui, id: &str, name: &str, chosen: &mut usize, entries: &[String
 }
 
 fn content(ui: &mut Ui, look: &Look, shown: &Shown, height: f32) {
-    let wide = ui.available_width();
-    if shown.choice.tab == Tab::Table {
-        let scroll = ScrollArea::both().id_salt("lab table").auto_shrink([false, false]);
-        ui.spacing_mut().item_spacing.y = 1.0;
-        scroll.max_height(height).show_rows(ui, 17.0, shown.lines.len(), |ui, rows| {
-            for line in &shown.lines[rows] {
-                let text = RichText::new(line).monospace().size(12.5);
-                ui.add(Label::new(text).wrap_mode(TextWrapMode::Extend));
-            }
-        });
-        return;
-    }
-    let size = [f64::from(wide) - 16.0, f64::from(height) - 8.0];
-    let figure = figure(shown.choice, shown.results, shown.watched, &look.texts, size);
+    // The bars stand beside what they move.
+    const BAR: f32 = 10.0;
+    ui.spacing_mut().scroll.floating_allocated_width = BAR;
+    let room = [ui.available_width(), height].map(|extent| f64::from(extent - BAR));
+    let (figure, scale) = figure_in(shown.choice, shown.results, shown.watched, &look.texts, room);
+    let page = Page { width: scale * figure.page.width, height: scale * figure.page.height };
     let scroll = ScrollArea::both().id_salt("lab chart").auto_shrink([false, false]);
     scroll.max_height(height).show(ui, |ui| {
-        let (rect, response) = room(ui, figure.page, Sense::hover());
-        paint_figure(ui, look, rect, &figure);
+        let (rect, response) = widgets::room(ui, page, Sense::hover());
+        paint_larger(ui, look, rect, &figure, scale as f32);
         let told = told(&figure);
         response.widget_info(|| WidgetInfo::labeled(Role::Image, true, told.as_str()));
     });
@@ -191,9 +195,6 @@ fn save(ui: &mut Ui, look: &Look, shown: &Shown) -> Option<Answer> {
         ui.label(RichText::new(look.text("lab-save")).color(look.palette.quiet));
         for ending in ENDINGS {
             let is_table = matches!(ending, "csv" | "md");
-            if tab == Tab::Table && !is_table {
-                continue;
-            }
             let kind = if is_table { "table" } else { "chart" };
             let name = RichText::new(look.text(&format!("lab-{kind}-{ending}"))).size(13.0);
             let has_it = if is_table { has_results } else { has_chart };

@@ -6,7 +6,7 @@ use super::telling::file_name;
 use crate::bench::run;
 use crate::comparison::is_quick;
 use crate::job::{Job, Poll};
-use crate::lab::{self, SIZE_OF_FILES, Tab, figure, lines};
+use crate::lab::{self, SIZE_OF_FILES, Tab, figure};
 use crate::lab_dialog::{self, Answer, Shown, State};
 use crate::view::Dialog;
 use crate::with_document;
@@ -14,9 +14,8 @@ use anyhow::anyhow;
 use eframe::egui::Context;
 use octoscope_core::measure::{Results, Watched, watch};
 use octoscope_core::progress::Progress;
-use octoscope_core::text::Language;
 use octoscope_core::traverse::Algorithm;
-use octoscope_figure::views::lab::way_name;
+use octoscope_figure::views::lab::{scene_name, way_name};
 use std::path::Path;
 use std::time::Duration;
 
@@ -24,8 +23,6 @@ use std::time::Duration;
 #[derive(Default)]
 pub(super) struct Measuring {
     results: Results,
-    /// All numbers, line by line, in a language.
-    lines: Option<(Language, Vec<String>)>,
     /// What is to be known about the results.
     remark: Remark,
     job: Option<Job<anyhow::Result<Results>>>,
@@ -54,11 +51,6 @@ impl App {
         if self.view.dialog != Some(Dialog::Lab) {
             return;
         }
-        let language = self.view.language;
-        if self.measuring.lines.as_ref().is_none_or(|(of, _)| *of != language) {
-            self.measuring.lines =
-                Some((language, lines(&self.measuring.results, &self.look.texts)));
-        }
         let mut choice = self.view.lab.clone();
         let (watched, left_out) = self.watched();
         let note = match choice.tab {
@@ -72,7 +64,6 @@ impl App {
         let shown = Shown {
             choice: &mut choice,
             results: &self.measuring.results,
-            lines: self.measuring.lines.as_ref().map_or(&[], |(_, lines)| &lines[..]),
             watched: &watched,
             state,
             note: note.as_deref(),
@@ -122,7 +113,7 @@ impl App {
         let differs = sites.filter_map(|site| Some((site, site.disagreement?))).next();
         if let Some((site, found)) = differs {
             let arguments = [
-                ("scene", site.scene.as_str().into()),
+                ("scene", scene_name(&site.scene, texts).into()),
                 ("depth", site.depth.into()),
                 ("method", way_name(found.way, texts).into()),
                 ("reference", way_name(found.reference, texts).into()),
@@ -135,7 +126,8 @@ impl App {
             Remark::Stopped => Some(texts.get("lab-stopped")),
             Remark::LeftOut => {
                 let left_out = self.measuring.results.left_out.iter();
-                let names = left_out.map(|one| format!("{} ({})", one.scene, one.depth));
+                let names = left_out
+                    .map(|one| format!("{} ({})", scene_name(&one.scene, texts), one.depth));
                 let names = names.collect::<Vec<_>>().join(", ");
                 Some(texts.format("lab-not-built", &[("names", names.into())]))
             }
@@ -202,7 +194,6 @@ impl App {
     /// Shows these results in the lab.
     pub fn take_results(&mut self, results: Results) {
         self.measuring.results = results;
-        self.measuring.lines = None;
         self.measuring.remark = Remark::None;
     }
 

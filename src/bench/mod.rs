@@ -7,4 +7,4 @@ mod table;
 
 pub use plan::{MOST_DEPTH, MOST_RAYS, MOST_REPEATS, Plan};
 pub use run::run;
-pub use table::{csv, markdown, summary, tables, text};
+pub use table::{Column, GROUPS, csv, markdown, summary, text};

@@ -6,69 +6,107 @@ use octoscope_core::measure::{
 use octoscope_core::trace::Counter;
 use std::fmt::Write;
 
-/// A column of a table: its head, and the entry of a row.
-type Column = (&'static str, fn(&Site, &Row) -> String);
+/// A column of a table.
+#[derive(Clone, Copy, Debug)]
+pub struct Column {
+    /// Its head in files and on the command line.
+    pub head: &'static str,
+    /// Key of its head in the language files; empty where the window says it otherwise.
+    pub key: &'static str,
+    /// The entry of a row, if there is one.
+    pub of: fn(&Site, &Row) -> Option<String>,
+}
 
-/// What depends on the machine.
-const TIMES: [Column; 6] = [
-    ("algorithm", |_, row| row.way.to_string()),
-    ("us/ray", |_, row| decimals(row.median() / 1000.0, 3)),
-    ("+-%", |_, row| decimals(100.0 * row.spread(), 1)),
-    ("ns/leaf", |site, row| decimals(Quantity::TimePerLeaf.of(site, row), 1)),
-    ("rays/s", |_, row| decimals(1e9 / row.median(), 0)),
-    ("of-best", |site, row| {
-        decimals(row.median() / site.least(Quantity::Time).unwrap_or(f64::NAN), 2)
+type Of = fn(&Site, &Row) -> Option<String>;
+
+const fn column(head: &'static str, key: &'static str, of: Of) -> Column {
+    Column { head, key, of }
+}
+
+/// What is measured: times, which depend on the machine; what is computed; the way through
+/// the tree, with what it costs a processor. Means of a ray, but for the stack.
+pub const GROUPS: [(&str, &[Column]); 3] =
+    [("lab-times", &TIMES), ("lab-computed", &COMPUTED), ("lab-way", &WAY)];
+
+const ALGORITHM: Column = column("algorithm", "", |_, row| Some(row.way.to_string()));
+
+const TIMES: [Column; 5] = [
+    column("us/ray", "lab-column-time", |_, row| decimals(row.median() / 1000.0, 3)),
+    column("+-%", "lab-column-spread", |_, row| decimals(100.0 * row.spread()?, 1)),
+    column("ns/leaf", "lab-column-time-per-leaf", |site, row| {
+        decimals(Quantity::TimePerLeaf.of(site, row), 1)
+    }),
+    column("rays/s", "lab-column-rate", |_, row| decimals(1e9 / row.median(), 0)),
+    column("of-best", "lab-column-of-best", |site, row| {
+        decimals(row.median() / site.least(Quantity::Time)?, 2)
     }),
 ];
 
-/// What does not; means of a ray, but for the stack.
-const COUNTS: [Column; 15] = [
-    ("algorithm", |_, row| row.way.to_string()),
-    ("nodes", |site, row| counted(site, row, Counter::NodeTouches)),
-    ("entry", |site, row| counted(site, row, Counter::EntryComparisons)),
-    ("exit", |site, row| counted(site, row, Counter::ExitComparisons)),
-    ("range", |site, row| counted(site, row, Counter::RangeComparisons)),
-    ("codes", |site, row| counted(site, row, Counter::CodeComparisons)),
-    ("sort", |site, row| counted(site, row, Counter::SortComparisons)),
-    ("divisions", |site, row| counted(site, row, Counter::Divisions)),
-    ("locations", |site, row| counted(site, row, Counter::PointLocations)),
-    ("up", |site, row| counted(site, row, Counter::Ascends)),
-    ("down", |site, row| counted(site, row, Counter::Descends)),
-    ("stack", |_, row| stack(row)),
-    ("lines", |site, row| decimals(Quantity::Lines.of(site, row), 1)),
-    ("uncached", |site, row| decimals(Quantity::CacheMisses.of(site, row), 1)),
-    ("misguessed", |site, row| decimals(Quantity::BranchMisses.of(site, row), 1)),
+const COMPUTED: [Column; 7] = [
+    column("nodes", "lab-nodes", |site, row| counted(site, row, Counter::NodeTouches)),
+    column("entry", "lab-kind-entry", |site, row| counted(site, row, Counter::EntryComparisons)),
+    column("exit", "lab-kind-exit", |site, row| counted(site, row, Counter::ExitComparisons)),
+    column("range", "lab-kind-range", |site, row| counted(site, row, Counter::RangeComparisons)),
+    column("codes", "lab-column-codes", |site, row| counted(site, row, Counter::CodeComparisons)),
+    column("sort", "lab-kind-sort", |site, row| counted(site, row, Counter::SortComparisons)),
+    column("divisions", "lab-column-divisions", |site, row| counted(site, row, Counter::Divisions)),
+];
+
+const WAY: [Column; 7] = [
+    column("locations", "lab-column-locations", |site, row| {
+        counted(site, row, Counter::PointLocations)
+    }),
+    column("up", "lab-column-up", |site, row| counted(site, row, Counter::Ascends)),
+    column("down", "lab-column-down", |site, row| counted(site, row, Counter::Descends)),
+    column("stack", "lab-column-stack", |_, row| stack(row)),
+    column("lines", "lab-column-lines", |site, row| decimals(Quantity::Lines.of(site, row), 1)),
+    column("uncached", "lab-column-uncached", |site, row| {
+        decimals(Quantity::CacheMisses.of(site, row), 1)
+    }),
+    column("misguessed", "lab-column-misguessed", |site, row| {
+        decimals(Quantity::BranchMisses.of(site, row), 1)
+    }),
 ];
 
 /// The site, before the columns above.
 const PLACE: [Column; 6] = [
-    ("scene", |site, _| site.scene.clone()),
-    ("depth", |site, _| site.depth.to_string()),
-    ("tree-leaves", |site, _| site.n_leaves.to_string()),
-    ("rays", |site, _| site.n_rays.to_string()),
-    ("leaves/ray", |site, row| decimals(Quantity::RayLeaves.of(site, row), 2)),
-    ("checksum", |_, row| format!("{:016x}", row.counted.checksum)),
+    column("scene", "", |site, _| Some(site.scene.clone())),
+    column("depth", "", |site, _| Some(site.depth.to_string())),
+    column("tree-leaves", "", |site, _| Some(site.n_leaves.to_string())),
+    column("rays", "", |site, _| Some(site.n_rays.to_string())),
+    column("leaves/ray", "", |site, row| decimals(Quantity::RayLeaves.of(site, row), 2)),
+    column("checksum", "", |_, row| Some(format!("{:016x}", row.counted.checksum))),
 ];
 
-fn counted(site: &Site, row: &Row, counter: Counter) -> String {
-    let count = row.way.method().map(|_| row.counted.counters.get(counter) as f64);
-    decimals(count.unwrap_or(f64::NAN) / site.n_rays.max(1) as f64, 1)
+fn counted(site: &Site, row: &Row, counter: Counter) -> Option<String> {
+    row.way.method()?;
+    decimals(row.counted.counters.get(counter) as f64 / site.n_rays.max(1) as f64, 1)
 }
 
-/// Greatest depth of the stack, or `-` where nothing is counted.
-fn stack(row: &Row) -> String {
-    let depth = row.counted.counters.get(Counter::StackDepth);
-    row.way.method().map_or_else(|| "-".to_owned(), |_| depth.to_string())
+/// Greatest depth of the stack, where it is counted.
+fn stack(row: &Row) -> Option<String> {
+    row.way.method()?;
+    Some(row.counted.counters.get(Counter::StackDepth).to_string())
 }
 
-/// A number, or `-` if there is none.
-fn decimals(x: f64, digits: usize) -> String {
-    if x.is_finite() { format!("{x:.digits$}") } else { "-".to_owned() }
+/// A number, if there is one.
+fn decimals(x: f64, digits: usize) -> Option<String> {
+    x.is_finite().then(|| format!("{x:.digits$}"))
 }
 
-/// All columns, the site first, the algorithm once.
-fn columns() -> Vec<Column> {
-    PLACE.into_iter().chain(TIMES).chain(COUNTS.into_iter().skip(1)).collect()
+/// What stands where there is nothing.
+fn or_dash(cell: Option<String>) -> String {
+    cell.unwrap_or_else(|| "-".to_owned())
+}
+
+/// Heads of columns, and their entries for every row of some sites.
+fn lines<'a>(columns: &[Column], sites: impl IntoIterator<Item = &'a Site>) -> Vec<Vec<String>> {
+    let head = columns.iter().map(|column| column.head.to_owned()).collect();
+    let rows = sites.into_iter().flat_map(|site| {
+        let cells = |row| columns.iter().map(|column| or_dash((column.of)(site, row))).collect();
+        site.rows.iter().map(cells).collect::<Vec<_>>()
+    });
+    std::iter::once(head).chain(rows).collect()
 }
 
 /// All rows as CSV with a head.
@@ -95,14 +133,11 @@ pub fn markdown(results: &Results) -> String {
     table
 }
 
+/// The site first, the algorithm once.
 fn all_rows(results: &Results) -> Vec<Vec<String>> {
-    let columns = columns();
-    let head = columns.iter().map(|(head, _)| (*head).to_owned()).collect();
-    let sites = results.sites.iter();
-    let rows = sites.flat_map(|site| {
-        site.rows.iter().map(|row| columns.iter().map(|(_, of)| of(site, row)).collect())
-    });
-    std::iter::once(head).chain(rows).collect::<Vec<_>>()
+    let groups = GROUPS.iter().flat_map(|(_, columns)| *columns);
+    let columns: Vec<Column> = PLACE.iter().chain([&ALGORITHM]).chain(groups).copied().collect();
+    lines(&columns, &results.sites)
 }
 
 /// A field with a comma, as in the names of variants, stands in quotes.
@@ -121,7 +156,7 @@ pub fn text(results: &Results) -> String {
             site.depth,
             site.n_leaves,
             site.n_rays,
-            decimals(Quantity::RayLeaves.of(site, first), 2),
+            or_dash(decimals(Quantity::RayLeaves.of(site, first), 2)),
             first.counted.checksum,
         ));
         for table in tables(site) {
@@ -133,12 +168,11 @@ pub fn text(results: &Results) -> String {
 }
 
 /// What depends on the machine, and what does not.
-pub fn tables(site: &Site) -> [String; 2] {
-    [&TIMES[..], &COUNTS[..]].map(|columns| {
-        let head = columns.iter().map(|(head, _)| (*head).to_owned()).collect();
-        let rows = site.rows.iter();
-        let rows = rows.map(|row| columns.iter().map(|(_, of)| of(site, row)).collect());
-        aligned(&std::iter::once(head).chain(rows).collect::<Vec<_>>())
+fn tables(site: &Site) -> [String; 2] {
+    let counts: Vec<Column> = COMPUTED.into_iter().chain(WAY).collect();
+    [&TIMES[..], &counts].map(|columns| {
+        let columns: Vec<Column> = [ALGORITHM].iter().chain(columns).copied().collect();
+        aligned(&lines(&columns, [site]))
     })
 }
 
@@ -150,7 +184,7 @@ pub fn summary(results: &Results) -> String {
         let scenes = results.scenes();
         let exponent = |scene: &str, way: Way, size: Quantity| {
             let (_, law) = growth(results, scene, way, [size, Quantity::Time]);
-            law.map_or_else(|| "-".to_owned(), |PowerLaw { exponent, .. }| decimals(exponent, 2))
+            or_dash(law.and_then(|PowerLaw { exponent, .. }| decimals(exponent, 2)))
         };
         for (size, title) in [
             (Quantity::TreeLeaves, "leaves of the tree"),
@@ -175,7 +209,7 @@ pub fn summary(results: &Results) -> String {
         let head = ["statement", "published", "here", "nodes", "comparisons", "holds"];
         let mut lines = vec![head.map(str::to_owned).to_vec()];
         for one in measured {
-            let number = |x: Option<f64>| x.map_or_else(|| "-".to_owned(), |x| decimals(x, 3));
+            let number = |x: Option<f64>| or_dash(x.and_then(|x| decimals(x, 3)));
             let depth = one.claim.depth.map(|depth| format!(" (depth {depth})"));
             lines.push(vec![
                 format!(
@@ -190,7 +224,7 @@ pub fn summary(results: &Results) -> String {
                 ),
                 match one.claim.published {
                     Published::Equal => "about 1".to_owned(),
-                    Published::Share(share) => decimals(share, 3),
+                    Published::Share(share) => number(Some(share)),
                 },
                 number(one.time),
                 number(one.node_touches),
@@ -269,7 +303,8 @@ mod tests {
         let text = text(&results());
         let bsp = text.lines().find(|line| line.starts_with("bsp")).unwrap();
         let cells: Vec<&str> = bsp.split_whitespace().collect();
-        assert_eq!(cells, ["bsp", "1.000", "0.0", "-", "1000000", "1.11"]);
+        // One repetition tells no spread.
+        assert_eq!(cells, ["bsp", "1.000", "-", "-", "1000000", "1.11"]);
     }
 
     #[test]

@@ -6,5 +6,5 @@ mod shown;
 mod write;
 
 pub use choice::{Choice, Tab};
-pub use shown::{SIZE_OF_FILES, figure, lines};
+pub use shown::{SIZE_OF_FILES, figure, figure_in};
 pub use write::{ENDINGS, Ending, write};

@@ -60,7 +60,7 @@ pub fn ui<const D: usize>(
     let name = look.text("tree-name");
     canvas.widget_info(|| WidgetInfo::labeled(Role::Canvas, true, name.as_str()));
     let page = Page { width: f64::from(rect.width()), height: f64::from(rect.height()) };
-    let frame = PageInWindow { page, corner: rect.min };
+    let frame = PageInWindow { page, corner: rect.min, scale: 1.0 };
     let (tree, step) = (shown.of.tree, shown.of.moment.step);
     let lens = view.lens(step);
     let diagram = tree_diagram(&shown.of, view.unfolded(tree), hover.lit(tree), page, lens);

@@ -58,7 +58,7 @@ pub fn ui<const D: usize>(ui: &mut Ui, look: &Look, space: Space<'_, D>) {
     if rect.width() < 8.0 || rect.height() < 8.0 {
         return;
     }
-    let frame = PageInWindow { page: page_of(rect), corner: rect.min };
+    let frame = PageInWindow { page: page_of(rect), corner: rect.min, scale: 1.0 };
     let room = view.space.replace(rect);
     let kept: Option<Camera<D>> = view.camera();
     let mut camera = kept.unwrap_or_else(|| document.framed(frame.page));

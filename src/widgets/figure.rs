@@ -12,8 +12,13 @@ pub fn room(ui: &mut Ui, page: Page, sense: Sense) -> (Rect, Response) {
 
 /// Paints `figure` with its upper left corner at that of `rect`.
 pub fn paint_figure(ui: &Ui, look: &Look, rect: Rect, figure: &Figure) {
+    paint_larger(ui, look, rect, figure, 1.0);
+}
+
+/// The same, `scale` times as large.
+pub fn paint_larger(ui: &Ui, look: &Look, rect: Rect, figure: &Figure, scale: f32) {
     if ui.is_rect_visible(rect) {
-        let frame = PageInWindow { page: figure.page, corner: rect.min };
+        let frame = PageInWindow { page: figure.page, corner: rect.min, scale };
         paint_on_page(&ui.painter_at(rect.expand(3.0)), look, look.theme, frame, figure);
     }
 }

@@ -27,7 +27,7 @@ pub use beside::beside_or_below;
 pub use bits::bit_table;
 pub use child_bits::child_bits;
 pub use entries::{bits_of, caption, per_axis, range};
-pub use figure::{paint_figure, room};
+pub use figure::{paint_figure, paint_larger, room};
 pub use formula::{paint_formula, printed_and_right};
 pub use heading::heading;
 pub use node_note::node_note;

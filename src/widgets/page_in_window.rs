@@ -11,12 +11,15 @@ pub struct PageInWindow {
     pub page: Page,
     /// Its upper left corner in the window.
     pub corner: Pos2,
+    /// Points of the window that one point of the page takes.
+    pub scale: f32,
 }
 
 impl PageInWindow {
     /// Where the page is in the window.
     pub fn rect(&self) -> Rect {
-        Rect::from_min_size(self.corner, vec2(self.page.width as f32, self.page.height as f32))
+        let size = vec2(self.page.width as f32, self.page.height as f32);
+        Rect::from_min_size(self.corner, self.scale * size)
     }
 
     /// Place in the window of a world point, if it is before the eye.
@@ -34,12 +37,12 @@ impl PageInWindow {
 
     /// Place in the window of a point of the page.
     pub fn on_screen(&self, at: [f64; 2]) -> Pos2 {
-        self.corner + vec2(at[0] as f32, at[1] as f32)
+        self.corner + self.scale * vec2(at[0] as f32, at[1] as f32)
     }
 
     /// Point of the page at a place in the window.
     pub fn on_page(&self, place: Pos2) -> [f64; 2] {
-        let offset = place - self.corner;
+        let offset = (place - self.corner) / self.scale;
         [f64::from(offset.x), f64::from(offset.y)]
     }
 

@@ -26,7 +26,7 @@ fn paint(painter: &Painter, look: &Look, theme: Theme, frame: PageInWindow, draw
     let Paint { fill, stroke, width, .. } = paint;
     let dashes = paint.dashes(&drawn.form);
     let shown = |colour: Option<Colour>| colour.map_or(Color32::TRANSPARENT, color32);
-    let (fill, stroke) = (shown(fill), Stroke::new(width as f32, shown(stroke)));
+    let (fill, stroke) = (shown(fill), Stroke::new(frame.scale * width as f32, shown(stroke)));
     let place =
         |points: &[[f64; 2]]| -> Vec<Pos2> { points.iter().map(|&p| frame.on_screen(p)).collect() };
     match &drawn.form {
@@ -49,10 +49,12 @@ fn paint(painter: &Painter, look: &Look, theme: Theme, frame: PageInWindow, draw
             painter.extend(lines.iter().map(|line| Shape::line(place(line), stroke)));
         }
         Form::Circle { centre, radius } => {
-            painter.circle(frame.on_screen(*centre), *radius as f32, fill, stroke);
+            painter.circle(frame.on_screen(*centre), frame.scale * *radius as f32, fill, stroke);
         }
         Form::Text { at, anchor, text } => {
             let Some(lettering) = Style::of(theme, drawn.role).text else { return };
+            let scale = f64::from(frame.scale);
+            let lettering = Lettering { size: scale * lettering.size, ..lettering };
             let galley = painter.layout_job(job(look, theme, lettering, text));
             // What lowered subscripts add lies below the line.
             let above = 0.5 * galley.size().y - look.lowered(lettering.size as f32, text);

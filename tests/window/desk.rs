@@ -211,7 +211,7 @@ impl Desk {
         let page = Page { width: f64::from(rect.width()), height: f64::from(rect.height()) };
         let camera = self.state().view.plane_camera;
         let camera = camera.unwrap_or_else(|| self.plane().framed(page));
-        (PageInWindow { page, corner: rect.min }, camera)
+        (PageInWindow { page, corner: rect.min, scale: 1.0 }, camera)
     }
 
     /// The open document, which is a quadtree.

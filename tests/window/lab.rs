@@ -54,7 +54,9 @@ fn algorithms_are_measured_and_shown_as_bars_lines_and_numbers() {
     assert_eq!(told(&desk), "Nothing is measured yet: choose at the left, and press Measure.");
     measure(&mut desk);
     let bars = told(&desk);
-    for part in ["Time a ray", "Cloud of 1890 spheres", "512 spheres", "SametNet", "1.00"] {
+    for part in
+        ["Time a ray", "Cloud of 1890 spheres", "512 spheres", "SametNet (reconstructed)", "1.00"]
+    {
         assert!(bars.contains(part), "{part}: {bars}");
     }
     desk.click(Role::Button, "Growth");
@@ -62,9 +64,11 @@ fn algorithms_are_measured_and_shown_as_bars_lines_and_numbers() {
     desk.click(Role::Button, "Published");
     assert!(told(&desk).contains("published statements were measured"), "{}", told(&desk));
     desk.click(Role::Button, "Table");
-    assert!(desk.query_all_by_label_contains("divisions").next().is_some());
-    desk.click(Role::Button, "Memory and branches");
-    assert!(told(&desk).contains("guessed wrong"));
+    for part in ["µs/ray", "± %", "divisions", "Samet: neighbour tables"] {
+        assert!(told(&desk).contains(part), "{part}: {}", told(&desk));
+    }
+    desk.click(Role::Button, "Memory and predictions");
+    assert!(told(&desk).contains("predicted wrongly"));
 }
 
 #[test]
@@ -106,7 +110,7 @@ fn without_a_scene_or_an_algorithm_there_is_nothing_to_measure() {
     // Nor to save or to watch.
     desk.click(Role::Button, "Table as CSV");
     assert_eq!(desk.state().view.dialog, Some(Dialog::Lab));
-    desk.click(Role::Button, "Memory and branches");
+    desk.click(Role::Button, "Memory and predictions");
     assert!(told(&desk).ends_with("Choose an algorithm to watch it on the ray."));
     desk.click(Role::Button, "Chart as SVG");
     assert_eq!(desk.state().view.dialog, Some(Dialog::Lab));
@@ -155,5 +159,5 @@ fn the_lab_speaks_german() {
     desk.state_mut().view.lab.tab = Tab::Processor;
     desk.run();
     assert!(desk.query_by_label("Messlabor").is_some());
-    assert!(told(&desk).contains("falsch geraten"));
+    assert!(told(&desk).contains("falsch vorhergesagt"));
 }

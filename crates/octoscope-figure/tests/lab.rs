@@ -4,7 +4,7 @@
 
 use octoscope_core::geometry::Ray;
 use octoscope_core::measure::{
-    BranchKind, CLAIMS, Counted, Quantity, Results, Row, SCENES, Site, Way, watch,
+    BranchKind, Counted, Quantity, Results, Row, SCENES, Site, Way, watch,
 };
 use octoscope_core::progress::Progress;
 use octoscope_core::text::{Language, Texts};
@@ -112,16 +112,12 @@ fn what_is_not_counted_is_said_to_be_missing() {
 fn everything_in_charts_has_a_name_in_both_languages() {
     for language in Language::ALL {
         let texts = texts(language);
-        let algorithms = Algorithm::ALL.map(|one| format!("lab-name-{}", one.id()));
         let quantities = Quantity::COSTS.into_iter().chain(Quantity::SIZES).map(Quantity::id);
         let quantities =
             quantities.flat_map(|id| ["quantity", "unit"].map(|kind| format!("lab-{kind}-{id}")));
         let kinds = BranchKind::ALL.map(|kind| format!("lab-kind-{}", kind.id()));
-        let claims = CLAIMS.map(|claim| format!("lab-claim-{}", claim.id));
         let kernels = ["lab-name-batch", "lab-name-batch-plain"].map(str::to_owned);
-        for key in
-            algorithms.into_iter().chain(kernels).chain(quantities).chain(kinds).chain(claims)
-        {
+        for key in kernels.into_iter().chain(quantities).chain(kinds) {
             assert!(texts.has(&key), "{key} in {language:?}");
         }
     }
@@ -133,7 +129,7 @@ fn a_law_that_is_there_is_written_behind_the_name() {
     let figure = growth_chart(&results(5..=8), of, &texts(Language::German), [760.0, 460.0]);
     let is_named = |drawn: &octoscope_figure::Drawn| match &drawn.form {
         // 1.6 is two to the power of 0.678.
-        Form::Text { text, .. } => text.plain() == "Samet  0.68",
+        Form::Text { text, .. } => text.plain() == "Samet: Nachbartabellen  0.68",
         Form::Polygon(_) | Form::Polyline(_) | Form::Circle { .. } | Form::Formula { .. } => false,
     };
     assert!(figure.drawn.iter().any(is_named));

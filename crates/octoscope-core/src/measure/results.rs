@@ -197,9 +197,10 @@ impl Row {
     }
 
     /// How far the middle half of the repetitions lies around the median, as a share of
-    /// it: half the distance of the quartiles.
-    pub fn spread(&self) -> f64 {
-        0.5 * (self.quantile(0.75) - self.quantile(0.25)) / self.median()
+    /// it: half the distance of the quartiles. A single repetition has none.
+    pub fn spread(&self) -> Option<f64> {
+        let half = 0.5 * (self.quantile(0.75) - self.quantile(0.25));
+        (self.times.len() > 1).then(|| half / self.median())
     }
 
     /// Time below which this share of the repetitions lies.
@@ -219,7 +220,8 @@ mod tests {
     fn the_median_does_not_mind_one_slow_repetition() {
         let row = Row { times: vec![100.0, 101.0, 103.0, 104.0, 900.0], ..Row::default() };
         assert_eq!(row.median(), 103.0);
-        assert!((row.spread() - 1.5 / 103.0).abs() < 1e-12);
+        assert!((row.spread().unwrap() - 1.5 / 103.0).abs() < 1e-12);
+        assert_eq!(Row { times: vec![100.0], ..Row::default() }.spread(), None);
         let two = Row { times: vec![1.0, 2.0], ..Row::default() };
         assert_eq!(two.median(), 1.5);
         assert!(Row::default().median().is_nan());

@@ -1,6 +1,7 @@
 //! How costs grow: lines in logarithmic axes, with the exponents of the laws fitted to
 //! them.
 
+use super::marker::marker;
 use super::names::{in_unit, ratio, scene_name, short, way_name};
 use crate::views::sheet::Sheet;
 use crate::{Anchor, Figure, Form, Part, Role, metrics};
@@ -19,6 +20,11 @@ pub struct Growth<'a> {
     /// What grows.
     pub cost: Quantity,
 }
+
+/// How far a mark reaches; lengths of what leads to a name, and of the line beside it.
+const MARK: f64 = 4.0;
+const LEADER: f64 = 24.0;
+const SAMPLE: f64 = 30.0;
 
 /// One line.
 struct Series {
@@ -81,7 +87,7 @@ pub fn growth_chart(
         .iter()
         .map(|&tick| metrics::width(Role::Scale, &short(tick).into()))
         .fold(0.0, f64::max);
-    let [left, right] = [ticks_wide + 10.0, width - widest - 34.0];
+    let [left, right] = [ticks_wide + 10.0, width - widest - LEADER - SAMPLE - 8.0];
     let [upper, lower] = [top + 28.0, height - 40.0];
     let place = |p: [f64; 2]| {
         let [x, y] = [x_axis.share(p[0]), y_axis.share(p[1])];
@@ -112,7 +118,7 @@ pub fn growth_chart(
         let line: Vec<[f64; 2]> = series.points.iter().map(|&p| place(p)).collect();
         sheet.line(role, line.clone());
         for at in line {
-            marker(&mut sheet, role, series.way, at);
+            mark(&mut sheet, series.way, at);
         }
     }
     // Names at the ends, as near to them as there is room.
@@ -121,8 +127,13 @@ pub fn growth_chart(
     let tops = spread(&ends, 14.5, [upper - 8.0, lower + 8.0]);
     for (((series, label), end), y) in all.iter().zip(labels).zip(ends).zip(tops) {
         let role = role_of(series.way);
-        sheet.push(role, Part::Fine, Form::Polyline(vec![[right + 5.0, end], [right + 20.0, y]]));
-        sheet.text(Role::Note, [right + 26.0, y], Anchor::Start, label);
+        let leader = vec![[right + 7.0, end], [right + LEADER, y]];
+        sheet.push(role, Part::FineEdge, Form::Polyline(leader));
+        // The line and the mark of the curve, beside its name.
+        let [from, to] = [right + LEADER, right + LEADER + SAMPLE];
+        sheet.line(role, [[from, y], [to, y]]);
+        mark(&mut sheet, series.way, [0.5 * (from + to), y]);
+        sheet.text(Role::Note, [to + 6.0, y], Anchor::Start, label);
     }
     sheet.figure([width, height])
 }
@@ -142,16 +153,11 @@ fn number_of(way: Way) -> usize {
     }
 }
 
-/// A mark of one of four shapes.
-fn marker(sheet: &mut Sheet, role: Role, way: Way, [x, y]: [f64; 2]) {
-    const R: f64 = 3.6;
-    let points = match number_of(way) / Role::N_SERIES_COLOURS {
-        0 => vec![[x - R, y - R], [x + R, y - R], [x + R, y + R], [x - R, y + R]],
-        1 => vec![[x, y - 1.4 * R], [x + 1.4 * R, y], [x, y + 1.4 * R], [x - 1.4 * R, y]],
-        2 => vec![[x, y - 1.3 * R], [x + 1.3 * R, y + R], [x - 1.3 * R, y + R]],
-        _ => vec![[x, y + 1.3 * R], [x + 1.3 * R, y - R], [x - 1.3 * R, y - R]],
-    };
-    sheet.push(role, Part::Head, Form::Polygon(points));
+/// The mark of a way.
+fn mark(sheet: &mut Sheet, way: Way, at: [f64; 2]) {
+    for piece in marker(number_of(way), at, MARK) {
+        sheet.push(role_of(way), Part::Head, Form::Polygon(piece));
+    }
 }
 
 /// A logarithmic axis.
@@ -215,8 +221,9 @@ fn spread(wanted: &[f64], gap: f64, [upper, lower]: [f64; 2]) -> Vec<f64> {
 
 #[cfg(test)]
 mod tests {
+    use super::super::marker::N_SHAPES;
     use super::*;
-    use crate::{Style, Theme};
+    use crate::{Palette, Style, Theme, contrast};
 
     #[test]
     fn every_way_has_a_name_and_a_look_of_its_own() {
@@ -226,6 +233,45 @@ mod tests {
             let look = format!("{:?} {:?}", style.stroke, style.dash);
             assert!(looks.iter().all(|(class, of)| *class != role.class() && *of != look), "{way}");
             looks.push((role.class(), look));
+        }
+        assert!(looks.len() <= N_SHAPES, "and a mark");
+    }
+
+    #[test]
+    fn lines_are_seen_in_every_theme() {
+        for theme in Theme::ALL {
+            for way in Way::all() {
+                let line = Style::of(theme, role_of(way)).stroke.unwrap();
+                for ground in [Palette::of(theme).panel, Palette::of(theme).background] {
+                    let ratio = contrast(line, ground);
+                    assert!(ratio >= 3.0, "{way} in {theme:?}: {ratio:.2}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn the_key_has_the_line_and_the_mark_of_every_curve() {
+        use octoscope_core::measure::{Row, Site};
+        let row = |way, depth: u8| Row { way, times: vec![f64::from(depth)], ..Row::default() };
+        let site = |depth: u8| Site {
+            scene: "cloud".to_owned(),
+            depth,
+            rows: Way::all().into_iter().map(|way| row(way, depth)).collect(),
+            ..Site::default()
+        };
+        let results = Results { sites: vec![site(5), site(6)], ..Results::default() };
+        let of = Growth { scene: "cloud", size: Quantity::Cells, cost: Quantity::Time };
+        let language = octoscope_core::text::Language::English;
+        let texts = Texts::new(language, &[crate::views::figure_texts(language)]);
+        let drawn = growth_chart(&results, of, &texts, [760.0, 460.0]).drawn;
+        for way in Way::all() {
+            let n = |part: Part| {
+                let of_way = drawn.iter().filter(|drawn| drawn.role == role_of(way));
+                of_way.filter(|drawn| drawn.part == part).count()
+            };
+            let pieces = marker(number_of(way), [0.0; 2], MARK).len();
+            assert_eq!([n(Part::Edge), n(Part::Head)], [2, 3 * pieces], "{way}");
         }
     }
 

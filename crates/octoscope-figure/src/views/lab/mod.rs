@@ -1,7 +1,9 @@
 //! Charts of what was measured, each a pure function from results to a [`Figure`].
 
 mod growth;
+mod marker;
 mod names;
+mod numbers;
 mod processor;
 mod published;
 mod scenes;
@@ -10,6 +12,7 @@ mod scenes;
 use crate::Figure;
 pub use growth::{Growth, growth_chart};
 pub use names::{scene_name, way_name};
+pub use numbers::{growth_and_numbers, numbers_chart};
 pub use processor::processor_chart;
 pub use published::{published_chart, verdict};
 pub use scenes::scenes_chart;

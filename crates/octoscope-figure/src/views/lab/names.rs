@@ -1,18 +1,18 @@
 //! Names and numbers in charts.
 
-use octoscope_core::explain::approx;
-use octoscope_core::measure::{Quantity, Way};
+use octoscope_core::explain::{algorithm_name, approx};
+use octoscope_core::measure::{Claim, Quantity, Way};
 use octoscope_core::text::Texts;
 use octoscope_core::traverse::Kernel;
 
-/// Short name of an algorithm with its variants, or of the kernel for many rays.
+/// Name of an algorithm with its variants, or of the kernel for many rays.
 pub fn way_name(way: Way, texts: &Texts) -> String {
     let method = match way {
         Way::Traced(method) => method,
         Way::Batch(Kernel::Plain) => return texts.get("lab-name-batch-plain"),
         Way::Batch(Kernel::Vector) => return texts.get("lab-name-batch"),
     };
-    let name = texts.get(&format!("lab-name-{}", method.algorithm.id()));
+    let name = algorithm_name(method.algorithm, texts.language());
     let id = method.to_string();
     id.split_once('@').map_or(name.clone(), |(_, variants)| format!("{name} @{variants}"))
 }
@@ -21,6 +21,18 @@ pub fn way_name(way: Way, texts: &Texts) -> String {
 pub fn scene_name(scene: &str, texts: &Texts) -> String {
     let key = format!("scene-{scene}");
     if texts.has(&key) { texts.get(&key) } else { scene.to_owned() }
+}
+
+/// What a published statement is about: two algorithms, and where they were compared.
+pub(super) fn claim_name(claim: &Claim, texts: &Texts) -> String {
+    let [of, against] = [claim.of, claim.against].map(|one| way_name(one.into(), texts));
+    let scene = match claim.scenes {
+        [scene] => Some(scene_name(scene, texts)),
+        _ => None,
+    };
+    let depth = claim.depth.map(|depth| texts.format("lab-depth-n", &[("depth", depth.into())]));
+    let place = scene.into_iter().chain(depth).map(|place| format!(" ({place})"));
+    format!("{of} / {against}{}", place.collect::<String>())
 }
 
 /// A number in the unit in which a quantity is shown: times a ray in microseconds.

@@ -18,7 +18,7 @@ const GAP: f64 = 22.0;
 pub fn processor_chart(watched: &[Watched], texts: &Texts, width: f64) -> Figure {
     let mut sheet = Sheet::default();
     let note = texts.get("lab-processor-note");
-    let top = sheet.paragraph(Role::Note, [0.0, 0.0], width, &note.into()) + 12.0;
+    let top = sheet.paragraph(Role::Note, [0.0, 0.0], width, &note.into()) + 18.0;
     if watched.is_empty() {
         sheet.text(Role::Words, [0.0, top + 8.0], Anchor::Start, texts.get("lab-no-algorithm"));
         return sheet.figure([width, top + 18.0]);
@@ -32,7 +32,12 @@ pub fn processor_chart(watched: &[Watched], texts: &Texts, width: f64) -> Figure
     let second = left + memory + GAP;
     sheet.text(Role::Heading, [left, top], Anchor::Start, texts.get("lab-memory"));
     sheet.text(Role::Heading, [second, top], Anchor::Start, texts.get("lab-branches"));
-    let head = top + 14.0;
+    for (x, quiet, tall) in
+        [(left, "lab-cached", "lab-uncached"), (second, "lab-predicted", "lab-mispredicted")]
+    {
+        key(&mut sheet, [x, top + 10.0], [quiet, tall].map(|key| texts.get(key)));
+    }
+    let head = top + 38.0;
     for (n, (one, name)) in watched.iter().zip(names).enumerate() {
         let y = head + ROW * n as f64;
         sheet.text(Role::Words, [0.0, y + 8.0], Anchor::Start, name);
@@ -57,6 +62,18 @@ pub fn processor_chart(watched: &[Watched], texts: &Texts, width: f64) -> Figure
     table.draw(&mut sheet, [0.0, y], setting);
     let [table_width, table_height] = table.size(setting);
     sheet.figure([width.max(table_width), y + table_height])
+}
+
+/// What a short stroke says, and what a tall one.
+fn key(sheet: &mut Sheet, [x, y]: [f64; 2], [short, tall]: [String; 2]) {
+    const WIDE: f64 = 5.0;
+    let base = y + STRIP;
+    let mut x = x;
+    for (role, height, text) in [(Role::Hit, 0.3 * STRIP, short), (Role::Miss, STRIP, tall)] {
+        sheet.rect(role, [x, base - height], [WIDE, height]);
+        let wide = sheet.text(Role::Note, [x + WIDE + 5.0, base - 5.0], Anchor::Start, text);
+        x += WIDE + 5.0 + wide + 16.0;
+    }
 }
 
 /// Draws a stroke for everything in order; where there is no room for each, a stroke for

@@ -1,6 +1,6 @@
 //! What was published, beside what was measured.
 
-use super::names::ratio;
+use super::names::{claim_name, ratio};
 use crate::views::sheet::Sheet;
 use crate::views::table::{Entry, Setting, Table, Tone};
 use crate::{Anchor, Figure, Role};
@@ -46,7 +46,7 @@ fn row(one: &Judged, texts: &Texts) -> Vec<Entry> {
         Verdict::NotMeasured => Tone::Quiet,
     };
     let plain = if tone == Tone::Quiet { Tone::Quiet } else { Tone::Plain };
-    let name = texts.get(&format!("lab-claim-{}", one.claim.id));
+    let name = claim_name(one.claim, texts);
     let numbers = [published(one, texts), ratio(one.time)];
     let counts = [one.node_touches, one.comparisons].map(ratio);
     let mut row = vec![Entry::new(name, plain)];
@@ -78,7 +78,7 @@ pub fn verdict(results: &Results, texts: &Texts) -> String {
 /// In a sentence: what was measured of a statement, and what may be the reason.
 fn why(one: &Judged, texts: &Texts) -> String {
     let arguments = [
-        ("name", texts.get(&format!("lab-claim-{}", one.claim.id)).into()),
+        ("name", claim_name(one.claim, texts).into()),
         ("here", ratio(one.time).into()),
         ("published", published(one, texts).into()),
         ("nodes", ratio(one.node_touches).into()),
