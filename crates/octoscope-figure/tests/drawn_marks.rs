@@ -1,31 +1,23 @@
 //! What of the marks of a moment is drawn, and that one is told from the other.
 
+#[path = "shared/corner_tree.rs"]
+mod corner_tree;
+
+use corner_tree::corner_tree;
 use octoscope_core::event::Event;
 use octoscope_core::geometry::{Aabb, Ray};
-use octoscope_core::progress::Progress;
 use octoscope_core::query::{Arithmetic, Query};
 use octoscope_core::trace::{Moment, Trace, record};
 use octoscope_core::traverse::{Algorithm, Options};
-use octoscope_core::tree::{Cell, Domain, Split, Tree, grow};
 use octoscope_figure::{
     Camera, Drawn, Figure, Form, Mark, Page, Part, Role, Shape, Show, marks, space_figure,
 };
 
 const PAGE: Page = Page { width: 400.0, height: 400.0 };
 
-/// Tree that is divided towards the origin.
-fn corner_tree<const D: usize>() -> Tree<D> {
-    grow(Domain::unit(3), (), &Progress::default(), |cell, ()| match cell {
-        Cell { level: 0, .. } => Split::Full(Vec::new()),
-        Cell { code, .. } if code == [0; D] => Split::Inner(vec![(); 1 << D]),
-        _ => Split::Empty,
-    })
-    .expect("nobody cancels")
-}
-
 /// The marks after every event of a ray through the corner.
 fn all_marks<const D: usize>(algorithm: Algorithm) -> Vec<(Event<D>, Vec<Mark<D>>)> {
-    let tree = corner_tree::<D>();
+    let tree = corner_tree::<D>(3);
     let along = std::array::from_fn(|e| 1.5 + 0.25 * e as f64);
     let ray = Ray::new([-0.25; D], along).expect("the direction is not zero");
     let (options, arithmetic) = (Options::default(), Arithmetic::Doubles);
@@ -72,7 +64,7 @@ fn a_mid_plane_ends_where_the_part_does_that_it_divides() {
     let mut n_halves = 0;
     for (event, marks) in all_marks::<3>(Algorithm::Bsp) {
         let Event::Split { axis, taken, .. } = event else { continue };
-        let part = taken.bounds(&corner_tree());
+        let part = taken.bounds(&corner_tree(3));
         let planes: Vec<_> = marks.iter().filter(|m| matches!(m.role, Role::MidPlane(_))).collect();
         let [Mark { shape: Shape::Plane { bounds, .. }, .. }] = planes[..] else {
             panic!("{planes:?}")

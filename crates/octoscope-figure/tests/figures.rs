@@ -1,26 +1,20 @@
 //! Whole figures: from a tree and a ray to SVG and PNG.
 
+#[path = "shared/corner_tree.rs"]
+mod corner_tree;
+
+use corner_tree::corner_tree;
 use octoscope_core::geometry::Ray;
 use octoscope_core::progress::Progress;
 use octoscope_core::query::{Arithmetic, Query};
 use octoscope_core::scene::Content;
 use octoscope_core::trace::{Moment, record};
 use octoscope_core::traverse::{Algorithm, Options};
-use octoscope_core::tree::{Cell, Domain, Split, Tree, grow};
+use octoscope_core::tree::{Domain, Split, Tree, grow};
 use octoscope_figure::{
     Background, Camera, Drawn, Figure, FileOptions, Form, Mark, Page, Part, Role, Scale, Shape,
     Show, Theme, Unit, axes, cells, content, far_end, marks, pdf, png, space_figure, svg,
 };
-
-/// Tree that is divided towards the origin.
-fn corner_tree<const D: usize>() -> Tree<D> {
-    grow(Domain::unit(2), (), &Progress::default(), |cell, ()| match cell {
-        Cell { level: 0, .. } => Split::Full(Vec::new()),
-        Cell { code, .. } if code == [0; D] => Split::Inner(vec![(); 1 << D]),
-        _ => Split::Empty,
-    })
-    .expect("nobody cancels")
-}
 
 fn along_the_ray<const D: usize>() -> Query<D> {
     Query::Ray {
@@ -32,7 +26,7 @@ fn along_the_ray<const D: usize>() -> Query<D> {
 
 /// Figure after `step` events.
 fn figure<const D: usize>(step: usize, show: &Show) -> Figure {
-    let tree = corner_tree::<D>();
+    let tree = corner_tree::<D>(2);
     let ray = Ray::new([-0.25; D], std::array::from_fn(|e| 1.5 + 0.25 * e as f64));
     let ray = ray.expect("the direction is not zero");
     let query = along_the_ray();
@@ -141,7 +135,7 @@ fn letters_are_drawn() {
     let with = |label: &str| {
         let mark = Mark::new(Shape::Label([0.5, 0.5]), Role::ChildIndex);
         let page = Page { width: 40.0, height: 40.0 };
-        let camera = Camera::framing(&corner_tree::<2>().domain().root_box(), page);
+        let camera = Camera::framing(&corner_tree::<2>(2).domain().root_box(), page);
         let figure = space_figure(&[mark.with_text(label)], &camera, page);
         let options = FileOptions { background: Background::Transparent, ..FileOptions::default() };
         let file = png(&figure, &options).unwrap();
@@ -154,7 +148,7 @@ fn letters_are_drawn() {
 
 #[test]
 fn the_marks_of_a_moment_follow_the_path_not_the_tree() {
-    let tree = corner_tree::<2>();
+    let tree = corner_tree::<2>(2);
     let ray = Ray::new([-0.25, -0.25], [1.5, 1.5]).unwrap();
     let query = along_the_ray();
     let trace = record(&tree, &ray, &query);
@@ -167,7 +161,7 @@ fn the_marks_of_a_moment_follow_the_path_not_the_tree() {
 
 #[test]
 fn marks_of_the_slowest_ray_have_places() {
-    let (tree, query) = (corner_tree::<2>(), along_the_ray());
+    let (tree, query) = (corner_tree::<2>(2), along_the_ray());
     for speed in [1e-200, 5e-324] {
         let ray = Ray::new([0.5, 0.25], [speed, 0.0]).expect("the direction is not zero");
         let trace = record(&tree, &ray, &query);
@@ -181,7 +175,7 @@ fn marks_of_the_slowest_ray_have_places() {
 
 #[test]
 fn the_ray_is_an_arrow_up_to_where_it_is_asked_about() {
-    let tree = corner_tree::<2>();
+    let tree = corner_tree::<2>(2);
     let ray = Ray::new([-0.25, 0.25], [1.0, 0.0]).unwrap();
     let check = |segment_end, expected: [Option<[f64; 2]>; 2]| {
         let options = Options { segment_end, ..Options::default() };
@@ -210,7 +204,7 @@ fn the_ray_is_an_arrow_up_to_where_it_is_asked_about() {
 
 #[test]
 fn a_child_is_rejected_unless_a_leaf_in_it_was_visited() {
-    let (tree, query) = (corner_tree::<2>(), along_the_ray());
+    let (tree, query) = (corner_tree::<2>(2), along_the_ray());
     let ray = Ray::new([-0.25, -0.2], [1.5, 1.25]).unwrap();
     let trace = record(&tree, &ray, &query);
     let (mut n_rejected, mut n_passed) = (0, 0);
@@ -240,7 +234,7 @@ fn discs_of_a_long_path<const D: usize>() -> Vec<[f64; 2]> {
     });
     let marks: Vec<Mark<D>> = path.collect();
     let page = Page { width: 640.0, height: 480.0 };
-    let camera = Camera::framing(&corner_tree::<D>().domain().root_box(), page);
+    let camera = Camera::framing(&corner_tree::<D>(2).domain().root_box(), page);
     let figure = space_figure(&marks, &camera, page);
     let shown = figure.drawn.iter().filter(|drawn| drawn.role == Role::OrderNumber);
     let texts: Vec<_> = shown
@@ -295,7 +289,7 @@ fn edges_that_leaves_share_are_drawn_once() {
 
 #[test]
 fn lines_of_tiny_leaves_are_fine() {
-    let tree = corner_tree::<2>();
+    let tree = corner_tree::<2>(2);
     let part = |side: f64| {
         let page = Page { width: side, height: side };
         let camera = Camera::framing(&tree.domain().root_box(), page);
@@ -308,7 +302,7 @@ fn lines_of_tiny_leaves_are_fine() {
 #[test]
 fn small_nodes_are_not_written_on() {
     let n_texts = |side: f64| {
-        let tree = corner_tree::<2>();
+        let tree = corner_tree::<2>(2);
         let (ray, query) = (Ray::new([-0.25; 2], [1.5, 1.25]).unwrap(), along_the_ray());
         let trace = record(&tree, &ray, &query);
         let step = 4;

@@ -1,27 +1,20 @@
 //! What can be shown and hidden of a tree in space.
 
+#[path = "shared/corner_tree.rs"]
+mod corner_tree;
+
+use corner_tree::corner_tree;
 use octoscope_core::geometry::Ray;
-use octoscope_core::progress::Progress;
 use octoscope_core::query::{Arithmetic, Query};
 use octoscope_core::trace::{Moment, Trace, record};
 use octoscope_core::traverse::{Algorithm, Options};
-use octoscope_core::tree::{Cell, Domain, Split, Tree, grow};
+use octoscope_core::tree::Tree;
 use octoscope_figure::{
     Camera, Cut, Form, Levels, Mark, Page, Part, Rest, Role, Shape, Show, Slice, cells, marks,
     space_figure,
 };
 
 const PAGE: Page = Page { width: 400.0, height: 400.0 };
-
-/// Tree that is divided towards the origin, its smallest cells full.
-fn corner_tree<const D: usize>() -> Tree<D> {
-    grow(Domain::unit(3), (), &Progress::default(), |cell, ()| match cell {
-        Cell { level: 0, .. } => Split::Full(Vec::new()),
-        Cell { code, .. } if code == [0; D] => Split::Inner(vec![(); 1 << D]),
-        _ => Split::Empty,
-    })
-    .expect("nobody cancels")
-}
 
 fn run<const D: usize>(tree: &Tree<D>, direction: f64) -> (Ray<D>, Query<D>, Trace<D>) {
     let origin = if direction > 0.0 { -0.25 } else { 1.25 };
@@ -37,7 +30,7 @@ fn run<const D: usize>(tree: &Tree<D>, direction: f64) -> (Ray<D>, Query<D>, Tra
 }
 
 fn marks_at<const D: usize>(direction: f64, step: usize, show: &Show) -> Vec<Mark<D>> {
-    let tree = corner_tree::<D>();
+    let tree = corner_tree::<D>(3);
     let (ray, query, trace) = run(&tree, direction);
     let moment = Moment::after(&tree, &trace, step);
     let event = step.checked_sub(1).map(|last| &trace.events[last]);
@@ -45,7 +38,7 @@ fn marks_at<const D: usize>(direction: f64, step: usize, show: &Show) -> Vec<Mar
 }
 
 fn levels_of<const D: usize>(show: &Show) -> Vec<u8> {
-    let tree = corner_tree::<D>();
+    let tree = corner_tree::<D>(3);
     let marks = cells(&tree, show, None);
     let mut levels: Vec<u8> =
         marks.iter().map(|mark| tree.level(mark.node.expect("cells are nodes"))).collect();
@@ -66,7 +59,7 @@ fn only_cells_of_the_chosen_levels_are_shown() {
 
 #[test]
 fn what_is_off_the_path_is_plain_faint_or_hidden() {
-    let tree = corner_tree::<3>();
+    let tree = corner_tree::<3>(3);
     let roles = |rest| {
         let marks = cells(&tree, &Show { rest, ..Show::default() }, None);
         let is_faint = |mark: &&Mark<3>| mark.role == Role::FaintNode;
@@ -79,7 +72,7 @@ fn what_is_off_the_path_is_plain_faint_or_hidden() {
 
 #[test]
 fn a_slice_takes_away_what_is_before_it_but_never_the_path() {
-    let tree = corner_tree::<3>();
+    let tree = corner_tree::<3>(3);
     let camera = Camera::framing(&tree.domain().root_box(), PAGE);
     let slice = Slice { axis: 0, at: 0.3 };
     let cut = slice.cut(tree.domain(), &camera).unwrap();
@@ -112,7 +105,7 @@ fn a_slice_takes_away_what_is_before_it_but_never_the_path() {
 
 #[test]
 fn cut_leaves_are_drawn_with_their_section_above_them() {
-    let tree = corner_tree::<3>();
+    let tree = corner_tree::<3>(3);
     let camera = Camera::framing(&tree.domain().root_box(), PAGE);
     let cut = Slice { axis: 2, at: 0.06 }.cut(tree.domain(), &camera).unwrap();
     let figure = space_figure(&cells(&tree, &Show::default(), Some(&cut)), &camera, PAGE);
@@ -126,7 +119,7 @@ fn cut_leaves_are_drawn_with_their_section_above_them() {
 /// Boxes of the children that are moved apart at every step, with the taken one.
 fn check_apart<const D: usize>() {
     let show = Show { explosion: Show::APART, ..Show::default() };
-    let tree = corner_tree::<D>();
+    let tree = corner_tree::<D>(3);
     let (.., trace) = run(&tree, 1.0);
     let mut n_apart = 0;
     for step in 0..=trace.events.len() {
@@ -177,7 +170,7 @@ fn children_have_both_numbers_where_the_mirrored_ray_is_shown() {
 #[test]
 fn the_mirrored_path_lies_on_the_mirrored_ray() {
     let show = Show { mirrored_ray: true, ..Show::default() };
-    let tree = corner_tree::<2>();
+    let tree = corner_tree::<2>(3);
     let (.., trace) = run(&tree, -1.0);
     let marks = marks_at::<2>(-1.0, trace.events.len(), &show);
     let visited = marks.iter().filter(|mark| matches!(mark.role, Role::Visited { .. }));
@@ -205,7 +198,7 @@ fn lower_sides_are_solid_and_upper_sides_dashed() {
 
 #[test]
 fn a_figure_of_all_of_it_has_only_finite_places() {
-    let tree = corner_tree::<3>();
+    let tree = corner_tree::<3>(3);
     let camera = Camera::framing(&tree.domain().root_box(), PAGE);
     let show = Show {
         slice: Some(Slice::MIDDLE),
