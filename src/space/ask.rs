@@ -1,30 +1,25 @@
 //! What the mouse asks of the tree: a point, a region, a neighbour.
 
 use super::gesture::{Click, Under, under};
+use super::grasp::Grasp;
 use super::pick::leaf_at;
 use crate::document::Document;
 use crate::short_number::rounded;
-use crate::widgets::PageInWindow;
 use eframe::egui::Pos2;
 use octoscope_core::geometry::Aabb;
 use octoscope_core::locate::{Direction, NeighbourMethod, Reach};
 use octoscope_core::query::{PointMethod, Query};
 use octoscope_core::traverse::Variants;
 use octoscope_core::tree::NodeId;
-use octoscope_figure::Camera;
 
 /// Asks what a click at `at` asks for.
-pub(super) fn click<const D: usize>(
-    frame: PageInWindow,
-    camera: &Camera<D>,
-    document: &mut Document<D>,
-    at: Pos2,
-) {
-    let Some(Under { leaf, click, .. }) = under(frame, camera, document, at) else { return };
+pub(super) fn click<const D: usize>(grasp: &mut Grasp<'_, D>, at: Pos2) {
+    let Some(Under { leaf, click, .. }) = under(grasp, at) else { return };
     match click {
         None => {}
-        Some(Click::Point) => ask_point(frame, camera, document, at),
+        Some(Click::Point) => ask_point(grasp, at),
         Some(Click::Neighbour(direction)) => {
+            let document = &mut *grasp.document;
             let reach = match document.scenario.query {
                 Query::Neighbour { reach, .. } => reach,
                 Query::Ray { .. } | Query::Point { .. } | Query::Region { .. } => Reach::default(),
@@ -56,13 +51,9 @@ fn method_of<const D: usize>(query: &Query<D>) -> (NeighbourMethod, Variants) {
 }
 
 /// Asks for the leaf that owns the point at a place of the view.
-pub(super) fn ask_point<const D: usize>(
-    frame: PageInWindow,
-    camera: &Camera<D>,
-    document: &mut Document<D>,
-    at: Pos2,
-) {
-    let Some((_, point)) = leaf_at(frame, camera, &document.tree, at) else { return };
+pub(super) fn ask_point<const D: usize>(grasp: &mut Grasp<'_, D>, at: Pos2) {
+    let Grasp { frame, camera, document } = grasp;
+    let Some((_, point)) = leaf_at(*frame, camera, &document.tree, at) else { return };
     let (method, variants) = match document.scenario.query {
         Query::Point { method, variants, .. } => (method, variants),
         Query::Ray { .. } | Query::Region { .. } | Query::Neighbour { .. } => {
@@ -75,17 +66,12 @@ pub(super) fn ask_point<const D: usize>(
 }
 
 /// Asks for the smallest node that holds the box between two places of the view.
-pub(super) fn ask_region<const D: usize>(
-    frame: PageInWindow,
-    camera: &Camera<D>,
-    document: &mut Document<D>,
-    from: Pos2,
-    to: Pos2,
-) {
+pub(super) fn ask_region<const D: usize>(grasp: &mut Grasp<'_, D>, from: Pos2, to: Pos2) {
+    let Grasp { frame, camera, document } = grasp;
     let corners = if D == 2 {
         Some([from, to].map(|place| frame.world(camera, place, camera.target)))
     } else {
-        let picked = [from, to].map(|place| leaf_at(frame, camera, &document.tree, place));
+        let picked = [from, to].map(|place| leaf_at(*frame, camera, &document.tree, place));
         if let [Some((_, a)), Some((_, b))] = picked { Some([a, b]) } else { None }
     };
     let Some(corners) = corners else { return };

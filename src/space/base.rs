@@ -2,14 +2,17 @@
 //! space, the boxes of the marks. Drawn by the graphics adapter.
 
 use super::leaves::{Leaves, TreeKey};
+use super::scene::Scene;
 use super::section;
+use super::tree_layers::Appearance;
 use crate::document::Document;
 use crate::render::{self, BoxMark, Layer, Line, Pace, Picture, Plane, Speed};
 use crate::theme::color32;
-use eframe::egui::{Color32, Id, Rect, Ui};
+use eframe::egui::{Color32, Id, Ui};
 use glam::Mat4;
+use octoscope_core::scene::Content;
 use octoscope_figure::{
-    Camera, Colour, Cut, Dash, Mark, Palette, Part, Role, Shape, Show, Style, Theme, drawn_box,
+    Camera, Colour, Cut, Dash, Mark, Page, Palette, Part, Role, Shape, Style, Theme, drawn_box,
     is_large,
 };
 
@@ -18,8 +21,13 @@ pub struct Layers {
     speed: Speed,
     leaves: Leaves,
     section: Option<Section>,
-    marks: Option<(Vec<BoxMark>, Layer)>,
+    /// What of marks lies below the tree and its content, and what above.
+    under: Boxes,
+    over: Boxes,
 }
+
+/// Boxes of marks, and their layer.
+type Boxes = Option<(Vec<BoxMark>, Layer)>;
 
 /// Where a slice meets a tree.
 struct Section {
@@ -34,36 +42,49 @@ struct Section {
 impl Layers {
     /// No layers yet, for an adapter of this speed.
     pub fn new(speed: Speed) -> Self {
-        Self { speed, leaves: Leaves::default(), section: None, marks: None }
+        Self { speed, leaves: Leaves::default(), section: None, under: None, over: None }
     }
 
     /// Paints the tree, and the boxes among `marks` if the tree is an octree.
-    pub fn paint<const D: usize>(
+    pub(super) fn paint<const D: usize>(
         &mut self,
         ui: &Ui,
-        rect: Rect,
-        camera: &Camera<D>,
-        document: &Document<D>,
-        (show, theme): (&Show, Theme),
-        (marks, pace): (&[Mark<D>], Pace),
+        scene: &Scene<'_, D>,
+        marks: &[Mark<D>],
+        pace: Pace,
     ) {
-        let tree = self.leaves.of(ui.ctx(), document, show, theme, self.speed).cloned();
-        let cut = show.slice.and_then(|slice| slice.cut(document.tree.domain(), camera));
-        let page = super::page_of(rect);
-        let view = if D == 2 {
-            let centre = [camera.target[0], camera.target[1]];
-            render::View::Plane(Plane { centre, scale: page.height / camera.height })
-        } else {
-            let clip = camera.clip_from_offset(page, camera.target);
-            let clip_from_offset = Mat4::from_cols_array_2d(&clip);
-            render::View::Space(render::Space { origin: in_space(camera.target), clip_from_offset })
-        };
-        let section = cut.map(|cut| {
-            let key = TreeKey::of(document, show, theme);
-            self.section(ui, &key, &cut, document, show)
-        });
+        let Scene { document, appearance, camera, frame, .. } = *scene;
+        let (page, rect) = (frame.page, frame.rect());
+        let tree = self.leaves.of(ui.ctx(), document, appearance, self.speed).cloned();
+        let slice = appearance.show.slice;
+        let cut = slice.and_then(|slice| slice.cut(document.tree.domain(), camera));
+        let view = view_of(camera, page);
+        let section = cut.map(|cut| self.section(ui, document, appearance, &cut));
         let slice = cut.map_or([0.0; 4], |cut| section::plane(document.tree.domain(), &cut));
-        let background = color32(Palette::of(theme).background);
+        let unit = camera.unit(page);
+        let boxes: Vec<BoxMark> = marks
+            .iter()
+            .filter(|mark| draws(mark))
+            .flat_map(|mark| box_marks(mark, appearance.theme, unit))
+            .collect();
+        // Points keep their colours: the sides of boxes lie below them. What is solid
+        // would hide them.
+        let is_cloud = D == 3 && matches!(*document.content, Content::Points(_));
+        let (under, over) = if is_cloud { sides_and_edges(&boxes) } else { (Vec::new(), boxes) };
+        let id = Id::unique("space");
+        // Pictures of their own: the tree stays as it is drawn.
+        let paint_marks = |name: &str, layer: Layer| {
+            let (layers, background) = (vec![layer], Color32::TRANSPARENT);
+            let picture = Picture { view, slice: [0.0; 4], layers, background };
+            render::paint(ui, rect, id.with(name), &picture);
+        };
+        if is_cloud {
+            paint_marks("below", layer_of(&mut self.under, under));
+        }
+        let background = match is_cloud {
+            true => Color32::TRANSPARENT,
+            false => color32(Palette::of(appearance.theme).background),
+        };
         let [coarse, whole] = [true, false].map(|is_coarse| {
             let tree =
                 tree.iter().flat_map(|tree| if is_coarse { &tree.coarse } else { &tree.whole });
@@ -72,15 +93,9 @@ impl Layers {
             let layers = tree.chain(section).cloned().collect();
             Picture { view, slice, layers, background }
         });
-        let id = Id::unique("space");
         render::paint_in_steps(ui, rect, id, [&coarse, &whole], (self.speed, pace));
         if D == 3 {
-            // A picture of their own: what lies behind them stays as it is drawn.
-            let unit = camera.unit(page);
-            let layers = vec![self.mark_layer(marks, theme, unit)];
-            let background = Color32::TRANSPARENT;
-            let picture = Picture { view, slice: [0.0; 4], layers, background };
-            render::paint(ui, rect, id.with("marks"), &picture);
+            paint_marks("marks", layer_of(&mut self.over, over));
         }
     }
 
@@ -99,14 +114,15 @@ impl Layers {
     fn section<const D: usize>(
         &mut self,
         ui: &Ui,
-        key: &TreeKey,
-        cut: &Cut,
         document: &Document<D>,
-        show: &Show,
+        appearance: Appearance<'_>,
+        cut: &Cut,
     ) -> [Vec<Layer>; 2] {
+        let key = TreeKey::of(document, appearance);
+        let show = appearance.show;
         let (tree, domain) = (&document.tree, document.tree.domain());
-        let layers = |cells: &[_]| section::layers(domain, cut, key.theme(), cells);
-        let rests = self.section.as_ref().is_some_and(|of| of.key == *key && of.cut == *cut);
+        let layers = |cells: &[_]| section::layers(domain, cut, appearance.theme, cells);
+        let rests = self.section.as_ref().is_some_and(|of| of.key == key && of.cut == *cut);
         let (coarse, whole) = match self.section.take().filter(|_| rests) {
             Some(Section { coarse, whole: Some(whole), .. }) => (coarse, Some(whole)),
             Some(Section { coarse, whole: None, .. }) => {
@@ -128,25 +144,40 @@ impl Layers {
             }
         };
         let both = [&coarse, whole.as_ref().unwrap_or(&coarse)].map(Vec::clone);
-        self.section = Some(Section { key: key.clone(), cut: *cut, coarse, whole });
+        self.section = Some(Section { key, cut: *cut, coarse, whole });
         both
     }
+}
 
-    fn mark_layer<const D: usize>(&mut self, marks: &[Mark<D>], theme: Theme, unit: f64) -> Layer {
-        let boxes: Vec<BoxMark> = marks
-            .iter()
-            .filter(|mark| draws(mark))
-            .flat_map(|mark| box_marks(mark, theme, unit))
-            .collect();
-        match &self.marks {
-            Some((old, layer)) if *old == boxes => layer.clone(),
-            Some(_) | None => {
-                let layer = Layer::marks(boxes.clone());
-                self.marks = Some((boxes, layer.clone()));
-                layer
-            }
+/// The layer of boxes; the same as long as they stay the same.
+fn layer_of(kept: &mut Boxes, boxes: Vec<BoxMark>) -> Layer {
+    match kept {
+        Some((old, layer)) if *old == boxes => layer.clone(),
+        Some(_) | None => {
+            let layer = Layer::marks(boxes.clone());
+            *kept = Some((boxes, layer.clone()));
+            layer
         }
     }
+}
+
+/// The sides of boxes, and their edges.
+fn sides_and_edges(boxes: &[BoxMark]) -> (Vec<BoxMark>, Vec<BoxMark>) {
+    let none = Color32::TRANSPARENT;
+    let sides = boxes.iter().map(|&mark| BoxMark { edge: none, ..mark });
+    let edges = boxes.iter().map(|&mark| BoxMark { fill: none, ..mark });
+    (sides.collect(), edges.collect())
+}
+
+/// The view of a camera on a page.
+fn view_of<const D: usize>(camera: &Camera<D>, page: Page) -> render::View {
+    if D == 2 {
+        let centre = [camera.target[0], camera.target[1]];
+        return render::View::Plane(Plane { centre, scale: page.height / camera.height });
+    }
+    let clip = camera.clip_from_offset(page, camera.target);
+    let clip_from_offset = Mat4::from_cols_array_2d(&clip);
+    render::View::Space(render::Space { origin: in_space(camera.target), clip_from_offset })
 }
 
 /// Whether the graphics adapter draws a mark, so that the painter need not.

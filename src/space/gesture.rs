@@ -6,11 +6,11 @@
 //! click picks what the present query asks for.
 
 use super::ask::{ask_point, ask_region, click};
+use super::grasp::Grasp;
 use super::pick::{leaf_at, side_at};
-use crate::document::Document;
 use crate::look::Look;
 use crate::short_number::rounded;
-use crate::widgets::{PageInWindow, acted_at};
+use crate::widgets::acted_at;
 use eframe::egui::{
     CursorIcon, Id, Painter, PointerButton, Pos2, Rect, Response, Stroke, StrokeKind, Ui, pos2,
 };
@@ -18,7 +18,7 @@ use octoscope_core::geometry::Ray;
 use octoscope_core::locate::Direction;
 use octoscope_core::query::Query;
 use octoscope_core::tree::NodeId;
-use octoscope_figure::{Camera, far_end};
+use octoscope_figure::far_end;
 
 /// Points within which a handle, the shaft or a side is hit.
 const REACH: f32 = 14.0;
@@ -60,16 +60,14 @@ pub struct Under<const D: usize> {
 pub fn handle<const D: usize>(
     ui: &Ui,
     response: &Response,
-    frame: PageInWindow,
-    camera: &mut Camera<D>,
-    document: &mut Document<D>,
+    grasp: &mut Grasp<'_, D>,
 ) -> Option<Under<D>> {
-    zoom(ui, response, frame, camera, document);
+    zoom(ui, response, grasp);
     let memory = grip_id(response);
     if response.drag_started() {
         let pressed = ui.input(|input| input.pointer.press_origin());
         if let Some(at) = pressed.or_else(|| response.interact_pointer_pos()) {
-            let grip = grip_at(ui, frame, camera, document, at);
+            let grip = grip_at(ui, grasp, at);
             ui.data_mut(|data| data.insert_temp(memory, grip));
         }
     }
@@ -77,28 +75,28 @@ pub fn handle<const D: usize>(
     if response.dragged()
         && let (Some(grip), Some(at)) = (grip, response.interact_pointer_pos())
     {
-        drag(ui, response, frame, camera, document, grip, at);
+        drag(ui, response, grasp, grip, at);
     }
     if response.drag_stopped() {
         if let (Some(Grip::Region(from)), Some(to)) = (grip, acted_at(response)) {
-            ask_region(frame, camera, document, from, to);
+            ask_region(grasp, from, to);
         }
         ui.data_mut(|data| data.remove::<Grip>(memory));
     }
     if response.double_clicked() {
         if let Some(at) = acted_at(response) {
-            ask_point(frame, camera, document, at);
+            ask_point(grasp, at);
         }
     } else if response.clicked()
         && let Some(at) = acted_at(response)
     {
-        match grip_at(ui, frame, camera, document, at) {
-            Grip::Camera | Grip::Region(_) => click(frame, camera, document, at),
+        match grip_at(ui, grasp, at) {
+            Grip::Camera | Grip::Region(_) => click(grasp, at),
             Grip::Origin | Grip::Tip | Grip::Shaft => {}
         }
     }
     if let Some(at) = response.hover_pos() {
-        let over = grip.unwrap_or_else(|| grip_at(ui, frame, camera, document, at));
+        let over = grip.unwrap_or_else(|| grip_at(ui, grasp, at));
         ui.set_cursor_icon(match (over, grip) {
             (Grip::Origin | Grip::Tip | Grip::Shaft, None) => CursorIcon::Grab,
             (Grip::Origin | Grip::Tip | Grip::Shaft, Some(_)) => CursorIcon::Grabbing,
@@ -107,7 +105,7 @@ pub fn handle<const D: usize>(
         });
         let is_free = grip.is_none() && matches!(over, Grip::Camera | Grip::Region(_));
         let is_free = is_free && has_moved(ui, response, at);
-        return is_free.then(|| under(frame, camera, document, at)).flatten();
+        return is_free.then(|| under(grasp, at)).flatten();
     }
     None
 }
@@ -124,14 +122,10 @@ fn has_moved(ui: &Ui, response: &Response, at: Pos2) -> bool {
 }
 
 /// What lies at a place of the view.
-pub(super) fn under<const D: usize>(
-    frame: PageInWindow,
-    camera: &Camera<D>,
-    document: &Document<D>,
-    at: Pos2,
-) -> Option<Under<D>> {
-    let (leaf, _) = leaf_at(frame, camera, &document.tree, at)?;
-    let side = || side_at(frame, camera, &document.tree, at).map(|(_, direction)| direction);
+pub(super) fn under<const D: usize>(grasp: &Grasp<'_, D>, at: Pos2) -> Option<Under<D>> {
+    let Grasp { frame, camera, document } = grasp;
+    let (leaf, _) = leaf_at(*frame, camera, &document.tree, at)?;
+    let side = || side_at(*frame, camera, &document.tree, at).map(|(_, direction)| direction);
     let click = match document.scenario.query {
         // In space a click is too often the beginning of a turn.
         Query::Ray { .. } if D == 2 => side().map(Click::Neighbour),
@@ -158,13 +152,8 @@ fn grip_id(response: &Response) -> Id {
 }
 
 /// What a press at `at` would take hold of.
-fn grip_at<const D: usize>(
-    ui: &Ui,
-    frame: PageInWindow,
-    camera: &Camera<D>,
-    document: &Document<D>,
-    at: Pos2,
-) -> Grip {
+fn grip_at<const D: usize>(ui: &Ui, grasp: &Grasp<'_, D>, at: Pos2) -> Grip {
+    let query = &grasp.document.scenario.query;
     let (shift, secondary) = ui.input(|input| {
         (
             input.modifiers.shift,
@@ -174,25 +163,21 @@ fn grip_at<const D: usize>(
     if secondary {
         return Grip::Camera;
     }
-    if matches!(document.scenario.query, Query::Ray { .. })
+    if matches!(query, Query::Ray { .. })
         && !shift
-        && let Some(grip) = ray_grip_at(frame, camera, document, at)
+        && let Some(grip) = ray_grip_at(grasp, at)
     {
         return grip;
     }
-    if shift || matches!(document.scenario.query, Query::Region { .. }) {
+    if shift || matches!(query, Query::Region { .. }) {
         return Grip::Region(at);
     }
     Grip::Camera
 }
 
 /// The part of the ray at `at`: the nearer handle, else the shaft.
-fn ray_grip_at<const D: usize>(
-    frame: PageInWindow,
-    camera: &Camera<D>,
-    document: &Document<D>,
-    at: Pos2,
-) -> Option<Grip> {
+fn ray_grip_at<const D: usize>(grasp: &Grasp<'_, D>, at: Pos2) -> Option<Grip> {
+    let Grasp { frame, camera, document } = grasp;
     let ray = document.scenario.ray;
     let ends = [ray.origin(), ray.at(1.0)];
     let tip = camera.tip_handle(frame.page, ends).map(|tip| (Grip::Tip, frame.on_screen(tip)));
@@ -210,12 +195,8 @@ fn ray_grip_at<const D: usize>(
 
 /// Point of the ray's line as far from the eye as a grip on it: its tip if that
 /// is in sight, else the point nearest to the middle of the tree.
-fn depth_of<const D: usize>(
-    frame: PageInWindow,
-    camera: &Camera<D>,
-    document: &Document<D>,
-    grip: Grip,
-) -> [f64; D] {
+fn depth_of<const D: usize>(grasp: &Grasp<'_, D>, grip: Grip) -> [f64; D] {
+    let Grasp { frame, camera, document } = grasp;
     let ray = document.scenario.ray;
     let [width, height] = [frame.page.width, frame.page.height];
     let in_sight = |at: [f64; 2]| (0.0..=width).contains(&at[0]) && (0.0..=height).contains(&at[1]);
@@ -236,13 +217,12 @@ fn depth_of<const D: usize>(
 fn drag<const D: usize>(
     ui: &Ui,
     response: &Response,
-    frame: PageInWindow,
-    camera: &mut Camera<D>,
-    document: &mut Document<D>,
+    grasp: &mut Grasp<'_, D>,
     grip: Grip,
     at: Pos2,
 ) {
-    let ray = document.scenario.ray;
+    let (frame, ray) = (grasp.frame, grasp.document.scenario.ray);
+    let camera = &*grasp.camera;
     let moved = |through: [f64; D]| -> [f64; D] {
         let now = frame.world(camera, at, through);
         let then = frame.world(camera, at - response.drag_delta(), through);
@@ -251,22 +231,22 @@ fn drag<const D: usize>(
     let ends = match grip {
         Grip::Origin => Some((frame.world(camera, at, ray.origin()), ray.at(1.0))),
         Grip::Tip => {
-            let through = depth_of(frame, camera, document, grip);
+            let through = depth_of(grasp, grip);
             Some((ray.origin(), frame.world(camera, at, through)))
         }
         Grip::Shaft => {
-            let by = moved(depth_of(frame, camera, document, grip));
+            let by = moved(depth_of(grasp, grip));
             let shifted = |p: [f64; D]| std::array::from_fn(|e| p[e] + by[e]);
             Some((shifted(ray.origin()), shifted(ray.at(1.0))))
         }
         Grip::Camera => {
-            turn(ui, response, frame, camera);
+            turn(ui, response, grasp);
             None
         }
         Grip::Region(_) => None,
     };
     if let Some((origin, tip)) = ends {
-        let resolution = camera.unit(frame.page);
+        let resolution = grasp.camera.unit(frame.page);
         let [origin, tip] = [origin, tip].map(|p| p.map(|x| rounded(x, resolution)));
         let direction = match grip {
             // Moved as a whole it keeps its direction to the last bit.
@@ -277,13 +257,14 @@ fn drag<const D: usize>(
         };
         // A ray of no length is refused; the last one stays.
         if let Ok(ray) = Ray::new(origin, direction) {
-            document.scenario.ray = ray;
+            grasp.document.scenario.ray = ray;
         }
     }
 }
 
 /// Pans the plane; orbits space, or pans it with the other buttons or Ctrl.
-fn turn<const D: usize>(ui: &Ui, response: &Response, frame: PageInWindow, camera: &mut Camera<D>) {
+fn turn<const D: usize>(ui: &Ui, response: &Response, grasp: &mut Grasp<'_, D>) {
+    let Grasp { frame, camera, .. } = grasp;
     let pan = response.dragged_by(PointerButton::Secondary)
         || response.dragged_by(PointerButton::Middle)
         || ui.input(|input| input.modifiers.command);
@@ -296,13 +277,8 @@ fn turn<const D: usize>(ui: &Ui, response: &Response, frame: PageInWindow, camer
 }
 
 /// Zooms with the wheel or two fingers; what is under the pointer stays there.
-fn zoom<const D: usize>(
-    ui: &Ui,
-    response: &Response,
-    frame: PageInWindow,
-    camera: &mut Camera<D>,
-    document: &Document<D>,
-) {
+fn zoom<const D: usize>(ui: &Ui, response: &Response, grasp: &mut Grasp<'_, D>) {
+    let Grasp { frame, camera, document } = grasp;
     let Some(at) = response.hover_pos() else { return };
     let (scroll, pinch) = ui.input(|input| (input.smooth_scroll_delta().y, input.zoom_delta()));
     let factor = (f64::from(scroll) * 0.0025).exp() * f64::from(pinch);

@@ -1,6 +1,6 @@
 //! The layers of the tree that is open, made on another thread if it is large.
 
-use super::tree_layers;
+use super::tree_layers::{self, Appearance};
 use crate::document::Document;
 use crate::job::{Job, Poll};
 use crate::render::{Layer, Speed};
@@ -40,15 +40,11 @@ impl PartialEq for TreeKey {
 
 impl TreeKey {
     /// Key of a document's tree.
-    pub fn of<const D: usize>(document: &Document<D>, show: &Show, theme: Theme) -> Self {
+    pub fn of<const D: usize>(document: &Document<D>, appearance: Appearance<'_>) -> Self {
+        let Appearance { show, theme } = appearance;
         let Show { content, empty_leaves, inner_nodes, levels, rest, .. } = *show;
         let shown = Shown { content, empty_leaves, inner_nodes, levels, rest, theme };
         Self { tree: Arc::clone(&document.tree) as Arc<dyn Any + Send + Sync>, shown }
-    }
-
-    /// The colours.
-    pub fn theme(&self) -> Theme {
-        self.shown.theme
     }
 
     fn is_of_tree(&self, other: &Self) -> bool {
@@ -84,11 +80,10 @@ impl Leaves {
         &mut self,
         context: &Context,
         document: &Document<D>,
-        show: &Show,
-        theme: Theme,
+        appearance: Appearance<'_>,
         speed: Speed,
     ) -> Option<&TreeLayers> {
-        let key = TreeKey::of(document, show, theme);
+        let key = TreeKey::of(document, appearance);
         self.poll();
         let is_known = self.layers.as_ref().is_some_and(|layers| layers.key == key);
         // What is being made of this tree is finished first, so that there is something
@@ -98,11 +93,13 @@ impl Leaves {
             self.making = None;
         } else if !is_coming {
             let (tree, content) = (Arc::clone(&document.tree), Arc::clone(&document.content));
+            let Appearance { show, theme } = appearance;
             let show = *show;
             let is_quick = tree.n_nodes() <= QUICK_NODES;
             let key_of_job = key.clone();
             let work = move |progress: &Progress| {
-                let layers = tree_layers::layers(&tree, &content, (&show, theme), speed, progress)?;
+                let appearance = Appearance { show: &show, theme };
+                let layers = tree_layers::layers(&tree, &content, appearance, speed, progress)?;
                 let [whole, coarse] = layers;
                 Ok(TreeLayers { key: key_of_job, dimension: D, whole, coarse })
             };

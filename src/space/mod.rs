@@ -6,10 +6,13 @@ mod card;
 mod coarse;
 mod flight;
 mod gesture;
+mod grasp;
 mod hover;
 mod leaves;
 mod pick;
+mod placed;
 mod run;
+mod scene;
 mod section;
 mod standpoint;
 mod tree_layers;
@@ -22,17 +25,18 @@ use crate::view::{Flight, View};
 use crate::widgets::{PageInWindow, paint_on_page};
 pub use base::Layers;
 use card::Seen;
-use eframe::egui::{Event, Rect, Sense, Ui, WidgetInfo, accesskit::Role};
+use eframe::egui::{Event, Rect, Response, Sense, Ui, WidgetInfo, accesskit::Role};
+use gesture::Under;
+use grasp::Grasp;
 use hover::Told;
 use octoscope_core::geometry::Ray;
 use octoscope_core::query::Query;
 use octoscope_core::trace::Moment;
 use octoscope_core::tree::NodeId;
-use octoscope_figure::{
-    Camera, Page, Role as MarkRole, Show, axes, cells, content, crosses, node_mark,
-    space_figure_over,
-};
-use run::run_marks;
+use octoscope_figure::{Camera, Mark, Page, Show};
+use placed::Parts;
+use scene::Scene;
+use tree_layers::Appearance;
 
 /// What the view shows and changes.
 pub struct Space<'a, const D: usize> {
@@ -46,9 +50,6 @@ pub struct Space<'a, const D: usize> {
     pub layers: Option<&'a mut Layers>,
 }
 
-/// More leaves, or parts of the content, than this are not painted one by one.
-const MOST_PAINTED: usize = 20_000;
-
 /// Shows the space view in all the room there is.
 pub fn ui<const D: usize>(ui: &mut Ui, look: &Look, space: Space<'_, D>) {
     let Space { document, moment, view, layers } = space;
@@ -59,30 +60,56 @@ pub fn ui<const D: usize>(ui: &mut Ui, look: &Look, space: Space<'_, D>) {
         return;
     }
     let frame = PageInWindow { page: page_of(rect), corner: rect.min, scale: 1.0 };
-    let room = view.space.replace(rect);
+    let (camera, under) = handled(ui, &response, frame, document, moment, view);
+    if let Some(under) = &under {
+        view.hover.offer(under.leaf);
+    }
+    // What is pointed at here is lit at once, what is elsewhere a frame later.
+    let hovered = under.as_ref().map(|under| under.leaf);
+    let hovered = hovered.or_else(|| view.hover.lit(&document.tree));
+    let show = shown_now(ui, view, *view.show::<D>());
+    let appearance = Appearance { show: &show, theme: view.theme };
+    let scene = Scene { document, moment, appearance, camera: &camera, frame };
+
+    let mut marks = scene.marks(layers.is_some());
+    marks.extend(hover::marks(&document.tree, hovered, under.as_ref()));
+    let is_busy = view.playback.playing || ui.input(|input| !input.events.is_empty());
+    let pace = if is_busy { Pace::Busy } else { Pace::Rest };
+    paint(ui, look, &scene, marks, layers.map(|layers| (layers, pace)));
+    gesture::paint_region_being_drawn(ui, &ui.painter_at(rect), look, &response);
+    tell(ui, look, &scene, view, hovered, under);
+}
+
+/// Where the camera stands after what the user does in this frame, and what the mouse
+/// points at.
+fn handled<const D: usize>(
+    ui: &Ui,
+    response: &Response,
+    frame: PageInWindow,
+    document: &mut Document<D>,
+    moment: &Moment<D>,
+    view: &mut View,
+) -> (Camera<D>, Option<Under<D>>) {
+    let rect = response.rect;
+    let is_as_large = view.space.replace(rect).map(|room| room.size()) == Some(rect.size());
     let kept: Option<Camera<D>> = view.camera();
     let mut camera = kept.unwrap_or_else(|| document.framed(frame.page));
     let (before, ray) = (camera, document.scenario.ray);
     view.fitted |= kept.is_none();
-    if view.fitted && kept.is_some() && room.map(|room| room.size()) != Some(rect.size()) {
+    if view.fitted && kept.is_some() && !is_as_large {
         document.frame(&mut camera, frame.page);
     }
     standpoint::stand(view, &mut camera, frame.page, document, moment);
-    if camera != before && room.map(|room| room.size()) == Some(rect.size()) {
+    if camera != before && is_as_large {
         let seen = flight::on_the_way(ui, view, before);
         view.flight = Some(Flight::from(seen, ui.input(|input| input.time)));
     }
     let goal = camera;
     camera = flight::on_the_way(ui, view, goal);
     let stood = camera;
-    let under = gesture::handle(ui, &response, frame, &mut camera, document);
+    let mut grasp = Grasp { frame, camera: &mut camera, document };
+    let under = gesture::handle(ui, response, &mut grasp);
     view.fitted &= (camera.target, camera.height) == (stood.target, stood.height);
-    if let Some(under) = &under {
-        view.hover.offer(under.leaf);
-    }
-    let tree = std::sync::Arc::clone(&document.tree);
-    // What is pointed at here is lit at once, what is elsewhere a frame later.
-    let hovered = under.as_ref().map(|under| under.leaf).or_else(|| view.hover.lit(&tree));
     // Who takes hold of the picture stops it where it is.
     let held = camera != stood || document.scenario.ray != ray;
     view.flight = view.flight.filter(|_| !held);
@@ -91,39 +118,41 @@ pub fn ui<const D: usize>(ui: &mut Ui, look: &Look, space: Space<'_, D>) {
     if kept != before || document.scenario.ray != ray {
         view.set_camera(kept);
     }
-    let show = shown_now(ui, view, *view.show::<D>());
-    let show = &show;
+    (camera, under)
+}
 
-    let marks = run_marks(document, moment, show);
-    let painter = ui.painter_at(rect);
-    painter.rect_filled(rect, 0.0, look.palette.background);
-    let mut painted = axes(document.tree.domain(), show, &camera);
-    let is_painted = document.content.len() <= MOST_PAINTED
-        && (layers.is_none() || !tree_layers::is_cloud(&document.content));
-    if D == 2 && show.content && is_painted {
-        painted.extend(content(&document.content, None));
-    }
-    painted.extend(marks);
-    let expected = |&node: &NodeId| node_mark(&tree, node, MarkRole::Expected);
-    painted.extend(document.right_nodes().iter().map(expected));
-    painted.extend(hover::marks(&tree, hovered, under.as_ref()));
+/// Paints the tree and `marks`, what the graphics adapter draws first.
+fn paint<const D: usize>(
+    ui: &Ui,
+    look: &Look,
+    scene: &Scene<'_, D>,
+    mut marks: Vec<Mark<D>>,
+    layers: Option<(&mut Layers, Pace)>,
+) {
+    let painter = ui.painter_at(scene.frame.rect());
+    painter.rect_filled(scene.frame.rect(), 0.0, look.palette.background);
     // Boxes that the graphics adapter draws.
     let mut below = Vec::new();
-    if let Some(layers) = layers {
-        let is_busy = view.playback.playing || ui.input(|input| !input.events.is_empty());
-        let pace = if is_busy { Pace::Busy } else { Pace::Rest };
-        layers.paint(ui, rect, &camera, document, (show, view.theme), (&painted, pace));
-        (below, painted) = painted.into_iter().partition(base::draws);
-    } else if document.tree.n_leaves() <= MOST_PAINTED {
-        let cut = show.slice.and_then(|slice| slice.cut(document.tree.domain(), &camera));
-        painted.extend(cells(&document.tree, show, cut.as_ref()));
+    if let Some((layers, pace)) = layers {
+        layers.paint(ui, scene, &marks, pace);
+        (below, marks) = marks.into_iter().partition(base::draws);
+    } else {
+        marks.extend(scene.cells());
     }
-    painted.sort_by_cached_key(|mark| mark.role.layer());
-    let mut figure = space_figure_over(&below, &painted, &camera, frame.page);
-    // What the adapter cannot draw of its boxes.
-    figure.drawn.splice(..0, crosses(&below, &camera, frame.page));
-    paint_on_page(&painter, look, view.theme, frame, &figure);
-    gesture::paint_region_being_drawn(ui, &painter, look, &response);
+    let parts = Parts { below, marks, camera: *scene.camera, page: scene.frame.page };
+    paint_on_page(&painter, look, scene.appearance.theme, scene.frame, &parts.placed(ui));
+}
+
+/// Tells of the cell that is pointed at, and of what a click on it does.
+fn tell<const D: usize>(
+    ui: &mut Ui,
+    look: &Look,
+    scene: &Scene<'_, D>,
+    view: &mut View,
+    hovered: Option<NodeId>,
+    under: Option<Under<D>>,
+) {
+    let Scene { document, moment, camera, frame, .. } = *scene;
     let is_move = |event: &Event| matches!(event, Event::PointerMoved(_));
     let moved = ui.input(|input| input.events.iter().any(is_move));
     if moved || view.pointed.is_none() {
@@ -131,8 +160,8 @@ pub fn ui<const D: usize>(ui: &mut Ui, look: &Look, space: Space<'_, D>) {
     }
     if let Some(node) = hovered {
         let why = why::why(&document.shown(moment), node, view.language);
-        let seen = seen(document, frame, &camera, node);
-        hover::card(ui, look, rect, &tree, &Told { node, why, seen });
+        let seen = seen(document, frame, camera, node);
+        hover::card(ui, look, frame.rect(), &document.tree, &Told { node, why, seen });
     }
     let hint = under.filter(|_| view.pointed == Some(moment.step) && !view.spotlight);
     if let Some(under) = hint {

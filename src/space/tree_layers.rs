@@ -12,6 +12,15 @@ use octoscope_core::scene::{Content, Sphere};
 use octoscope_core::tree::{Node, Tree};
 use octoscope_figure::{Palette, Rest, Role, Show, Style, Theme, cell_role};
 
+/// What is shown, and in which colours.
+#[derive(Clone, Copy, Debug)]
+pub struct Appearance<'a> {
+    /// What.
+    pub show: &'a Show,
+    /// The colours.
+    pub theme: Theme,
+}
+
 /// How much is drawn in a small part of a second, for the tree and for its content.
 fn halves(speed: Speed) -> usize {
     speed.vertices as usize / 2
@@ -21,18 +30,18 @@ fn halves(speed: Speed) -> usize {
 pub fn layers<const D: usize>(
     tree: &Tree<D>,
     content: &Content<D>,
-    (show, theme): (&Show, Theme),
+    appearance: Appearance<'_>,
     speed: Speed,
     progress: &Progress,
 ) -> Result<[Vec<Layer>; 2], Cancelled> {
     let [mut whole, mut coarse] = if D == 2 {
-        plane_layers(tree, content, (show, theme), speed, progress)?
+        plane_layers(tree, content, appearance, speed, progress)?
     } else {
-        space_layers(tree, (show, theme), speed, progress)?
+        space_layers(tree, appearance, speed, progress)?
     };
     if (D == 3 || is_cloud(content))
-        && show.content
-        && let Some(layer) = content_layer(content, theme)
+        && appearance.show.content
+        && let Some(layer) = content_layer(content, appearance.theme)
     {
         coarse.push(layer.within(halves(speed)));
         whole.push(layer);
@@ -81,7 +90,7 @@ fn cells<T: Copy, const D: usize>(
 fn plane_layers<const D: usize>(
     tree: &Tree<D>,
     content: &Content<D>,
-    (show, theme): (&Show, Theme),
+    Appearance { show, theme }: Appearance<'_>,
     speed: Speed,
     progress: &Progress,
 ) -> Result<[Vec<Layer>; 2], Cancelled> {
@@ -138,7 +147,7 @@ const INNER: u8 = 2;
 /// The boxes of an octree.
 fn space_layers<const D: usize>(
     tree: &Tree<D>,
-    (show, theme): (&Show, Theme),
+    Appearance { show, theme }: Appearance<'_>,
     speed: Speed,
     progress: &Progress,
 ) -> Result<[Vec<Layer>; 2], Cancelled> {
