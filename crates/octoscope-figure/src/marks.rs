@@ -8,6 +8,7 @@ mod sides;
 pub use ray::far_end;
 pub(crate) use ray::{STRETCH, interval, nearest, stretch};
 
+use crate::space::BETWEEN;
 use crate::ways::ways;
 use crate::{Mark, Role, Shape, Show};
 use octoscope_core::event::{End, Event};
@@ -104,7 +105,7 @@ impl<const D: usize> Scene<'_, D> {
     }
 
     fn code_label(&self, node: NodeId) -> Mark<D> {
-        let codes = self.tree.code(node).map(|code| code.to_string()).join(", ");
+        let codes = self.tree.code(node).map(|code| code.to_string()).join(BETWEEN);
         let bounds = self.tree.node_box(node);
         let label = Mark::new(Shape::LabelIn { at: bounds.centre(), bounds }, Role::CellCode);
         label.of_node(node).with_text(codes)
@@ -235,7 +236,8 @@ impl<const D: usize> Scene<'_, D> {
             (false, false) => Role::Current,
         };
         marks.push(Mark::new(Shape::Box(bounds), role).of_node(node));
-        if self.show.codes {
+        let is_visited = || self.moment.leaves.iter().any(|leaf| leaf.node == node);
+        if self.show.codes && !is_visited() {
             marks.push(self.code_label(node));
         }
         self.sides(node, &bounds, marks);

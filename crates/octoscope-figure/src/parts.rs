@@ -2,7 +2,7 @@
 
 use crate::camera::corners;
 use crate::space::distance;
-use crate::{Camera, Drawn, Form, Page, Part};
+use crate::{Camera, Drawn, Form, Page, Part, Style, Theme};
 use octoscope_core::geometry::Aabb;
 
 /// A part of a plane, which is `whole`, and those of its edges that are edges of
@@ -31,10 +31,16 @@ pub(crate) fn part_of_plane<const D: usize>(
     let edges = (0..ring.len()).filter_map(|index| {
         let next = (index + 1) % ring.len();
         let line = vec![on_page[index], on_page[next]];
-        is_outer(ring[index], ring[next]).then(|| of_whole(Part::Edge, Form::Polyline(line)))
+        is_outer(ring[index], ring[next]).then_some(Form::Polyline(line))
     });
+    let edges: Vec<Form> = edges.collect();
+    let has_casing = Style::of(Theme::Light, whole.role).casing > 0.0;
+    let casings = edges.iter().filter(|_| has_casing);
+    let casings = casings.map(|edge| of_whole(Part::Casing, edge.clone()));
     let area = of_whole(Part::Face(0), Form::Polygon(on_page.clone()));
-    std::iter::once(area).chain(edges).collect()
+    let casings: Vec<Drawn> = casings.collect();
+    let edges = edges.into_iter().map(|edge| of_whole(Part::Edge, edge));
+    casings.into_iter().chain([area]).chain(edges).collect()
 }
 
 /// The corners of a flat box, in turn; of any other, those of its lower side.

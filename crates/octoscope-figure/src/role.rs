@@ -101,6 +101,8 @@ pub enum Role {
     RayBeyond,
     /// The ray as the algorithm mirrors it.
     MirroredRay,
+    /// Where that begins.
+    MirroredOrigin,
     /// What was there before a change, or what is being drawn.
     Ghost,
     /// The node under the pointer, in whichever view.

@@ -4,6 +4,7 @@ mod apart;
 mod arrows;
 mod away;
 mod boxes;
+mod codes;
 mod cross;
 mod indices;
 mod inset;
@@ -12,6 +13,7 @@ mod labels;
 mod overlaid;
 mod painted;
 
+pub(crate) use codes::BETWEEN;
 pub use cross::crosses;
 
 use crate::camera::corners;
@@ -53,7 +55,7 @@ pub fn space_figure_over<const D: usize>(
         chord,
         middle: middle.map_or([0.5 * page.width, 0.5 * page.height], |middle| middle.at),
         axes: marks.iter().filter_map(|mark| axis_on_page(mark, camera, page)).collect(),
-        strong: strong_boxes(marks),
+        strong: strong_boxes(all()),
         is_apart: marks.iter().any(|mark| is_apart(mark.role)),
         last: marks.iter().find_map(|mark| match (mark.role, mark.shape) {
             (Role::RayTip, Shape::Tip(ends)) => last_point(ends, root.as_ref()),
@@ -187,9 +189,6 @@ impl<const D: usize> Canvas<'_, D> {
                     let part = self.edge_part(mark, &bounds);
                     self.push_at(above_space(mark.role), mark, part, Form::Polygon(points));
                 } else {
-                    if Style::of(Theme::Light, mark.role).casing > 0.0 {
-                        self.push(mark, bounds, Part::Casing, Form::Polygon(points.clone()));
-                    }
                     let is_leaf = matches!(
                         mark.role,
                         Role::EmptyLeaf
@@ -204,7 +203,7 @@ impl<const D: usize> Canvas<'_, D> {
                         self.spare(&points);
                     }
                     let cross = cross_out(mark.role, &points, self.page);
-                    self.push(mark, bounds, part, Form::Polygon(points));
+                    self.push_cased(mark, bounds, part, Form::Polygon(points));
                     let part = if part == Part::Fine { part } else { Part::Edge };
                     for line in cross {
                         self.push(mark, bounds, part, line);
@@ -221,13 +220,18 @@ impl<const D: usize> Canvas<'_, D> {
                     self.spared.push(line.map(|p| p.at));
                     self.keep_line(mark.role, line.map(|p| p.at));
                     let line = Form::Polyline(line.map(|p| p.at).to_vec());
-                    self.push(mark, point_box(ends[0]), Part::Edge, line);
+                    self.push_cased(mark, point_box(ends[0]), Part::Edge, line);
                 }
             }
             Shape::Arrow(ends) => {
                 let ends = if mark.role == Role::Ray { self.past_last(ends) } else { ends };
                 // An arrow that leaves the page ends at its border, head and all.
                 if let Some(line) = self.camera.visible_segment(self.page, ends) {
+                    // The ray has its tip there.
+                    let line = match mark.role {
+                        Role::Ray => line,
+                        _ => self.off_border(ends[1], line),
+                    };
                     self.draw_arrow(mark, ends, line);
                 }
             }
@@ -332,13 +336,26 @@ impl<const D: usize> Canvas<'_, D> {
 
     /// Draws a form of a mark that lies in `bounds`.
     fn push(&mut self, mark: &Mark<D>, bounds: Aabb<D>, part: Part, form: Form) {
-        if D == 2 || is_above(mark.role) {
-            self.push_at(above_space(mark.role), mark, part, form);
-        } else if is_hint(mark.role) {
-            self.push_at(HINT, mark, part, form);
+        self.push_parts(mark, bounds, vec![(part, form)]);
+    }
+
+    /// The same, parted from what lies below it if its role is.
+    fn push_cased(&mut self, mark: &Mark<D>, bounds: Aabb<D>, part: Part, form: Form) {
+        let has_casing = Style::of(Theme::Light, mark.role).casing > 0.0;
+        let casing = has_casing.then(|| (Part::Casing, form.clone()));
+        self.push_parts(mark, bounds, casing.into_iter().chain([(part, form)]).collect());
+    }
+
+    fn push_parts(&mut self, mark: &Mark<D>, bounds: Aabb<D>, parts: Vec<(Part, Form)>) {
+        let Mark { role, node, .. } = *mark;
+        let parts = parts.into_iter().map(|(part, form)| Drawn { form, role, part, node });
+        if D == 2 || is_above(role) {
+            let order = above_space(role);
+            self.drawn.extend(parts.map(|drawn| (order, drawn)));
+        } else if is_hint(role) {
+            self.drawn.extend(parts.map(|drawn| (HINT, drawn)));
         } else {
-            let front = vec![Drawn { form, role: mark.role, part, node: mark.node }];
-            self.in_space.push(InSpace { bounds, behind: Vec::new(), front });
+            self.in_space.push(InSpace { bounds, behind: Vec::new(), front: parts.collect() });
         }
     }
 
@@ -354,7 +371,8 @@ fn above_space(role: Role) -> f64 {
 /// Whether a role is drawn above everything in space: handles, points and
 /// lines that must not be lost behind boxes.
 fn is_above(role: Role) -> bool {
-    role.layer() >= Role::MirroredRay.layer() || matches!(role, Role::Touch | Role::Region)
+    role.layer() >= Role::MirroredRay.layer()
+        || matches!(role, Role::Touch | Role::Region | Role::OwnedSide | Role::OpenSide)
 }
 
 /// Whether a role is but a hint beside the path, and must not cover it.

@@ -167,6 +167,51 @@ mod tests {
     }
 
     #[test]
+    fn codes_can_be_read_on_every_fill_in_the_colour_of_every_axis() {
+        for theme in Theme::ALL {
+            let style = Style::of(theme, Role::CellCode);
+            let [text, ground] = [style.text.unwrap().colour, style.fill.unwrap()];
+            let axes = (0..3).map(|axis| Style::of(theme, Role::AxisLabel(axis)).text.unwrap());
+            let colours: Vec<_> = axes.map(|text| text.colour).chain([text]).collect();
+            for role in Role::KINDS {
+                let below = Style::of(theme, role).fill.unwrap_or(ground);
+                let ground = ground.over(below.over(Palette::of(theme).background));
+                for colour in &colours {
+                    let ratio = contrast(*colour, ground);
+                    assert!(ratio >= 4.5, "{theme:?} {colour:?} on {role:?} {ratio:.2}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn the_colours_of_the_axes_are_of_axes_alone() {
+        for theme in Theme::ALL {
+            for role in Role::KINDS {
+                let style = Style::of(theme, role);
+                let own = [style.fill, style.stroke, style.text.map(|text| text.colour)];
+                let axes = Palette::of(theme).axes.map(|axis| axis.rgb);
+                let is_of_axis = own.into_iter().flatten().any(|own| axes.contains(&own.rgb));
+                let class = role.class();
+                let names_axis = ["-x", "-y", "-z"].iter().any(|end| class.ends_with(end));
+                assert!(names_axis || !is_of_axis, "{theme:?} {role:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn an_open_side_is_told_from_an_owned_one_where_there_is_no_room_for_dashes() {
+        for theme in Theme::ALL {
+            let [open, owned, current] =
+                [Role::OpenSide, Role::OwnedSide, Role::Current].map(|role| Style::of(theme, role));
+            assert!(owned.width >= 2.5 * open.width, "{theme:?}");
+            // Neither leaves the outline to be seen on which it lies.
+            assert!(open.width + 2.0 * open.casing >= current.width, "{theme:?}");
+            assert!(owned.width >= current.width, "{theme:?}");
+        }
+    }
+
+    #[test]
     fn order_numbers_can_be_read_on_their_disc() {
         for theme in Theme::ALL {
             let style = Style::of(theme, Role::OrderNumber);

@@ -10,7 +10,8 @@ use octoscope_core::trace::{Moment, record};
 use octoscope_core::traverse::Variant;
 use octoscope_core::tree::{Tree, build};
 use octoscope_figure::{
-    Camera, Drawn, Figure, Form, Page, Part, Role, Show, axes, marks, metrics, space_figure,
+    Camera, Drawn, Figure, Form, Mark, Page, Part, Role, Shape, Show, axes, marks, metrics,
+    space_figure, space_figure_over,
 };
 
 const PAGES: [Page; 3] = [
@@ -153,4 +154,88 @@ fn no_label_of_a_scene_covers_another_and_no_ray_an_axis() {
         .flat_map(|(name, scenario)| faults_of(name, &scenario))
         .collect();
     assert!(all.is_empty(), "{}\n{}", all.len(), all.join("\n"));
+}
+
+/// Marks of a built-in scene in space after a share of its run, and a camera.
+fn in_space(show: &Show, share: f64) -> (Vec<Mark<3>>, Camera<3>) {
+    let AnyScenario::Octree(scenario) = built_in("points-3d").unwrap() else { panic!() };
+    let tree = tree_of(&scenario);
+    let trace = record(&tree, &scenario.ray, &scenario.query);
+    let step = 1 + (share * (trace.events.len() - 1) as f64) as usize;
+    let moment = Moment::after(&tree, &trace, step);
+    let event = trace.events.get(step - 1);
+    let camera = Camera::framing(&tree.domain().root_box(), PAGES[2]);
+    let mut all = axes(tree.domain(), show, &camera);
+    all.extend(marks(&tree, &scenario.ray, &scenario.query, &moment, event, show));
+    all.sort_by_cached_key(|mark| mark.role.layer());
+    (all, camera)
+}
+
+#[test]
+fn labels_keep_off_boxes_whoever_draws_them() {
+    let texts = |figure: &Figure| -> Vec<Drawn> {
+        written(figure).into_iter().map(|(drawn, _)| drawn.clone()).collect()
+    };
+    let mut n_labels = 0;
+    for n in 0..40 {
+        let show = Show { codes: n % 2 == 0, ..Show::at_first::<3>() };
+        let (all, camera) = in_space(&show, f64::from(n) / 40.0);
+        let is_box = |mark: &Mark<3>| {
+            let is_here = matches!(mark.role, Role::Region | Role::Strayed);
+            matches!(mark.shape, Shape::Box(_)) && !is_here
+        };
+        let (below, above): (Vec<_>, Vec<_>) = all.iter().cloned().partition(is_box);
+        let [whole, parted] = [
+            space_figure(&all, &camera, PAGES[2]),
+            space_figure_over(&below, &above, &camera, PAGES[2]),
+        ];
+        assert_eq!(texts(&parted), texts(&whole), "{n}");
+        n_labels += texts(&whole).len();
+    }
+    assert!(n_labels > 300, "{n_labels}");
+}
+
+#[test]
+fn edges_yield_to_a_stronger_box_whoever_draws_that() {
+    let (all, camera) = in_space(&Show::at_first::<3>(), 0.5);
+    let is_strong = |mark: &Mark<3>| mark.role == Role::Current;
+    let (below, above): (Vec<_>, Vec<_>) = all.iter().cloned().partition(is_strong);
+    let edges = |figure: &Figure| -> Vec<Drawn> {
+        let yields = |role| matches!(role, Role::Root | Role::Ancestor { .. });
+        figure.drawn.iter().filter(|drawn| yields(drawn.role)).cloned().collect()
+    };
+    let [whole, parted] = [
+        space_figure(&all, &camera, PAGES[2]),
+        space_figure_over(&below, &above, &camera, PAGES[2]),
+    ];
+    assert_eq!(below.len(), 1);
+    assert_eq!(edges(&parted), edges(&whole));
+}
+
+#[test]
+fn codes_are_written_once_a_cell_and_off_the_ray() {
+    let AnyScenario::Quadtree(scenario) = built_in("quadtree-82").unwrap() else { panic!() };
+    let tree = tree_of(&scenario);
+    let trace = record(&tree, &scenario.ray, &scenario.query);
+    let show = Show { codes: true, ..Show::at_first::<2>() };
+    let camera = Camera::framing(&tree.domain().root_box(), PAGES[2]);
+    let mut n_codes = 0;
+    for step in 1..=trace.events.len() {
+        let moment = Moment::after(&tree, &trace, step);
+        let event = trace.events.get(step - 1);
+        let mut all = marks(&tree, &scenario.ray, &scenario.query, &moment, event, &show);
+        all.sort_by_cached_key(|mark| mark.role.layer());
+        let figure = space_figure(&all, &camera, PAGES[2]);
+        let written = written(&figure);
+        let codes = written.iter().filter(|(drawn, _)| drawn.role == Role::CellCode);
+        let codes: Vec<_> = codes.collect();
+        for (index, (code, [at, reach])) in codes.iter().enumerate() {
+            assert!(codes[..index].iter().all(|(other, _)| other.node != code.node), "{code:?}");
+            let is_current = code.node == moment.current;
+            let is_struck = rays(&figure).any(|line| meets(line, *at, *reach));
+            assert!(is_current || !is_struck, "step {step}: {code:?}");
+        }
+        n_codes += codes.len();
+    }
+    assert!(n_codes > 200, "{n_codes}");
 }

@@ -29,6 +29,7 @@ impl<const D: usize> Scene<'_, D> {
         }
         let ends = [self.ray.origin(), far_end(self.tree, self.ray)].map(mirror);
         marks.push(Mark::new(Shape::Arrow(ends), Role::MirroredRay));
+        marks.push(Mark::new(Shape::Point(ends[0]), Role::MirroredOrigin));
     }
 
     /// The number of a child; where the mirrored ray is shown, its number in the

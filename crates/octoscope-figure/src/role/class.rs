@@ -85,6 +85,7 @@ impl Role {
             Self::RayAway => "ray-away",
             Self::RayBeyond => "ray-beyond",
             Self::MirroredRay => "mirrored-ray",
+            Self::MirroredOrigin => "mirrored-origin",
             Self::Ghost => "ghost",
             Self::Hover => "hover",
             Self::HoverSide => "hover-side",

@@ -7,7 +7,7 @@ use std::sync::LazyLock;
 impl Role {
     /// One role of every kind, in the order in which they cover each other,
     /// the lowest first.
-    pub const KINDS: [Self; 130] = [
+    pub const KINDS: [Self; 131] = [
         Self::Pixel([128; 3]),
         Self::FaintNode,
         Self::InnerNode,
@@ -51,6 +51,7 @@ impl Role {
         Self::Apart,
         Self::ApartTaken,
         Self::MirroredRay,
+        Self::MirroredOrigin,
         Self::RayBeyond,
         Self::Ray,
         Self::Direction,

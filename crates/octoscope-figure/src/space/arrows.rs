@@ -1,9 +1,10 @@
 //! Arrows of a scene, and how far that of the ray reaches.
 
 use super::{Canvas, above_space, distance};
+use crate::camera::clipped;
 use crate::marks::interval;
 use crate::parts::Arrow;
-use crate::{Drawn, Form, Mark, Part, Role, Style, Theme};
+use crate::{Drawn, Form, Mark, Page, Part, Role, Style, Theme};
 use octoscope_core::geometry::{Aabb, Ray};
 
 /// Length of the head of an arrow, in page units.
@@ -30,6 +31,19 @@ impl<const D: usize> Canvas<'_, D> {
             by *= 1.25;
         }
         [from, longer(by)]
+    }
+
+    /// The part of an arrow to `end` that lies on the page; where that leads beyond the
+    /// page, its head keeps off the border.
+    pub(super) fn off_border(&self, end: [f64; D], [from, to]: [[f64; 2]; 2]) -> [[f64; 2]; 2] {
+        const ROOM: f64 = 8.0;
+        let Page { width, height } = self.page;
+        let end = self.camera.project(self.page, end);
+        if end.is_some_and(|end| self.is_near(end.at, 0.0)) {
+            return [from, to];
+        }
+        let inner = [[ROOM; 2], [width - ROOM, height - ROOM]];
+        clipped([from, to], inner).map_or([from, to], |[_, to]| [from, to])
     }
 
     /// Draws an arrow between two places, which lie on the page here.

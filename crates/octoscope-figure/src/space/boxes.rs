@@ -4,19 +4,14 @@ use super::cross::cross_out_box;
 use super::overlaid::uncovered;
 use super::{Canvas, HINT, InSpace, above_space, is_above, is_apart, is_hint};
 use crate::camera::corners;
-use crate::sides::sides_to_eye;
+use crate::sides::{Side, sides_to_eye};
 use crate::{Drawn, Form, Mark, Part, Role, Style, Theme};
 use octoscope_core::geometry::Aabb;
 
 impl<const D: usize> Canvas<'_, D> {
     /// Edges behind, sides that face the eye, and their edges.
     pub(super) fn draw_box(&mut self, mark: &Mark<D>, bounds: &Aabb<D>) {
-        let ends: Vec<[f64; D]> = corners(bounds).collect();
         let seen = sides_to_eye(self.camera, self.page, bounds);
-        let bit = |axis: usize| 1usize << (D - 1 - axis);
-        let in_sight = |corner: usize, axis: usize| {
-            seen.iter().any(|s| s.axis != axis && (corner & bit(s.axis) != 0) == s.is_upper)
-        };
         let (mut behind, mut front) = (Vec::new(), Vec::new());
         let is_large = self.is_large(mark, bounds);
         if Style::of(Theme::Light, mark.role).fill.is_some() {
@@ -30,28 +25,17 @@ impl<const D: usize> Canvas<'_, D> {
         front.extend(cross.into_iter().map(|line| (Part::Edge, line)));
         let (part, has_casing) =
             (self.edge_part(mark, bounds), Style::of(Theme::Light, mark.role).casing > 0.0);
-        let yields = matches!(mark.role, Role::Root | Role::Ancestor { .. });
-        for axis in 0..D {
-            for corner in (0..1 << D).filter(|corner| corner & bit(axis) == 0) {
-                let edge = [ends[corner], ends[corner | bit(axis)]];
-                let strong = if yields { self.strong.as_slice() } else { &[] };
-                for segment in uncovered(edge, axis, strong) {
-                    let Some(line) = self.camera.project_segment(self.page, segment) else {
-                        continue;
-                    };
-                    let line = line.map(|p| p.at);
-                    let form = Form::Polyline(line.to_vec());
-                    if !in_sight(corner, axis) {
-                        behind.push((Part::HiddenEdge, form));
-                        continue;
-                    }
-                    self.spared.push(line);
-                    if has_casing {
-                        front.push((Part::Casing, form.clone()));
-                    }
-                    front.push((part, form));
-                }
+        for (line, is_in_sight) in self.edges(mark.role, bounds, &seen) {
+            let form = Form::Polyline(line.to_vec());
+            if !is_in_sight {
+                behind.push((Part::HiddenEdge, form));
+                continue;
             }
+            self.spared.push(line);
+            if has_casing {
+                front.push((Part::Casing, form.clone()));
+            }
+            front.push((part, form));
         }
         self.keep_sides(mark.role, &seen);
         let drawn = |(part, form)| Drawn { form, role: mark.role, part, node: mark.node };
@@ -72,6 +56,33 @@ impl<const D: usize> Canvas<'_, D> {
         }
     }
 
+    /// The edges of a box that are drawn, and whether each bounds a side that is seen.
+    pub(super) fn edges(
+        &self,
+        role: Role,
+        bounds: &Aabb<D>,
+        seen: &[Side<D>],
+    ) -> Vec<([[f64; 2]; 2], bool)> {
+        let ends: Vec<[f64; D]> = corners(bounds).collect();
+        let bit = |axis: usize| 1usize << (D - 1 - axis);
+        let in_sight = |corner: usize, axis: usize| {
+            seen.iter().any(|s| s.axis != axis && (corner & bit(s.axis) != 0) == s.is_upper)
+        };
+        let yields = matches!(role, Role::Root | Role::Ancestor { .. });
+        let strong = if yields { self.strong.as_slice() } else { &[] };
+        let mut edges = Vec::new();
+        for axis in 0..D {
+            for corner in (0..1 << D).filter(|corner| corner & bit(axis) == 0) {
+                let edge = [ends[corner], ends[corner | bit(axis)]];
+                let parts = uncovered(edge, axis, strong).into_iter();
+                let lines = parts.filter_map(|part| self.camera.project_segment(self.page, part));
+                let is_in_sight = in_sight(corner, axis);
+                edges.extend(lines.map(|line| (line.map(|p| p.at), is_in_sight)));
+            }
+        }
+        edges
+    }
+
     /// A side of a box, or a plane through it.
     pub(super) fn draw_plane(&mut self, mark: &Mark<D>, axis: usize, bounds: &Aabb<D>) {
         let bounds = &self.overhanging(bounds, axis);
@@ -84,8 +95,7 @@ impl<const D: usize> Canvas<'_, D> {
         if let [from, to] = own[..] {
             if let Some(line) = self.camera.project_segment(self.page, [from, to]) {
                 let line = Form::Polyline(line.map(|p| p.at).to_vec());
-                self.push(mark, *bounds, Part::Casing, line.clone());
-                self.push(mark, *bounds, Part::Edge, line);
+                self.push_cased(mark, *bounds, Part::Edge, line);
             }
         } else if let [a, b, c, d] = own[..] {
             let polygon: Vec<_> = [a, b, d, c]
@@ -93,7 +103,7 @@ impl<const D: usize> Canvas<'_, D> {
                 .filter_map(|p| self.camera.project(self.page, p))
                 .map(|p| p.at)
                 .collect();
-            self.push(mark, *bounds, Part::Whole, Form::Polygon(polygon));
+            self.push_cased(mark, *bounds, Part::Whole, Form::Polygon(polygon));
         }
     }
 

@@ -12,12 +12,11 @@ impl<const D: usize> Canvas<'_, D> {
     /// Heeds a box that is drawn by others.
     pub(super) fn heed(&mut self, mark: &Mark<D>) {
         if let Shape::Box(bounds) = mark.shape {
+            let bounds = self.drawn_box(mark, &bounds);
             let seen = sides_to_eye(self.camera, self.page, &bounds);
             self.keep_sides(mark.role, &seen);
-            for side in seen {
-                let outline: Vec<[f64; 2]> = side.polygon.iter().map(|p| p.at).collect();
-                self.spare(&outline);
-            }
+            let edges = self.edges(mark.role, &bounds, &seen).into_iter();
+            self.spared.extend(edges.filter_map(|(line, is_in_sight)| is_in_sight.then_some(line)));
         }
     }
 

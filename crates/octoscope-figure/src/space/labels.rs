@@ -41,7 +41,7 @@ impl<const D: usize> Canvas<'_, D> {
             Shape::LabelIn { at, bounds } if mark.role == Role::ChildIndex => {
                 self.write_index(mark, (at, &bounds), text);
             }
-            Shape::LabelIn { at, bounds } => self.write_in(mark, (at, &bounds), text),
+            Shape::LabelIn { bounds, .. } => self.write_code(mark, &bounds, text),
             Shape::Plane { bounds, .. } => {
                 // A letter beside a small plane would hide what it names.
                 let [width, height] = self.extent(&bounds);
@@ -79,30 +79,6 @@ impl<const D: usize> Canvas<'_, D> {
             | Shape::CutSphere { .. }
             | Shape::Triangle(_)
             | Shape::LabelAlong(_) => {}
-        }
-    }
-
-    /// Writes into a box that has room for it: at its place, else nearer to the
-    /// middle; where it covers the fewest lines.
-    fn write_in(&mut self, mark: &Mark<D>, (at, bounds): ([f64; D], &Aabb<D>), text: &str) {
-        let place = |world| self.camera.project(self.page, world).map(|p| p.at);
-        let reach = text_reach(mark.role, text);
-        let [width, height] = self.extent(bounds);
-        if width <= 2.0 * reach[0] + 4.0 || height <= 2.0 * reach[1] + 2.0 {
-            return;
-        }
-        let centre = bounds.centre();
-        let places: Vec<[f64; 2]> = if mark.role == Role::CellCode && D == 2 {
-            // Codes give way to the ray, up or down.
-            let shift = 0.5 * height - reach[1] - 2.0;
-            let beside = [-shift, shift].map(|by| place(centre).map(|[x, y]| [x, y + by]));
-            [place(at)].into_iter().chain(beside).chain([place(centre)]).flatten().collect()
-        } else {
-            let nearer = |share: f64| std::array::from_fn(|e| at[e] + share * (centre[e] - at[e]));
-            [0.0, 0.25, 0.5, 1.0].into_iter().filter_map(|share| place(nearer(share))).collect()
-        };
-        if let Some(at) = self.clearest(places, reach) {
-            self.text(mark, at, text);
         }
     }
 

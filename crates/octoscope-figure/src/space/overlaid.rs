@@ -5,14 +5,16 @@ use octoscope_core::geometry::Aabb;
 
 /// The boxes whose edges are to be seen where those of the root and of ancestors lie on
 /// them.
-pub(super) fn strong_boxes<const D: usize>(marks: &[Mark<D>]) -> Vec<Aabb<D>> {
+pub(super) fn strong_boxes<'a, const D: usize>(
+    marks: impl Iterator<Item = &'a Mark<D>>,
+) -> Vec<Aabb<D>> {
     let is_strong =
         |role: Role| matches!(role, Role::Current | Role::Missed | Role::Found | Role::Taken);
     let bounds = |mark: &Mark<D>| {
         let Shape::Box(bounds) = mark.shape else { return None };
         Some(bounds)
     };
-    marks.iter().filter(|mark| is_strong(mark.role)).filter_map(bounds).collect()
+    marks.filter(|mark| is_strong(mark.role)).filter_map(bounds).collect()
 }
 
 /// The parts of an edge along `axis` that lie on none of the edges of `strong` boxes.

@@ -35,8 +35,8 @@ pub(super) fn painted<const D: usize>(
                 let item = &mut in_space[index];
                 if part == item.bounds {
                     drawn.append(&mut item.front);
-                } else if let Some(first) = item.front.first() {
-                    drawn.extend(part_of_plane(camera, page, first, &item.bounds, &part));
+                } else if let Some(whole) = item.front.last() {
+                    drawn.extend(part_of_plane(camera, page, whole, &item.bounds, &part));
                 }
             }
             Painted::Piece(index, between) => {

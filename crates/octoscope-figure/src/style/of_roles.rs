@@ -38,14 +38,12 @@ impl Style {
                 )
             }
             Role::Tie => Self { dash: Dash::Dotted, ..line(p.current_outline, 1.2) },
-            // Many lie over each other: a projector shows their outlines alone.
-            Role::MirroredNode => Self {
-                fill: (theme.weakest_fill() == 0.0).then_some(p.ray.faded(0.07)),
-                dash: Dash::Dashed,
-                ..line(p.ray.faded(0.6), 1.0)
-            },
+            // Outlines alone: many lie over each other, and over what is really there.
+            Role::MirroredNode => Self { dash: Dash::Dashed, ..line(p.ray.faded(0.6), 1.0) },
             Role::OwnedFace => Self { fill: Some(p.ink.faded(0.12)), ..Self::default() },
-            Role::OpenSide => Self { dash: Dash::Dashed, ..line(p.ink, 2.5) },
+            // Thin, and parted from the outline below it: told from a side that is owned
+            // where there is no room for dashes, too.
+            Role::OpenSide => Self { dash: Dash::Dashed, casing: 2.0, ..line(p.ink, 1.3) },
             Role::Pixel(rgb) => {
                 let colour = Colour { rgb, opacity: 1.0 };
                 Self { fill: Some(colour), ..line(p.grid.faded(0.5), 0.5) }
@@ -92,7 +90,12 @@ impl Style {
                 casing: 1.5,
                 ..line(p.rejected, 2.6)
             },
-            Role::Found => Self { fill: Some(p.axes[1].faded(0.25)), ..line(p.axes[1], 3.0) },
+            // The current node, framed in ink: it is the answer.
+            Role::Found => Self {
+                fill: Some(p.current.faded(2.2 * p.current_fill)),
+                casing: 1.2,
+                ..line(p.ink, 3.0)
+            },
             Role::QueryPoint => Self { fill: Some(p.ray), radius: 5.0, ..line(p.background, 1.5) },
             Role::Region => Self { fill: Some(p.ray.faded(0.12)), ..line(p.ray, 2.0) },
             Role::Target => Self { dash: Dash::Dashed, casing: 1.5, ..line(p.ink, 2.0) },
@@ -116,6 +119,9 @@ impl Style {
                 ..line(p.ray, 1.8).lettered(p.ray, 12.0, Weight::Strong)
             },
             Role::RayBeyond => Self { dash: Dash::Dotted, ..line(p.ray.faded(0.85), 1.5) },
+            Role::MirroredOrigin => {
+                Self { fill: Some(p.background), radius: 5.5, ..line(p.ray.faded(0.75), 1.5) }
+            }
             Role::MirroredRay => Self {
                 fill: Some(p.ray.faded(0.75)),
                 dash: Dash::Dashed,
@@ -146,8 +152,13 @@ impl Style {
                 fill: Some(p.background),
                 ..line(p.quiet_ink.faded(0.6), 0.8).lettered(p.ink, 12.0, Weight::Strong)
             },
-            Role::CellCode => Self::default().lettered(p.quiet_ink, 10.0, Weight::Mono),
-            Role::OwnedSide => line(p.ink, 2.5),
+            // Letters in the colours of the axes stand on it.
+            Role::CellCode => Self { fill: Some(p.background), ..Self::default() }.lettered(
+                p.ink,
+                12.0,
+                Weight::MonoStrong,
+            ),
+            Role::OwnedSide => line(p.ink, 4.0),
             Role::AxisLabel(axis) => {
                 line(p.axes[axis], 1.5).lettered(p.axes[axis], 11.0, Weight::Mono)
             }

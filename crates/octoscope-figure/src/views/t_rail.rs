@@ -118,12 +118,16 @@ const TICK: f64 = 8.0;
 /// From a bar down to the middle of its labels, and to the top of their letters.
 const DOWN: [f64; 2] = [17.0, 12.0];
 
+/// Between an odd number and the frame around it.
+const BADGE: f64 = 4.0;
+
 /// Text beside a bar.
 struct Label {
     /// Where its mark stands on the bar.
     tick: f64,
     /// Its left end and its middle height.
     at: [f64; 2],
+    /// With the frame, if it has one.
     width: f64,
     text: RichText,
     /// Whether the number has to be looked at twice: ±∞, NaN or −0.
@@ -167,12 +171,13 @@ impl<const D: usize> Drawing<'_, D> {
             });
         }
         for Label { at, width, text, is_odd, tick: _ } in labels {
+            let mut start = at;
             if is_odd {
                 let half = self.half_line();
-                let corner = [at[0] - 4.0, at[1] - half];
-                sheet.rect(Role::Blank, corner, [width + 8.0, 2.0 * half]);
+                sheet.rect(Role::Blank, [at[0], at[1] - half], [width, 2.0 * half]);
+                start[0] += BADGE;
             }
-            sheet.text(Role::Words, at, Anchor::Start, text);
+            sheet.text(Role::Words, start, Anchor::Start, text);
         }
         self.scale(sheet);
         self.ends(sheet, texts, [enter, exit]);
@@ -228,7 +233,8 @@ impl<const D: usize> Drawing<'_, D> {
         let value =
             if with_value { format!(" {}", self.rail.value(axis, t)) } else { String::new() };
         let text = joined([parameter(axis, plane), value.into()]);
-        let width = metrics::width_of_least(Role::Words, &text, self.least);
+        let around = if is_odd { 2.0 * BADGE } else { 0.0 };
+        let width = metrics::width_of_least(Role::Words, &text, self.least) + around;
         Label { tick: x, at: [x - 0.5 * width, 0.0], width, text, is_odd }
     }
 

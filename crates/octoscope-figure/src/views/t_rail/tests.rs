@@ -48,6 +48,29 @@ fn labels_that_are_pushed_away_have_a_line_to_their_marks() {
 }
 
 #[test]
+fn frames_of_odd_numbers_do_not_touch() {
+    let Some(AnyScenario::Octree(scenario)) = built_in("points-3d") else { panic!() };
+    let (content, grid) = (scenario.source.content().unwrap(), scenario.grid().unwrap());
+    let tree = build(&content, grid, &scenario.recipe, &Progress::default()).unwrap();
+    let ray = Ray::new([-0.16, 0.13, 0.2], [1.0, 0.0, 0.0]).unwrap();
+    let trace = record(&tree, &ray, &scenario.query);
+    let mut n_pairs = 0;
+    for step in 0..=trace.events.len() {
+        let moment = Moment::after(&tree, &trace, step);
+        let Some(rail) = Rail::of(&moment) else { continue };
+        let (range, track) = (rail.range(), [24.0, 440.0]);
+        let drawing = Drawing { rail: &rail, range, track, row: 40.0, least: 0.0 };
+        for labels in (1..3).map(|axis| drawing.labels(axis)) {
+            for two in labels.windows(2).filter(|two| two.iter().all(|label| label.is_odd)) {
+                assert!(two[1].at[0] - two[0].at[0] >= two[0].width + 5.0, "step {step}");
+                n_pairs += 1;
+            }
+        }
+    }
+    assert!(n_pairs > 20, "{n_pairs}");
+}
+
+#[test]
 fn the_common_axis_is_seen_in_every_theme() {
     for theme in Theme::ALL {
         let line: Colour = Style::of(theme, Role::Rule).stroke.unwrap();
