@@ -4,6 +4,7 @@ use super::Statement;
 use super::numbers::{equal, number, operand, told_apart};
 use super::term::{Formula, Sign, row};
 use super::writer::Writer;
+use crate::geometry::Parameter;
 use crate::query::Query;
 use crate::traverse::{Variant, slabs};
 use crate::tree::NodeId;
@@ -88,14 +89,10 @@ impl<const D: usize> Writer<'_, D> {
         };
         let from = if self.has(Variant::B10) { enter } else { enter.max(0.0) };
         let precedes = if is_closed { from <= exit } else { from < exit };
-        let end = match self.query {
-            Query::Ray { options, .. } => options.end(),
-            Query::Point { .. } | Query::Region { .. } | Query::Neighbour { .. } => None,
-        };
         // It meets the root, but ends before.
-        let ended = end.filter(|_| precedes && !hit);
+        let ended = self.end_before(from).filter(|_| precedes && !hit);
         let (name, last) = match ended {
-            Some(end) => (Formula::from("t").sub("end"), end),
+            Some(end) => (t_end(), end),
             None => (t_max, exit),
         };
         let sign = match (hit, is_closed) {
@@ -109,6 +106,14 @@ impl<const D: usize> Writer<'_, D> {
         Statement {
             symbols: row![begins(t_min), sign, name, Sign::Implies, follows.clone()],
             numbers: Some(row![begins(enter), sign, last, Sign::Implies, follows]),
+        }
+    }
+
+    /// Parameter of the end of the ray, if it lies not beyond `enter`.
+    fn end_before(&self, enter: f64) -> Option<f64> {
+        match self.query {
+            Query::Ray { options, .. } => options.end().filter(|&end| enter >= end),
+            Query::Point { .. } | Query::Region { .. } | Query::Neighbour { .. } => None,
         }
     }
 
@@ -147,7 +152,7 @@ impl<const D: usize> Writer<'_, D> {
     }
 
     /// A node by itself: whether the latest near plane, or the ray's begin, comes before
-    /// the first far one.
+    /// the first far one, and before the ray's end.
     pub(super) fn tested(
         &self,
         node: NodeId,
@@ -161,20 +166,34 @@ impl<const D: usize> Writer<'_, D> {
         };
         let (level, code) = (self.tree.level(node), self.tree.code(node));
         let (near, far) = slabs(self.tree.domain(), self.ray, level, code);
-        let all: Vec<f64> = near.into_iter().chain(far).collect();
+        let (enter, exit) = (f64::latest(near).later(0.0), f64::earliest(far));
+        let ended = self.end_before(enter).filter(|_| interval.is_none() && enter.not_after(exit));
+        let all: Vec<f64> = near.into_iter().chain(far).chain(ended).collect();
         let shown = crate::explain::number::distinct(&all);
         let value = |n: usize| Formula::Number { value: all[n], shown: shown[n].clone() };
-        let compared = |near: &dyn Fn(usize) -> Formula, far: &dyn Fn(usize) -> Formula| {
-            let latest = Formula::call("max", (0..D).map(near).chain([0.into()]));
-            row![latest, sign, Formula::call("min", (0..D).map(far))]
-        };
         let follows = self.word(match (interval, touch) {
             (Some(_), false) => "formula-hit",
             (Some(_), true) => "formula-touch",
             (None, _) => "formula-miss",
         });
-        let symbols = compared(&|e| self.t(e, "0"), &|e| self.t(e, "1"));
-        let numbers = compared(&|e| value(e), &|e| value(D + e));
-        Statement { symbols: row![symbols, Sign::Implies, follows], numbers: Some(numbers) }
+        let latest = |plane: &dyn Fn(usize) -> Formula| {
+            Formula::call("max", (0..D).map(plane).chain([0.into()]))
+        };
+        // What comes first after it, the earliest far plane or the end.
+        let [far, far_value] = match ended {
+            Some(_) => [t_end(), value(2 * D)],
+            None => [
+                Formula::call("min", (0..D).map(|e| self.t(e, "1"))),
+                Formula::call("min", (0..D).map(|e| value(D + e))),
+            ],
+        };
+        Statement {
+            symbols: row![latest(&|e| self.t(e, "0")), sign, far, Sign::Implies, follows],
+            numbers: Some(row![latest(&value), sign, far_value]),
+        }
     }
+}
+
+fn t_end() -> Formula {
+    Formula::from("t").sub("end")
 }
