@@ -26,7 +26,7 @@ pub fn ui<const D: usize>(
     let width = ui.available_width();
     let size = [f64::from(width), f64::from(row)];
     let least = f64::from(look.least_type);
-    let Some(rail) = t_rail(&look.texts, (of.tree, of.ray), moment, size, least) else {
+    let Some(rail) = t_rail(&look.texts, of, size, least) else {
         let size = vec2(width, row * D as f32 + 34.0);
         let (rect, response) = ui.allocate_exact_size(size, Sense::click_and_drag());
         let hint = RichText::new(look.text("t-rail-none")).color(look.palette.quiet);
@@ -38,7 +38,7 @@ pub fn ui<const D: usize>(
         return Pointed::default();
     };
     let (rect, response) = room(ui, rail.figure.page, Sense::click_and_drag());
-    let [enter, exit] = rail.interval;
+    let [enter, exit] = rail.limits;
     let spoken = match &rail.missed {
         Some(missed) => format!("{title}: {missed}"),
         None => format!(
@@ -72,7 +72,7 @@ fn digits(ui: &mut Ui, look: &Look, rail: &RailFigure) {
             });
         rich_label(ui, look, &text, 14.0, f32::INFINITY);
     }
-    for (key, t) in ["t-rail-enter", "t-rail-exit"].into_iter().zip(rail.interval) {
+    for (key, t) in ["t-rail-enter", "t-rail-exit"].into_iter().zip(rail.limits) {
         ui.label(format!("{} = {}", look.text(key), number(t).replace('-', "−")));
     }
 }

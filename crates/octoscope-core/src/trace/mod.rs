@@ -14,7 +14,7 @@ mod strayed;
 pub use counters::{Counter, Counters};
 pub use fate::{Fate, deciding_fate, fate};
 pub use moment::Moment;
-pub use reason::{Crossing, ParentPlane, Reason};
+pub use reason::{Crossing, ParentPlane, Reason, met};
 pub use record::{Trace, record, record_within};
 pub(crate) use right::{corrected, on_the_ray, results, slivers};
 pub use rounding::{Disagreement, double_would_differ, rounded_steps};

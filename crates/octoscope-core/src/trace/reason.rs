@@ -92,8 +92,13 @@ pub enum ParentPlane {
     Far,
 }
 
-/// Parameters between which the ray is in a node, or why it is not in it.
-pub(super) fn met<const D: usize>(
+/// Parameters between which the ray is in a node.
+///
+/// # Errors
+///
+/// Why it is not in it: [`Reason::Beside`], [`Reason::Missed`], [`Reason::Behind`],
+/// [`Reason::BeyondEnd`] or [`Reason::Touched`], whichever comes first.
+pub fn met<const D: usize>(
     tree: &Tree<D>,
     ray: &Ray<D>,
     end: Option<f64>,

@@ -44,8 +44,9 @@ impl<const D: usize> RailOf<D> {
 pub(super) struct Rail<const D: usize> {
     /// The node, or the cell.
     pub of: RailOf<D>,
-    /// Where the ray enters and leaves it, as far as is known.
-    pub interval: [f64; 2],
+    /// Where the ray enters and leaves it, as far as is known; `None` if it was found to
+    /// miss it.
+    pub interval: Option<[f64; 2]>,
     near: Option<[f64; D]>,
     mid: Option<[f64; D]>,
     /// The one mid plane that is known where planes are met one by one.
@@ -55,16 +56,15 @@ pub(super) struct Rail<const D: usize> {
     far_name: &'static str,
     /// Parameters of the far planes of the cell that is left in this step.
     left: Option<[f64; D]>,
-    /// Whether the ray was found to miss the node.
-    pub is_missed: bool,
 }
 
 /// Planes are shown in their place up to so many lengths of an interval outside it.
 const NEAR: f64 = 3.0;
 
 impl<const D: usize> Rail<D> {
-    /// Of the node that was just tested, the leaf that was just reported, the node on top of the stack, the leaf
-    /// that is left, or the root; `None` as long as no parameter is known.
+    /// Of the node that was just tested, the leaf that was just reported, the node on top
+    /// of the stack, the leaf that is left, or the root; `None` as long as no parameter is
+    /// known.
     pub fn of(moment: &Moment<D>) -> Option<Self> {
         let leaf = moment.leaves.last().copied();
         if let Some(tested) = Self::of_tested(moment) {
@@ -81,27 +81,28 @@ impl<const D: usize> Rail<D> {
                     near,
                     mid: frame.mid,
                     far,
-                    ..Self::of_node(frame.node, interval)
+                    ..Self::of_node(frame.node, Some(interval))
                 });
             }
         }
         if let (Some(part), Some(interval)) = (moment.part, moment.part_interval) {
-            return Some(Self { halving: moment.halving, ..Self::of_node(part.node, interval) });
+            let rail = Self::of_node(part.node, Some(interval));
+            return Some(Self { halving: moment.halving, ..rail });
         }
         if let Some((grid, cell)) = moment.grid.and_then(|grid| Some((grid, grid.cell?))) {
             let exit = grid.next.into_iter().fold(f64::INFINITY, f64::min);
-            let rail = Self::of_node(NodeId::ROOT, [grid.enter, exit]);
+            let rail = Self::of_node(NodeId::ROOT, Some([grid.enter, exit]));
             let (far, left) = (Some(grid.next), grid.left);
             return Some(Self { of: RailOf::Cell(cell), far, far_name: "Max", left, ..rail });
         }
         if let Some(leaf) = leaf {
-            let rail = Self::of_node(leaf.node, [leaf.enter, leaf.exit]);
+            let rail = Self::of_node(leaf.node, Some([leaf.enter, leaf.exit]));
             let is_here = moment.current == Some(leaf.node);
             let of = if is_here { rail.of } else { RailOf::LastLeaf(leaf.node) };
             return Some(Self { of, far: moment.exits.map(|exits| exits.exits), ..rail });
         }
         let clip = moment.clip?;
-        let root = Self::of_node(NodeId::ROOT, clip.interval);
+        let root = Self::of_node(NodeId::ROOT, Some(clip.interval));
         Some(Self { near: Some(clip.near), far: Some(clip.far), ..root })
     }
 
@@ -112,9 +113,8 @@ impl<const D: usize> Rail<D> {
         if moment.frame().is_some_and(|frame| frame.node == node) {
             return None;
         }
-        let is_missed = moment.tested.is_none() && moment.missed.last() == Some(&node);
-        let interval = if is_missed { Some([f64::NAN; 2]) } else { moment.tested };
-        Some(Self { is_missed, ..Self::of_node(node, interval?) })
+        let is_tested = moment.tested.is_some() || moment.missed.last() == Some(&node);
+        is_tested.then(|| Self::of_node(node, moment.tested))
     }
 
     /// The same, with the planes of the node along `ray` if there would be none at all.
@@ -125,19 +125,20 @@ impl<const D: usize> Rail<D> {
             return self;
         }
         let (near, far) = slabs(tree.domain(), ray, tree.level(node), tree.code(node));
-        let interval = if self.is_missed {
-            [
-                near.into_iter().fold(f64::NEG_INFINITY, f64::max),
-                far.into_iter().fold(f64::INFINITY, f64::min),
-            ]
-        } else {
-            self.interval
-        };
-        Self { near: Some(near), far: Some(far), interval, ..self }
+        Self { near: Some(near), far: Some(far), ..self }
     }
 
-    /// Of a node of which only the interval is known in which the ray is in it.
-    fn of_node(node: NodeId, interval: [f64; 2]) -> Self {
+    /// The latest entry and the earliest exit: where the ray is in the node, if it is.
+    pub fn limits(&self) -> [f64; 2] {
+        let latest = |near: [f64; D]| near.into_iter().fold(f64::NEG_INFINITY, f64::max);
+        let earliest = |far: [f64; D]| far.into_iter().fold(f64::INFINITY, f64::min);
+        self.interval.unwrap_or_else(|| {
+            [self.near.map_or(f64::NEG_INFINITY, latest), self.far.map_or(f64::INFINITY, earliest)]
+        })
+    }
+
+    /// Of a node of which nothing is known but the interval in which the ray is in it.
+    fn of_node(node: NodeId, interval: Option<[f64; 2]>) -> Self {
         Self {
             of: RailOf::Node(node),
             interval,
@@ -147,7 +148,6 @@ impl<const D: usize> Rail<D> {
             far: None,
             far_name: "1",
             left: None,
-            is_missed: false,
         }
     }
 
@@ -155,7 +155,7 @@ impl<const D: usize> Rail<D> {
     /// that of the node where the near plane is not known; `None` without planes.
     pub fn bar(&self, axis: usize) -> Option<[f64; 2]> {
         let far = self.far?[axis];
-        Some([self.near.map_or(self.interval[0], |near| near[axis]), far])
+        Some([self.near.map_or(self.limits()[0], |near| near[axis]), far])
     }
 
     /// The parameters of an axis with the names of their planes.
@@ -179,7 +179,7 @@ impl<const D: usize> Rail<D> {
     pub fn told(&self, t: f64) -> String {
         let stops = (0..D).flat_map(|axis| self.stops(axis)).map(|(t, _)| t);
         let [mut below, mut above] = [f64::NEG_INFINITY, f64::INFINITY];
-        for other in stops.chain(self.interval) {
+        for other in stops.chain(self.limits()) {
             if other < t {
                 below = below.max(other);
             } else if other > t {
@@ -193,13 +193,13 @@ impl<const D: usize> Rail<D> {
     /// begins at once, in an interval, planes far outside would leave no room for
     /// it: they are left out, and lie beyond the ends.
     pub fn range(&self) -> [f64; 2] {
-        let [enter, exit] = self.interval;
+        let [enter, exit] = self.limits();
         let length = exit - enter;
         let cuts = self.near.is_none() && length > 0.0 && length.is_finite();
         let reach = NEAR * length;
         let is_near = |t: f64| !cuts || (enter - reach <= t && t <= exit + reach);
         let planes = [self.near, self.mid, self.far].into_iter().flatten().flatten();
-        let all = planes.chain(self.halving.map(|plane| plane.at)).chain(self.interval);
+        let all = planes.chain(self.halving.map(|plane| plane.at)).chain([enter, exit]);
         let finite: Vec<f64> = all.filter(|&t| t.is_finite() && is_near(t)).collect();
         let low = finite.iter().copied().fold(f64::INFINITY, f64::min);
         let high = finite.iter().copied().fold(f64::NEG_INFINITY, f64::max);
@@ -222,7 +222,7 @@ mod tests {
     use octoscope_core::tree::build;
 
     fn slab(near: f64, far: f64) -> Rail<2> {
-        let rail = Rail::of_node(NodeId::ROOT, [near, far]);
+        let rail = Rail::of_node(NodeId::ROOT, Some([near, far]));
         Rail { near: Some([near; 2]), far: Some([far; 2]), ..rail }
     }
 
@@ -249,7 +249,7 @@ mod tests {
 
     #[test]
     fn planes_far_outside_leave_room_for_the_interval() {
-        let interval = Rail::<2>::of_node(NodeId::ROOT, [1.0, 2.0]);
+        let interval = Rail::<2>::of_node(NodeId::ROOT, Some([1.0, 2.0]));
         let [low, high] = Rail { mid: Some([1.5, 4.5]), ..interval }.range();
         assert!(low < 1.0 && 4.5 < high && high < 5.0, "{low} {high}");
         let [low, high] = Rail { mid: Some([-50.0, 1e9]), ..interval }.range();
@@ -261,7 +261,7 @@ mod tests {
         let (cell, next, crossed) = (Some([4, 10]), [0.5, 0.75], Axes::NONE);
         let grid = Some(GridCell { enter: 0.25, cell, next, crossed, left: None });
         let rail = Rail::<2>::of(&Moment { grid, ..Moment::default() }).unwrap();
-        assert_eq!((rail.of, rail.interval), (RailOf::Cell([4, 10]), [0.25, 0.5]));
+        assert_eq!((rail.of, rail.interval), (RailOf::Cell([4, 10]), Some([0.25, 0.5])));
         assert_eq!(rail.stops(1), [(0.75, "Max")]);
     }
 
@@ -285,10 +285,8 @@ mod tests {
         let node = NodeId::ROOT;
         let moment = Moment { current: Some(node), missed: vec![node], ..Moment::default() };
         let rail = Rail::<2>::of(&moment).unwrap().with_planes(&tree, &ray);
-        assert_eq!(
-            (rail.of, rail.interval, rail.is_missed),
-            (RailOf::Node(node), [2.0, 1.0], true)
-        );
+        let told = (rail.of, rail.interval, rail.limits());
+        assert_eq!(told, (RailOf::Node(node), None, [2.0, 1.0]));
     }
 
     #[test]
@@ -305,7 +303,7 @@ mod tests {
 
     #[test]
     fn of_a_part_the_plane_that_halved_it_is_shown() {
-        let part = Rail::<2>::of_node(NodeId::ROOT, [1.0, 2.0]);
+        let part = Rail::<2>::of_node(NodeId::ROOT, Some([1.0, 2.0]));
         let rail = Rail { halving: Some(HalvingPlane { axis: 1, at: 3.0 }), ..part };
         assert_eq!((rail.stops(0), rail.stops(1)), (vec![], vec![(3.0, "m")]));
         assert!(rail.range()[1] > 3.0);
@@ -317,7 +315,7 @@ mod tests {
         let (content, grid) = (scenario.source.content().unwrap(), scenario.grid().unwrap());
         let tree = build(&content, grid, &scenario.recipe, &Progress::default()).unwrap();
         let ray = Ray::new([-1.0, 3.0], [2.0, -2.0]).unwrap();
-        let interval = Rail::<2>::of_node(NodeId::ROOT, [1.0, 1.0]);
+        let interval = Rail::<2>::of_node(NodeId::ROOT, Some([1.0, 1.0]));
         let rail = interval.with_planes(&tree, &ray);
         assert_eq!((rail.near, rail.far), (Some([0.5, 1.0]), Some([1.0, 1.5])));
         let told = Rail { mid: Some([0.0; 2]), ..interval };
@@ -332,7 +330,7 @@ mod tests {
 
     #[test]
     fn what_is_not_known_is_not_shown() {
-        let interval = Rail::<2>::of_node(NodeId::ROOT, [1.0, 2.0]);
+        let interval = Rail::<2>::of_node(NodeId::ROOT, Some([1.0, 2.0]));
         assert_eq!((interval.bar(0), interval.stops(0)), (None, vec![]));
         let left = Rail { far: Some([2.0, f64::INFINITY]), ..interval };
         assert_eq!((left.bar(0), left.stops(0)), (Some([1.0, 2.0]), vec![(2.0, "1")]));

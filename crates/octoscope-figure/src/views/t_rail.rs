@@ -4,20 +4,20 @@ use super::rail::{Rail, RailOf};
 use super::sheet::Sheet;
 use super::subject::Subject;
 use super::words::{joined, on_axis, parameter};
-use crate::{Anchor, Figure, Form, Part, Role, metrics};
-use octoscope_core::explain::RichText;
-use octoscope_core::geometry::{AXIS_NAMES, Ray};
+use crate::{Anchor, DiagramOf, Figure, Form, Part, Role, metrics};
+use octoscope_core::explain::{RichText, distinct};
+use octoscope_core::geometry::AXIS_NAMES;
+use octoscope_core::query::Query;
 use octoscope_core::text::Texts;
-use octoscope_core::trace::Moment;
-use octoscope_core::tree::Tree;
+use octoscope_core::trace::{Moment, Reason, met};
 
 /// The rail of a node: what is drawn, and where a t lies in it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RailFigure {
     /// What is drawn.
     pub figure: Figure,
-    /// Where the ray enters and leaves the node.
-    pub interval: [f64; 2],
+    /// The latest entry and the earliest exit.
+    pub limits: [f64; 2],
     /// Why it misses the node, in words, if it does.
     pub missed: Option<String>,
     /// The parameters of the planes, by their names, axis by axis.
@@ -38,38 +38,61 @@ impl RailFigure {
 
 /// One bar per axis from t0 to t1 with tm, in rows of height `row` on a page of
 /// this width, with room for type of at least `least` page units; `None` as long as
-/// no parameter is known. `ray` is the one that was traced in `tree`.
+/// no parameter is known.
 pub fn t_rail<const D: usize>(
     texts: &Texts,
-    (tree, ray): (&Tree<D>, &Ray<D>),
-    moment: &Moment<D>,
+    of: &DiagramOf<D>,
     [width, row]: [f64; 2],
     least: f64,
 ) -> Option<RailFigure> {
-    let rail = Rail::of(moment)?.with_planes(tree, ray);
+    let rail = Rail::of(of.moment)?.with_planes(of.tree, of.ray);
+    let missed = missed(&rail, of, texts);
     let (range, track) = (rail.range(), [24.0, width - 8.0]);
     let drawing = Drawing { rail: &rail, range, track, row, least };
     let mut sheet = Sheet::default();
-    drawing.draw(&mut sheet, texts);
+    drawing.draw(&mut sheet, texts, missed.as_deref());
     let figure = sheet.figure([width, row * D as f64 + BELOW]);
-    let interval = rail.interval;
     let of_axis = |axis| rail.stops(axis).into_iter().map(move |(t, plane)| (axis, plane, t));
     let parameters = (0..D).flat_map(of_axis).map(|(axis, plane, t)| (parameter(axis, plane), t));
     let parameters = parameters.collect();
-    let missed = missed(&rail, texts);
-    Some(RailFigure { figure, interval, missed, parameters, range, track })
+    let limits = rail.limits();
+    Some(RailFigure { figure, limits, missed, parameters, range, track })
 }
 
-/// Why the ray misses the node, in words, where it does.
-fn missed<const D: usize>(rail: &Rail<D>, texts: &Texts) -> Option<String> {
-    if !rail.is_missed {
-        return None;
-    }
-    let [enter, exit] = rail.interval;
-    let is_behind = exit <= 0.0 && enter <= exit;
-    let key = if is_behind { "t-rail-behind" } else { "t-rail-missed" };
-    let [enter, exit] = rail.interval.map(|t| rail.told(t));
-    Some(texts.format(key, &[("enter", enter.into()), ("exit", exit.into())]))
+/// Why the ray misses the node, in words, if it was found to.
+fn missed<const D: usize>(rail: &Rail<D>, of: &DiagramOf<D>, texts: &Texts) -> Option<String> {
+    let (RailOf::Node(node), None) = (rail.of, rail.interval) else { return None };
+    let end = match of.query {
+        Query::Ray { options, .. } => options.end(),
+        Query::Point { .. } | Query::Region { .. } | Query::Neighbour { .. } => None,
+    };
+    let [enter, exit] = rail.limits();
+    let say = |key: &str, names: [&'static str; 2], numbers: [f64; 2]| {
+        let told = distinct(&numbers);
+        let told: Vec<_> = names.into_iter().zip(told.into_iter().map(Into::into)).collect();
+        texts.format(key, &told)
+    };
+    Some(match met(of.tree, of.ray, end, node) {
+        Err(Reason::Beside { axis, .. }) => {
+            texts.format("t-rail-beside", &[("axis", AXIS_NAMES[axis].into())])
+        }
+        Err(Reason::Behind { exit }) => say("t-rail-behind", ["exit", "start"], [exit.t, 0.0]),
+        Err(Reason::BeyondEnd { enter, end }) => {
+            let enter = enter.map_or(0.0, |enter| enter.t);
+            say("t-rail-beyond", ["enter", "end"], [enter, end])
+        }
+        // What doubles find missed need not be, and what is need not be so in doubles.
+        Err(
+            Reason::Missed { .. }
+            | Reason::Touched { .. }
+            | Reason::AfterFull { .. }
+            | Reason::Elsewhere { .. },
+        )
+        | Ok(_) => {
+            let key = if exit < enter { "t-rail-missed" } else { "t-rail-closely" };
+            say(key, ["exit", "enter"], [exit, enter])
+        }
+    })
 }
 
 /// What the rail tells of; `None` as long as no parameter is known.
@@ -81,8 +104,9 @@ pub fn rail_of<const D: usize>(moment: &Moment<D>) -> Option<RailOf<D>> {
 pub(super) fn view<const D: usize>(subject: &Subject<D>, width: f64) -> Option<Figure> {
     const ROW: f64 = 40.0;
     const HEAD: f64 = 20.0;
-    let of = (subject.tree, subject.ray);
-    let rail = t_rail(subject.texts, of, subject.moment, [width, ROW], 0.0)?;
+    let Subject { tree, ray, moment, .. } = *subject;
+    let of = DiagramOf { tree, ray, query: subject.query(), moment, event: subject.event() };
+    let rail = t_rail(subject.texts, &of, [width, ROW], 0.0)?;
     let mut sheet = Sheet::default();
     let text = rail_of(subject.moment)?.note(subject.texts, subject.tree);
     sheet.text(Role::Note, [0.0, 8.0], Anchor::Start, text);
@@ -153,9 +177,9 @@ impl<const D: usize> Drawing<'_, D> {
         self.row * D as f64
     }
 
-    fn draw(&self, sheet: &mut Sheet, texts: &Texts) {
-        let [enter, exit] = self.rail.interval;
-        if enter < exit {
+    fn draw(&self, sheet: &mut Sheet, texts: &Texts, missed: Option<&str>) {
+        let [enter, exit] = self.rail.limits();
+        if let Some([enter, exit]) = self.rail.interval.filter(|[enter, exit]| enter < exit) {
             let [from, to] = [enter, exit].map(|t| self.x_of(t));
             sheet.rect(Role::Inside, [from, 0.0], [to - from, self.bottom()]);
         }
@@ -180,7 +204,10 @@ impl<const D: usize> Drawing<'_, D> {
             sheet.text(Role::Words, start, Anchor::Start, text);
         }
         self.scale(sheet);
-        self.ends(sheet, texts, [enter, exit]);
+        match missed {
+            Some(text) => self.note(sheet, text),
+            None => self.ends(sheet, texts, [enter, exit]),
+        }
     }
 
     /// Bar of an axis and the marks on it.
@@ -284,15 +311,21 @@ impl<const D: usize> Drawing<'_, D> {
         }
     }
 
+    /// A line below the bars, in the middle.
+    fn note(&self, sheet: &mut Sheet, text: &str) {
+        let middle = 0.5 * (self.track[0] + self.track[1]);
+        sheet.text(Role::Note, [middle, self.notes_y()], Anchor::Middle, text);
+    }
+
+    /// Middle height of what is written below the bars.
+    fn notes_y(&self) -> f64 {
+        self.bottom() + 27.0
+    }
+
     /// The latest entry and the earliest exit in words, below their lines.
     fn ends(&self, sheet: &mut Sheet, texts: &Texts, ends: [f64; 2]) {
         const GAP: f64 = 14.0;
-        let y = self.bottom() + 27.0;
-        if let Some(text) = missed(self.rail, texts) {
-            let middle = 0.5 * (self.track[0] + self.track[1]);
-            sheet.text(Role::Note, [middle, y], Anchor::Middle, text);
-            return;
-        }
+        let y = self.notes_y();
         let texts: Vec<(f64, RichText)> = ["t-rail-enter", "t-rail-exit"]
             .into_iter()
             .zip(ends)

@@ -1,13 +1,32 @@
 //! Laws of the rail's drawing.
 
 use super::*;
-use crate::{Colour, Palette, Style, Theme, contrast};
+use crate::views::figure_texts;
+use crate::{Palette, Style, Theme, contrast};
+use octoscope_core::geometry::Ray;
 use octoscope_core::progress::Progress;
 use octoscope_core::query::{Arithmetic, Query};
 use octoscope_core::scenario::{AnyScenario, built_in};
+use octoscope_core::text::Language;
 use octoscope_core::trace::record;
 use octoscope_core::traverse::{Algorithm, Options};
-use octoscope_core::tree::build;
+use octoscope_core::tree::{NodeId, Tree, build};
+
+fn quadtree() -> Tree<2> {
+    let Some(AnyScenario::Quadtree(scenario)) = built_in("quadtree-82") else { panic!() };
+    let (content, grid) = (scenario.source.content().unwrap(), scenario.grid().unwrap());
+    build(&content, grid, &scenario.recipe, &Progress::default()).unwrap()
+}
+
+fn along(algorithm: Algorithm, segment_end: Option<f64>) -> Query<2> {
+    let options = Options { segment_end, ..Options::default() };
+    Query::Ray { algorithm, options, arithmetic: Arithmetic::Doubles }
+}
+
+fn rail(tree: &Tree<2>, ray: &Ray<2>, query: &Query<2>, moment: &Moment<2>) -> Option<RailFigure> {
+    let texts = Texts::new(Language::English, &[figure_texts(Language::English)]);
+    t_rail(&texts, &DiagramOf { tree, ray, query, moment, event: None }, [400.0, 40.0], 0.0)
+}
 
 #[test]
 fn labels_that_are_pushed_away_have_a_line_to_their_marks() {
@@ -72,8 +91,17 @@ fn frames_of_odd_numbers_do_not_touch() {
 
 #[test]
 fn the_common_axis_is_seen_in_every_theme() {
+    let (tree, ray) = (quadtree(), Ray::new([-1.0, 0.5], [2.0, 0.0]).unwrap());
+    let moment =
+        Moment { current: Some(NodeId::ROOT), tested: Some([0.5, 1.0]), ..Moment::default() };
+    let figure = rail(&tree, &ray, &Query::default(), &moment).unwrap().figure;
+    let levels = figure.drawn.iter().filter_map(|drawn| match &drawn.form {
+        Form::Polyline(line) if line[0][1] == line[1][1] => Some((line[0][1], drawn.role)),
+        _ => None,
+    });
+    let (_, lowest) = levels.max_by(|a, b| a.0.total_cmp(&b.0)).unwrap();
     for theme in Theme::ALL {
-        let line: Colour = Style::of(theme, Role::Rule).stroke.unwrap();
+        let line = Style::of(theme, lowest).stroke.unwrap();
         assert!(contrast(line, Palette::of(theme).background) >= 3.0, "{theme:?}");
     }
 }
@@ -98,4 +126,44 @@ fn labels_that_want_the_same_place_are_spread_in_their_order() {
     check(&[[-5.0, 20.0], [-5.0, 20.0], [0.0, 10.0]], &[0.0, 22.0, 44.0]);
     check(&[[50.0, 20.0], [95.0, 20.0], [99.0, 20.0]], &[36.0, 58.0, 80.0]);
     check(&[[55.0, 30.0], [90.0, 30.0]], &[38.0, 70.0]);
+}
+
+/// Why the leaves are missed that are, one by one.
+fn misses(origin: [f64; 2], direction: [f64; 2], segment_end: Option<f64>) -> Vec<String> {
+    let (tree, ray) = (quadtree(), Ray::new(origin, direction).unwrap());
+    let query = along(Algorithm::Exhaustive, segment_end);
+    let trace = record(&tree, &ray, &query);
+    let at = |step| rail(&tree, &ray, &query, &Moment::after(&tree, &trace, step))?.missed;
+    (1..=trace.events.len()).filter_map(at).collect()
+}
+
+#[test]
+fn a_missed_leaf_is_told_with_what_rules_it_out() {
+    let check = |all: &[String], wanted: &str| {
+        assert!(all.iter().any(|text| text == wanted), "{wanted}: {all:#?}");
+    };
+    let missed = misses([-1.0, 3.0], [2.0, -1.0], None);
+    check(&missed, "exit 0.75 before enter 2: missed");
+    // From the last corner of the root on, which its leaf is left in.
+    let behind = misses([1.0, 1.0], [1.0, 1.0], None);
+    check(&behind, "exit −0.5 < 0, behind the origin: missed");
+    assert!(behind.iter().all(|text| !text.contains(" 0 < ")), "{behind:#?}");
+    // Along the lowest row, for its first tenth.
+    let beyond = misses([0.0, 0.01], [1.0, 0.0], Some(0.1));
+    check(&beyond, "enter 0.5 ≥ end 0.1: not reached");
+    check(&beyond, "beside the ray along y: missed");
+}
+
+#[test]
+fn of_a_missed_leaf_no_interval_is_shaded() {
+    let (tree, ray) = (quadtree(), Ray::new([-1.0, 0.5], [2.0, 0.0]).unwrap());
+    let query = along(Algorithm::Exhaustive, Some(0.25));
+    let shades = |moment: &Moment<2>| {
+        let drawn = rail(&tree, &ray, &query, moment).unwrap().figure.drawn;
+        drawn.iter().any(|drawn| drawn.role == Role::Inside)
+    };
+    let current = Some(NodeId::ROOT);
+    let met = Moment { current, tested: Some([0.5, 1.0]), ..Moment::default() };
+    let missed = Moment { current, missed: vec![NodeId::ROOT], ..Moment::default() };
+    assert_eq!([shades(&met), shades(&missed)], [true, false]);
 }
