@@ -5,14 +5,14 @@ mod way;
 use crate::look::Look;
 use crate::widgets::{Setting, beside_or_below, caption, segments, table, table_width};
 use eframe::egui::{CollapsingHeader, Id, Response, RichText, Ui};
-use octoscope_core::event::{Event, Lookup};
+use octoscope_core::event::Event;
 use octoscope_core::explain::{RichText as Coloured, Span};
 use octoscope_core::geometry::AXIS_NAMES;
 use octoscope_core::locate::{Direction, adjacent, common_part, reflected};
 use octoscope_core::tree::{Child, Tree};
 use octoscope_figure::Anchor;
 use octoscope_figure::views::{self, Entry, Tone};
-use way::{Kind, Step, Table, Used, Way};
+use way::{Kind, NeighbourTable, Step, Used, Way};
 
 /// The entries of all children in the present direction, the used one lit; the way
 /// up and the mirrored way down; all directions on demand. `past` are the events
@@ -24,10 +24,10 @@ pub fn ui<const D: usize>(ui: &mut Ui, look: &Look, tree: &Tree<D>, past: &[Even
         Some(used) => {
             let direction = named(used.direction);
             let arguments = [("direction", direction.into()), ("child", used.child.0.into())];
-            let key = match (way.is_over, used.kind, used.lookup) {
-                (true, _, _) => "tables-used-before",
-                (false, Kind::Up | Kind::Mirrored, Lookup::Bits) => "tables-used-bits",
-                (false, Kind::Facing, _) | (false, _, Lookup::Tables) => "tables-used",
+            let key = match (used.tables(), way.is_over) {
+                ([], _) => "tables-used-bits",
+                (_, true) => "tables-used-before",
+                (_, false) => "tables-used",
             };
             caption(ui, look, look.texts.format(key, &arguments));
             children(ui, look, used, way.is_over);
@@ -57,7 +57,9 @@ pub fn ui<const D: usize>(ui: &mut Ui, look: &Look, tree: &Tree<D>, past: &[Even
         return;
     }
     let title = RichText::new(look.text("tables-all")).size(13.0);
-    CollapsingHeader::new(title).id_salt("all-directions").show(ui, |ui| all(ui, look, used));
+    CollapsingHeader::new(title).id_salt("all-directions").show(ui, |ui| {
+        all(ui, look, used.filter(|_| !way.is_over));
+    });
 }
 
 /// Width of the column of a child, and of the captions before them.
@@ -89,8 +91,8 @@ fn children<const D: usize>(ui: &mut Ui, look: &Look, used: Used<D>, is_over: bo
         let tone = if child == used.child { line } else { Tone::Plain };
         Entry::new(child.0.to_string(), tone)
     });
-    let rows_of = |table: Table, told: fn([i8; D]) -> Coloured| {
-        let in_use = used.kind.tables(used.lookup).contains(&table);
+    let rows_of = |table: NeighbourTable, told: fn([i8; D]) -> Coloured| {
+        let in_use = used.tables().contains(&table);
         row(table.name().to_owned(), &|child| {
             let tone = match (in_use, child == used.child) {
                 (true, true) => strong,
@@ -104,7 +106,7 @@ fn children<const D: usize>(ui: &mut Ui, look: &Look, used: Used<D>, is_over: bo
         columns: columns::<D>(),
         head: Vec::new(),
         rows: std::iter::once(numbers.clone())
-            .chain(Table::ALL.map(|table| rows_of(table, told)))
+            .chain(NeighbourTable::ALL.map(|table| rows_of(table, told)))
             .collect(),
     };
     let setting = setting::<D>(ui);
@@ -113,7 +115,7 @@ fn children<const D: usize>(ui: &mut Ui, look: &Look, used: Used<D>, is_over: bo
         shown = written(signs);
     }
     let mut responses = table(ui, look, &shown, setting).into_iter().skip(1);
-    for table in Table::ALL {
+    for table in NeighbourTable::ALL {
         explain(look, table, used.direction, responses.next().unwrap_or_default());
     }
 }
@@ -121,7 +123,7 @@ fn children<const D: usize>(ui: &mut Ui, look: &Look, used: Used<D>, is_over: bo
 /// Lets every entry of a row tell its rule where it is pointed at.
 fn explain<const D: usize>(
     look: &Look,
-    table: Table,
+    table: NeighbourTable,
     direction: [i8; D],
     responses: Vec<Response>,
 ) {
@@ -141,23 +143,23 @@ fn explain<const D: usize>(
 /// What a table says of a child; a direction as `told` writes it.
 fn entry<const D: usize>(
     look: &Look,
-    table: Table,
+    table: NeighbourTable,
     direction: [i8; D],
     child: Child<D>,
     told: fn([i8; D]) -> Coloured,
 ) -> Coloured {
     match table {
-        Table::Adjacent if adjacent(direction, child) => look.text("tables-yes").into(),
-        Table::Adjacent => "–".into(),
-        Table::Common if common_part(direction, child) == [0; D] => "–".into(),
-        Table::Common => told(common_part(direction, child)),
-        Table::Reflect => reflected(direction, child).0.to_string().into(),
+        NeighbourTable::Adjacent if adjacent(direction, child) => look.text("tables-yes").into(),
+        NeighbourTable::Adjacent => "–".into(),
+        NeighbourTable::Common if common_part(direction, child) == [0; D] => "–".into(),
+        NeighbourTable::Common => told(common_part(direction, child)),
+        NeighbourTable::Reflect => reflected(direction, child).0.to_string().into(),
     }
 }
 
 /// The nodes of one way, each with the child that led there.
 fn list<const D: usize>(ui: &mut Ui, look: &Look, tree: &Tree<D>, steps: &[Step<D>]) {
-    for (n, (node, used)) in steps.iter().enumerate() {
+    for (n, Step { node, used }) in steps.iter().enumerate() {
         let child = match used.kind {
             Kind::Mirrored => reflected(used.direction, used.child),
             Kind::Up | Kind::Facing => used.child,
@@ -185,16 +187,17 @@ fn list<const D: usize>(ui: &mut Ui, look: &Look, tree: &Tree<D>, steps: &[Step<
 /// One of the tables for all directions: sides, then edges, then corners.
 fn all<const D: usize>(ui: &mut Ui, look: &Look, used: Option<Used<D>>) {
     let id = Id::unique("chosen-table");
-    let mut chosen = ui.data(|data| data.get_temp(id)).unwrap_or(Table::Common);
-    segments(ui, &mut chosen, &Table::ALL.map(|table| (table, table.name().to_owned())));
+    let mut chosen = ui.data(|data| data.get_temp(id)).unwrap_or(NeighbourTable::Common);
+    segments(ui, &mut chosen, &NeighbourTable::ALL.map(|table| (table, table.name().to_owned())));
     ui.data_mut(|data| data.insert_temp(id, chosen));
+    let in_use = used.is_some_and(|used| used.tables().contains(&chosen));
     let row = |direction: [i8; D]| {
         let in_row = used.is_some_and(|used| used.direction == direction);
         let name = Entry::new(signs(direction), if in_row { Tone::Line } else { Tone::Plain });
         let entries = Child::<D>::all().map(|child| {
             let tone = match (in_row, used.is_some_and(|used| used.child == child)) {
-                (true, true) => Tone::Used,
-                (true, false) | (false, true) => Tone::Line,
+                (true, true) if in_use => Tone::Used,
+                (true, _) | (_, true) => Tone::Line,
                 (false, false) => Tone::Plain,
             };
             Entry::new(entry(look, chosen, direction, child, signs), tone)

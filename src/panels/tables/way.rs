@@ -5,13 +5,13 @@ use octoscope_core::tree::{Child, NodeId};
 
 /// One of the tables.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Table {
+pub(super) enum NeighbourTable {
     Adjacent,
     Common,
     Reflect,
 }
 
-impl Table {
+impl NeighbourTable {
     pub(super) const ALL: [Self; 3] = [Self::Adjacent, Self::Common, Self::Reflect];
 
     /// Its name in the literature, which has no translation.
@@ -45,28 +45,43 @@ pub(super) enum Kind {
 }
 
 impl Kind {
-    /// The tables that tell how it is reached.
-    pub(super) fn tables(self, lookup: Lookup) -> &'static [Table] {
-        match (self, lookup) {
-            (Self::Facing, Lookup::Tables | Lookup::Bits) => &[Table::Adjacent],
-            (Self::Up | Self::Mirrored, Lookup::Bits) => &[Table::Common],
-            (Self::Up, Lookup::Tables) => &[Table::Adjacent, Table::Common],
-            (Self::Mirrored, Lookup::Tables) => &[Table::Reflect],
+    /// The tables in which is looked up how it is reached.
+    fn tables(self) -> &'static [NeighbourTable] {
+        match self {
+            Self::Up => &[NeighbourTable::Adjacent, NeighbourTable::Common],
+            Self::Mirrored => &[NeighbourTable::Reflect],
+            // Its bits are opposite to the signs of the direction.
+            Self::Facing => &[],
         }
     }
 }
 
-/// Which entries a step has used.
+/// The entries that tell of a step, whether it has looked them up or not.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Used<const D: usize> {
     pub(super) direction: [i8; D],
     pub(super) child: Child<D>,
     pub(super) kind: Kind,
-    pub(super) lookup: Lookup,
+    lookup: Lookup,
 }
 
-/// A step of the way: the node that was reached, and the entries used.
-pub(super) type Step<const D: usize> = (NodeId, Used<D>);
+impl<const D: usize> Used<D> {
+    /// The tables that the step has looked into.
+    pub(super) fn tables(&self) -> &'static [NeighbourTable] {
+        match self.lookup {
+            Lookup::Tables => self.kind.tables(),
+            Lookup::Bits => &[],
+        }
+    }
+}
+
+/// A step of the way.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Step<const D: usize> {
+    /// The node that was reached.
+    pub(super) node: NodeId,
+    pub(super) used: Used<D>,
+}
 
 /// Steps of the last way to a neighbour.
 pub(super) struct Way<const D: usize> {
@@ -89,22 +104,24 @@ impl<const D: usize> Way<D> {
         let mut way = Self { up: Vec::new(), down: Vec::new(), is_over: length.is_some() };
         for event in &past[start..end] {
             if let &Event::Facing { child, node } = event
-                && let Some((_, used)) = way.up.first()
+                && let Some(Step { used, .. }) = way.up.first()
             {
                 // It faces where the way came from.
                 let direction = used.direction.map(|sign| -sign);
-                let lookup = Lookup::Bits;
-                let kind = Kind::Facing;
-                way.down.push((node, Used { direction, child, kind, lookup }));
+                way.down.push(Step {
+                    node,
+                    used: Used { direction, child, kind: Kind::Facing, ..*used },
+                });
             }
             if let &Event::Parent { node, child, direction, lookup, .. } = event {
-                way.up.push((node, Used { direction, child, kind: Kind::Up, lookup }));
+                way.up.push(Step { node, used: Used { direction, child, kind: Kind::Up, lookup } });
             }
             if let &Event::Mirror { child, node, .. } = event {
                 // The last parent's child is mirrored first.
                 let parent = way.up.len().checked_sub(way.down.len() + 1);
-                if let Some((_, used)) = parent.and_then(|index| way.up.get(index)) {
-                    way.down.push((node, Used { child, kind: Kind::Mirrored, ..*used }));
+                if let Some(Step { used, .. }) = parent.and_then(|index| way.up.get(index)) {
+                    way.down
+                        .push(Step { node, used: Used { child, kind: Kind::Mirrored, ..*used } });
                 }
             }
         }
@@ -112,7 +129,7 @@ impl<const D: usize> Way<D> {
     }
 
     pub(super) fn last(&self) -> Option<Used<D>> {
-        self.down.last().or(self.up.last()).map(|(_, used)| *used)
+        self.down.last().or(self.up.last()).map(|step| step.used)
     }
 }
 
@@ -137,7 +154,7 @@ mod tests {
         };
         let way = Way::of(&[parent(3, [1, 1]), parent(2, [1, 0]), mirror(2), mirror(3)]);
         let told: Vec<_> =
-            way.down.iter().map(|(_, used)| (used.child.0, used.direction)).collect();
+            way.down.iter().map(|step| (step.used.child.0, step.used.direction)).collect();
         assert_eq!(told, [(2, [1, 0]), (3, [1, 1])]);
         assert_eq!(way.last().map(|used| used.kind), Some(Kind::Mirrored));
     }
@@ -148,11 +165,11 @@ mod tests {
     }
 
     #[test]
-    fn a_child_that_faces_the_way_lies_on_the_lit_side() {
+    fn a_child_that_faces_the_way_lies_on_its_side_and_is_looked_up_nowhere() {
         let facing = Event::<2>::Facing { child: Child(0), node: NodeId::ROOT };
         let used = Way::of(&[up(1, [1, 0]), facing]).last().unwrap();
         assert_eq!((used.child, used.direction), (Child(0), [-1, 0]));
-        assert_eq!(used.kind.tables(used.lookup), [Table::Adjacent]);
+        assert_eq!(used.tables(), []);
         assert!(adjacent(used.direction, used.child));
     }
 
