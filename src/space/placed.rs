@@ -2,7 +2,7 @@
 //! has moved are not placed anew.
 
 use eframe::egui::{Id, Ui};
-use octoscope_figure::{Camera, Figure, Mark, Page, crosses, space_figure_over};
+use octoscope_figure::{Camera, Figure, Mark, Page, space_figure_over};
 use std::sync::Arc;
 
 /// What a figure is made of.
@@ -36,9 +36,6 @@ impl<const D: usize> Parts<D> {
         let Self { below, marks, camera, page } = self;
         let mut marks = marks.clone();
         marks.sort_by_cached_key(|mark| mark.role.layer());
-        let mut figure = space_figure_over(below, &marks, camera, *page);
-        // What the adapter cannot draw of its boxes.
-        figure.drawn.splice(..0, crosses(below, camera, *page));
-        figure
+        space_figure_over(below, &marks, camera, *page)
     }
 }

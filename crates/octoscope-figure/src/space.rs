@@ -14,7 +14,6 @@ mod overlaid;
 mod painted;
 
 pub(crate) use codes::BETWEEN;
-pub use cross::crosses;
 
 use crate::camera::corners;
 use crate::ground::{bounds_of, ground, is_ground};

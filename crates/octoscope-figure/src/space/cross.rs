@@ -1,23 +1,8 @@
 //! Areas that are wrong, crossed out.
 
 use crate::sides::{is_around_eye, sides_to_eye};
-use crate::{Camera, Drawn, Form, Mark, Page, Part, Role, Shape};
+use crate::{Camera, Form, Page, Role};
 use octoscope_core::geometry::Aabb;
-
-/// Lines that cross out the wrong boxes among `marks` in space, for pictures in which
-/// something else draws the boxes.
-pub fn crosses<const D: usize>(marks: &[Mark<D>], camera: &Camera<D>, page: Page) -> Vec<Drawn> {
-    let of_mark = |mark: &Mark<D>| {
-        let Mark { role, node, .. } = *mark;
-        let lines = if let Shape::Box(bounds) = mark.shape {
-            cross_out_box(role, &bounds, camera, page)
-        } else {
-            Vec::new()
-        };
-        lines.into_iter().map(move |form| Drawn { form, role, part: Part::Edge, node })
-    };
-    marks.iter().flat_map(of_mark).collect()
-}
 
 /// Lines that cross out what is seen of a box in space that is wrong; none of any other
 /// role.
@@ -101,7 +86,7 @@ mod tests {
     use super::*;
 
     use crate::camera::clipped;
-    use crate::{Lens, space_figure};
+    use crate::{Lens, Mark, Shape, space_figure};
     use octoscope_core::random::Random;
 
     const PAGE: Page = Page { width: 3.0, height: 3.0 };
@@ -132,8 +117,6 @@ mod tests {
             let is_around = is_around_eye(&camera, &bounds);
             let wanted = if is_around { 2 } else { 2 * areas };
             assert!(lines >= edges + wanted, "{camera:?}: {lines}, {edges}, {areas}");
-            let mark = Mark::new(Shape::Box(bounds), Role::Strayed);
-            assert!(crosses(&[mark], &camera, PAGE).len() >= wanted, "{camera:?}");
             let ends = crate::camera::corners(&bounds).map(|end| camera.project(PAGE, end));
             n_behind += usize::from(areas > 0 && ends.into_iter().any(|end| end.is_none()));
             n_around += usize::from(is_around);
