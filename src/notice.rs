@@ -39,9 +39,14 @@ impl Notice {
         &self.text
     }
 
-    /// Whether it is said of this step: of the one at which that was asked first.
-    pub fn is_of(&mut self, step: usize) -> bool {
-        !self.is_empty() && *self.step.get_or_insert(step) == step
+    /// Makes it one of this step, unless it has been seen at another.
+    pub fn seen_at(&mut self, step: usize) {
+        self.step.get_or_insert(step);
+    }
+
+    /// Whether it is said of this step.
+    pub fn is_of(&self, step: usize) -> bool {
+        !self.is_empty() && self.step == Some(step)
     }
 
     /// Tells one line from another of the same words.
@@ -90,8 +95,13 @@ mod tests {
         let mut notice = Notice::default();
         assert!(!notice.is_of(3));
         notice.say("Saved");
-        assert_eq!([3, 4, 3].map(|step| notice.is_of(step)), [true, false, true]);
+        let mut is_of = |step| {
+            notice.seen_at(step);
+            notice.is_of(step)
+        };
+        assert_eq!([3, 4, 3].map(&mut is_of), [true, false, true]);
         notice.say("Saved");
+        notice.seen_at(4);
         assert!(notice.is_of(4));
     }
 

@@ -10,6 +10,10 @@ use crate::with_document;
 use eframe::egui::{Align, Frame, Layout, Margin, Panel, Ui, vec2};
 use octoscope_core::explain::sentence as sentence_of;
 
+/// Height of the sentence in a hall; of the sentence with what has happened below it.
+const SENTENCE_IN_HALL: f32 = 62.0;
+const SENTENCE_AND_NOTICE: f32 = 72.0;
+
 impl App {
     /// Shows all panels.
     pub(super) fn show(&mut self, ui: &mut Ui, commands: &mut Vec<Command>) {
@@ -33,12 +37,14 @@ impl App {
             ui.spacing_mut().item_spacing.y = 3.0;
             let said = is_said_here.then_some(&self.notice);
             let slot = notice_line::slot_height(ui, &self.look, said, ui.available_width());
-            let height = if hall { 62.0 } else { 72.0 - slot };
+            let height = if hall { SENTENCE_IN_HALL } else { SENTENCE_AND_NOTICE - slot };
             ui.allocate_ui(vec2(ui.available_width(), height), |ui| {
                 ui.set_min_height(height);
-                if hall && is_said_here && self.notice.is_of(step) {
-                    notice_line::for_sentence(ui, &self.look, &mut self.notice);
-                    return;
+                if hall && is_said_here {
+                    self.notice.seen_at(step);
+                    if notice_line::for_sentence(ui, &self.look, &mut self.notice, step) {
+                        return;
+                    }
                 }
                 let text = with_document!(&self.document, d => {
                     sentence_of(&d.tree, d.traced_ray(), &d.trace, step, self.view.language)

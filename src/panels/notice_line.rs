@@ -4,8 +4,8 @@ use crate::look::Look;
 use crate::notice::Notice;
 use crate::widgets::{fitting_size, rich_label};
 use eframe::egui::{
-    Align, Align2, Area, Context, FontId, Frame, Id, Key, Label, Layout, Margin, Order, RichText,
-    Ui, vec2,
+    Align, Align2, Area, Context, FontId, Frame, Id, Key, Label, Layout, Margin, Order, Ui,
+    text::LayoutJob, vec2,
 };
 use octoscope_core::explain::{RichText as Words, Span};
 use std::time::Duration;
@@ -14,7 +14,10 @@ use std::time::Duration;
 const SIZE: f32 = 13.0;
 /// Height of the slot: that of a line.
 const LINE: f32 = 18.0;
-/// What takes the line away, and the distance to it.
+/// The slot takes at most so many lines from the sentence, which needs the rest; all of a
+/// longer text is told where it is pointed at.
+const MOST_LINES: usize = 2;
+/// Width of what takes the line away, and of the gap before it.
 const CLOSE: f32 = 90.0;
 /// Room above a line over a dialog.
 const ABOVE: f32 = 12.0;
@@ -23,9 +26,7 @@ const ABOVE: f32 = 12.0;
 /// is said, too, so that nothing moves; what takes more than that takes it from the sentence.
 pub fn slot_height(ui: &Ui, look: &Look, said: Option<&Notice>, width: f32) -> f32 {
     let lines = said.filter(|notice| !notice.is_empty()).map(|notice| {
-        let font = FontId::proportional(look.type_size(SIZE));
-        let most = width - CLOSE;
-        ui.painter().layout(notice.text().to_owned(), font, look.palette.ink, most).size().y
+        ui.painter().layout_job(job(look, notice, width - CLOSE, MOST_LINES)).size().y
     });
     lines.unwrap_or(0.0).max(LINE)
 }
@@ -38,13 +39,16 @@ pub fn slot(ui: &mut Ui, look: &Look, said: Option<&mut Notice>, height: f32) {
         let Some(notice) = said else { return };
         let Some(strength) = strength(ui.ctx(), notice) else { return };
         ui.multiply_opacity(strength);
-        line(ui, look, notice, width - CLOSE);
+        line(ui, look, notice, width - CLOSE, MOST_LINES);
     });
 }
 
-/// The same in a hall, in the place and the type of the sentence, which it gives way to.
-pub fn for_sentence(ui: &mut Ui, look: &Look, notice: &mut Notice) {
-    let Some(strength) = strength(ui.ctx(), notice) else { return };
+/// The same in a hall, in the place and the type of the sentence, if it is of this step:
+/// the sentence gives way to it then. Whether anything was shown.
+pub fn for_sentence(ui: &mut Ui, look: &Look, notice: &mut Notice, step: usize) -> bool {
+    let Some(strength) = strength(ui.ctx(), notice).filter(|_| notice.is_of(step)) else {
+        return false;
+    };
     const BAR: f32 = 4.0;
     const BESIDE: f32 = 12.0;
     let most = ui.available_width() - CLOSE - BAR - BESIDE;
@@ -63,6 +67,7 @@ pub fn for_sentence(ui: &mut Ui, look: &Look, notice: &mut Notice) {
     let bar = shown.response.rect.with_max_x(shown.response.rect.left() + BAR);
     ui.painter().rect_filled(bar, 2.0, look.palette.accent);
     close(ui, notice, shown.inner);
+    true
 }
 
 /// The same at the upper edge of the window, over a dialog that it may be about.
@@ -76,7 +81,7 @@ pub fn over_dialog(context: &Context, look: &Look, notice: &mut Notice) {
         let frame =
             Frame::popup(ui.style()).inner_margin(Margin::same(10)).fill(look.palette.field);
         let most = (window.width() - CLOSE).clamp(160.0, 420.0);
-        frame.show(ui, |ui| ui.horizontal(|ui| line(ui, look, notice, most)));
+        frame.show(ui, |ui| ui.horizontal(|ui| line(ui, look, notice, most, usize::MAX)));
     });
 }
 
@@ -90,12 +95,19 @@ fn strength(context: &Context, notice: &mut Notice) -> Option<f32> {
     (!notice.is_empty()).then_some(strength)
 }
 
-/// What has happened, in lines of at most this width, and what takes it away.
-fn line(ui: &mut Ui, look: &Look, notice: &mut Notice, most: f32) {
+/// What has happened, in so many lines of at most this width.
+fn job(look: &Look, notice: &Notice, most: f32, max_rows: usize) -> LayoutJob {
+    let font = FontId::proportional(look.type_size(SIZE));
+    let mut job = LayoutJob::simple(notice.text().to_owned(), font, look.palette.accent, most);
+    job.wrap.max_rows = max_rows;
+    job
+}
+
+/// The same, and what takes it away.
+fn line(ui: &mut Ui, look: &Look, notice: &mut Notice, most: f32, max_rows: usize) {
     ui.scope(|ui| {
         ui.set_max_width(most);
-        let text = RichText::new(notice.text()).size(look.type_size(SIZE));
-        ui.add(Label::new(text.color(look.palette.accent)).wrap());
+        ui.add(Label::new(job(look, notice, most, max_rows)).wrap());
     });
     let clicked = ui.small_button(look.text("dialog-close")).clicked();
     close(ui, notice, clicked);

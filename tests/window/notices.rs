@@ -132,3 +132,35 @@ fn in_a_lecture_a_notice_gives_way_to_the_sentence_of_the_next_step() {
     desk.press(Key::Escape);
     assert!(!desk.says(&text) && named(&desk, "sentence").is_some());
 }
+
+#[test]
+fn in_a_lecture_the_sentence_is_there_as_soon_as_the_notice_is_gone() {
+    let mut desk = Desk::of(Harness::builder(), [1024.0, 768.0]);
+    desk.press(Key::Num6);
+    desk.press(Key::ArrowRight);
+    desk.press(Key::G);
+    assert!(named(&desk, "sentence").is_none());
+    let now = desk.ctx.input(|input| input.time);
+    desk.input_mut().time = Some(now + 60.0);
+    desk.step();
+    assert!(named(&desk, "sentence").is_some());
+}
+
+#[test]
+fn however_long_a_notice_is_the_sentence_stays() {
+    let mut desk = Desk::new();
+    desk.press(Key::ArrowRight);
+    let before = named(&desk, "sentence").unwrap();
+    let space = desk.state().view.space;
+    desk.open(format!("/{}", "no such folder/".repeat(120)));
+    let sentence = named(&desk, "sentence").unwrap();
+    assert_eq!(sentence.top(), before.top());
+    let notice = desk
+        .nodes()
+        .iter()
+        .find(|node| spoken(node).contains("no such folder"))
+        .map(|node| node.rect())
+        .unwrap();
+    assert!(notice.top() >= sentence.bottom(), "{notice:?} on {sentence:?}");
+    assert_eq!(desk.state().view.space, space);
+}
