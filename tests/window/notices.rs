@@ -7,6 +7,7 @@ use egui_kittest::{Harness, Node};
 use octoscope::text::texts;
 use octoscope::view::Preset;
 use octoscope_core::gallery::Degenerate;
+use octoscope_core::scenario::{AnyScenario, built_in};
 use octoscope_core::text::Language;
 
 #[test]
@@ -149,18 +150,19 @@ fn in_a_lecture_the_sentence_is_there_as_soon_as_the_notice_is_gone() {
 #[test]
 fn however_long_a_notice_is_the_sentence_stays() {
     let mut desk = Desk::new();
-    desk.press(Key::ArrowRight);
     let before = named(&desk, "sentence").unwrap();
     let space = desk.state().view.space;
-    desk.open(format!("/{}", "no such folder/".repeat(120)));
+    let Some(AnyScenario::Quadtree(mut scenario)) = built_in("quadtree-82") else { panic!() };
+    scenario.view.insert("show".to_owned(), "no-such-part".repeat(120).into());
+    desk.open_scenario(&AnyScenario::Quadtree(scenario));
     let sentence = named(&desk, "sentence").unwrap();
     assert_eq!(sentence.top(), before.top());
-    let notice = desk
-        .nodes()
-        .iter()
-        .find(|node| spoken(node).contains("no such folder"))
-        .map(|node| node.rect())
-        .unwrap();
+    let notice = {
+        let nodes = desk.nodes();
+        let is_it = |node: &&Node<'_>| spoken(node).contains("no-such-part");
+        nodes.iter().find(is_it).map(|node| node.rect()).unwrap()
+    };
+    assert!(notice.height() > 24.0, "more than a line: {notice:?}");
     assert!(notice.top() >= sentence.bottom(), "{notice:?} on {sentence:?}");
     assert_eq!(desk.state().view.space, space);
 }
