@@ -8,9 +8,9 @@ use octoscope_core::explain::{RichText, Span};
 use octoscope_core::geometry::Aabb;
 
 /// Between a code and the rim of its ground.
-const PADDING: [f64; 2] = [3.0, 1.0];
+const PADDING: [f64; 2] = [2.0, 1.0];
 /// Between that and the sides of its cell.
-const INSET: f64 = 3.0;
+const INSET: f64 = 1.0;
 /// What parts the codes of two axes.
 pub(crate) const BETWEEN: &str = ", ";
 
