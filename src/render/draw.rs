@@ -4,7 +4,6 @@
 use super::camera::{self, Plane, Space, View, World};
 use super::instance::{Grid, Group};
 use super::layer::{Data, Layer};
-use super::mesh;
 use eframe::egui::Color32;
 use glam::{Mat4, Vec4};
 use std::ops::Range;
@@ -53,18 +52,15 @@ pub(super) struct Call {
     pub uniform: Uniform,
     /// Instances, or triangles; what marks there are is one.
     pub instances: Range<u32>,
-    /// How finely spheres are cut, see [`mesh::sphere`].
-    pub rounds: u32,
 }
 
 impl Call {
     /// Vertices of an instance or triangle; of marks, as if there were one.
     pub fn vertices(&self) -> u32 {
         match self.kind {
-            Kind::Cells | Kind::Edges | Kind::Points | Kind::Marks => 6,
+            Kind::Cells | Kind::Edges | Kind::Points | Kind::Spheres | Kind::Marks => 6,
             Kind::OpaqueFaces | Kind::ClearFaces => 18,
             Kind::Triangles => 3,
-            Kind::Spheres => mesh::sphere_corners(self.rounds),
         }
     }
 }
@@ -87,7 +83,7 @@ pub(super) fn calls(
     let mut calls = Vec::new();
     for (index, layer) in layers.iter().enumerate() {
         let mut push = |kind, uniform, instances| {
-            calls.push(Call { layer: index, kind, uniform, instances, rounds: 0 });
+            calls.push(Call { layer: index, kind, uniform, instances });
         };
         match (view, layer.data()) {
             (View::Plane(plane), Data::Cells { grid, edge, width, cells, .. }) => {
@@ -142,19 +138,12 @@ pub(super) fn calls(
                 uniform.fill = colour(*fill);
                 push(Kind::Triangles, uniform, 0..(corners.len() / 3) as u32);
             }
-            (View::Space(space), Data::Spheres { origin, spheres, colour: fill, size: sphere })
+            (View::Space(space), Data::Spheres { origin, spheres, colour: fill })
                 if !spheres.is_empty() =>
             {
                 let mut uniform = content(space, *origin, size, pixels_per_point);
                 uniform.fill = colour(*fill);
-                let radius = sphere.largest * pixels_per_unit(space, sphere.bounds, size);
-                calls.push(Call {
-                    layer: index,
-                    kind: Kind::Spheres,
-                    uniform,
-                    instances: 0..spheres.len() as u32,
-                    rounds: mesh::rounds_for(radius).min(sphere.rounds),
-                });
+                push(Kind::Spheres, uniform, 0..spheres.len() as u32);
             }
             (View::Plane(_) | View::Space(_), _) => {}
         }

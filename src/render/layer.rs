@@ -40,18 +40,7 @@ pub(super) enum Data {
     /// Corners of triangles, relative to an origin, with their normals.
     Triangles { origin: World, corners: Vec<mesh::Corner>, colour: Color32 },
     /// Centres, relative to an origin, and radii.
-    Spheres { origin: World, spheres: Vec<[f32; 4]>, colour: Color32, size: SphereSize },
-}
-
-/// What tells how finely spheres are cut.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct SphereSize {
-    /// Lowest and highest corner of a box around all of them.
-    pub bounds: [World; 2],
-    /// The largest radius.
-    pub largest: f32,
-    /// The most rounds, see [`mesh::sphere`].
-    pub rounds: u32,
+    Spheres { origin: World, spheres: Vec<[f32; 4]>, colour: Color32 },
 }
 
 /// Packed codes in groups.
@@ -136,8 +125,7 @@ impl Layer {
         let reach = |&[x, y, z, radius]: &[f64; 4]| {
             [-radius, radius].map(|away| [x + away, y + away, z + away])
         };
-        let bounds = bounds(spheres.iter().flat_map(reach));
-        let origin = middle(bounds);
+        let origin = middle(bounds(spheres.iter().flat_map(reach)));
         let spheres: Vec<[f32; 4]> = spheres
             .iter()
             .map(|&[x, y, z, radius]| {
@@ -145,14 +133,12 @@ impl Layer {
                 [x, y, z, radius as f32]
             })
             .collect();
-        let largest = spheres.iter().fold(0.0, |most: f32, sphere| most.max(sphere[3]));
-        let size = SphereSize { bounds, largest, rounds: mesh::MOST_ROUNDS };
-        Self::new(Data::Spheres { origin, spheres, colour, size })
+        Self::new(Data::Spheres { origin, spheres, colour })
     }
 
     /// The same or a coarser layer that takes no more than about so many vertices: of
-    /// many points and triangles an even choice, spheres with fewer faces. Layers of
-    /// cells stay as they are.
+    /// many points, triangles and spheres an even choice. Layers of cells stay as they
+    /// are.
     pub fn within(&self, most_vertices: usize) -> Self {
         match &*self.data {
             Data::Points { origin, points, colour, radius } if points.len() * 6 > most_vertices => {
@@ -165,19 +151,13 @@ impl Layer {
                 let corners = one_in(&triangles, most_vertices / 3).concat();
                 Self::new(Data::Triangles { origin: *origin, corners, colour: *colour })
             }
-            Data::Spheres { origin, spheres, colour, size } => {
-                let cost = |rounds: u32| spheres.len() * mesh::sphere_corners(rounds) as usize;
-                let rounds = (0..=mesh::MOST_ROUNDS).rev().find(|&n| cost(n) <= most_vertices);
-                let spheres = match rounds {
-                    Some(mesh::MOST_ROUNDS) => return self.clone(),
-                    Some(_) => spheres.clone(),
-                    None => one_in(spheres, most_vertices / mesh::sphere_corners(0) as usize),
-                };
-                let size = SphereSize { rounds: rounds.unwrap_or(0), ..*size };
-                Self::new(Data::Spheres { origin: *origin, spheres, colour: *colour, size })
+            Data::Spheres { origin, spheres, colour } if spheres.len() * 6 > most_vertices => {
+                let spheres = one_in(spheres, most_vertices / 6);
+                Self::new(Data::Spheres { origin: *origin, spheres, colour: *colour })
             }
             Data::Points { .. }
             | Data::Triangles { .. }
+            | Data::Spheres { .. }
             | Data::Boxes { .. }
             | Data::Cells { .. }
             | Data::Marks(_) => self.clone(),

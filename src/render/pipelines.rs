@@ -66,7 +66,7 @@ fn shader(kind: Kind) -> (&'static str, &'static str, &'static str) {
         Kind::Edges => (include_str!("edges.wgsl"), "edge_vertex", "edge_fragment"),
         Kind::Points => (content, "point_vertex", "point_fragment"),
         Kind::Triangles => (content, "triangle_vertex", "surface_fragment"),
-        Kind::Spheres => (content, "sphere_vertex", "surface_fragment"),
+        Kind::Spheres => (content, "sphere_vertex", "sphere_fragment"),
         Kind::Marks => (include_str!("marks.wgsl"), "mark_vertex", "mark_fragment"),
     }
 }
@@ -84,7 +84,7 @@ fn pipeline(
     let colour = wgpu::vertex_attr_array![1 => Unorm8x4];
     let point = wgpu::vertex_attr_array![0 => Float32x3];
     let corner = wgpu::vertex_attr_array![0 => Float32x3, 1 => Float32x3];
-    let sphere = wgpu::vertex_attr_array![1 => Float32x4];
+    let sphere = wgpu::vertex_attr_array![0 => Float32x4];
     let item = wgpu::vertex_attr_array![
         0 => Float32x3, 1 => Float32x3, 2 => Unorm8x4, 3 => Uint32, 4 => Float32x3
     ];
@@ -93,9 +93,7 @@ fn pipeline(
         Kind::OpaqueFaces | Kind::ClearFaces | Kind::Edges => vec![buffer(8, instance, &code)],
         Kind::Points => vec![buffer(12, instance, &point)],
         Kind::Triangles => vec![buffer(24, wgpu::VertexStepMode::Vertex, &corner)],
-        Kind::Spheres => {
-            vec![buffer(12, wgpu::VertexStepMode::Vertex, &point), buffer(16, instance, &sphere)]
-        }
+        Kind::Spheres => vec![buffer(16, instance, &sphere)],
         Kind::Marks => vec![buffer(size_of::<Item>() as u64, instance, &item)],
     };
     let hides = match kind {

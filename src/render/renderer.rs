@@ -4,9 +4,9 @@ use super::buffers::{self, Buffers, Part};
 use super::camera::View;
 use super::draw::{self, Call, Kind, Uniform};
 use super::layer::{Data, Layer};
+use super::mark;
 use super::pipelines::{self, DEPTH, FORMAT, Pipelines};
 use super::steps::{self, Cursor};
-use super::{mark, mesh};
 use eframe::egui::{Color32, Id};
 use eframe::wgpu::{self, util::DeviceExt};
 use std::collections::HashMap;
@@ -53,8 +53,6 @@ pub(super) struct Renderer {
     samples: u32,
     pipelines: Pipelines,
     blit: wgpu::RenderPipeline,
-    /// By the rounds in which they are cut.
-    spheres: Vec<wgpu::Buffer>,
     layers: HashMap<u64, Buffers>,
     targets: HashMap<Id, Target>,
     /// Pictures that are drawn in steps: what was asked for last, and the target that
@@ -76,15 +74,12 @@ struct Target {
 impl Renderer {
     /// Renderer with 1 or 4 samples a pixel that shows pictures on `format`.
     pub fn new(device: &wgpu::Device, format: wgpu::TextureFormat, samples: u32) -> Self {
-        let sphere =
-            |rounds| buffers::vertices(device, bytemuck::cast_slice(&mesh::sphere(rounds)));
         Self {
             stats: Stats::default(),
             most_bytes: device.limits().max_buffer_size,
             samples,
             pipelines: Pipelines::new(device, samples),
             blit: pipelines::blit(device, format),
-            spheres: (0..=mesh::MOST_ROUNDS).map(sphere).collect(),
             layers: HashMap::new(),
             targets: HashMap::new(),
             in_steps: HashMap::new(),
@@ -337,13 +332,11 @@ impl Renderer {
                         let colours = buffers.second.get(index).map(|part| &part.buffer);
                         draw([Some(buffer), colours], 0..vertices, items);
                     }
-                    Kind::OpaqueFaces | Kind::ClearFaces | Kind::Edges | Kind::Points => {
-                        draw([Some(buffer), None], 0..vertices, items);
-                    }
-                    Kind::Spheres => {
-                        let sphere = &self.spheres[call.rounds as usize];
-                        draw([Some(sphere), Some(buffer)], 0..vertices, items);
-                    }
+                    Kind::OpaqueFaces
+                    | Kind::ClearFaces
+                    | Kind::Edges
+                    | Kind::Points
+                    | Kind::Spheres => draw([Some(buffer), None], 0..vertices, items),
                     Kind::Marks => {}
                 }
             }

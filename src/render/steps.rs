@@ -52,7 +52,7 @@ mod tests {
     use bytemuck::Zeroable as _;
 
     fn call(kind: Kind, instances: Range<u32>) -> Call {
-        Call { layer: 0, kind, uniform: Uniform::zeroed(), instances, rounds: 0 }
+        Call { layer: 0, kind, uniform: Uniform::zeroed(), instances }
     }
 
     #[test]

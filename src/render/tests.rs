@@ -100,6 +100,31 @@ fn points_and_spheres_cover_their_centres() {
 }
 
 #[test]
+fn spheres_are_round_at_any_size() {
+    with_gpu(|gpu| {
+        let black = Color32::BLACK;
+        // Seen along an axis of no coordinate.
+        let from = Vec3::splat(2.0) + 7.0 * Vec3::new(1.0, 0.7, 1.3);
+        let away = from.distance(Vec3::splat(2.0));
+        for pixels in [2.0, 3.5, 6.0, 12.0, 25.0_f32] {
+            // So large that its rim is seen that far from the middle of 64 pixels.
+            let tangent = pixels / 32.0 * (0.5 * 0.7_f32).tan();
+            let radius = f64::from(away * tangent / (1.0 + tangent * tangent).sqrt());
+            let layer = Layer::spheres(&[[2.0, 2.0, 2.0, radius]], black);
+            let image = drawn(gpu, &picture(looking_from(from), vec![layer]));
+            for (index, colour) in image.pixels.iter().enumerate() {
+                let [x, y] = [index % 64, index / 64].map(|at| at as f32 + 0.5 - 32.0);
+                let inside = pixels - x.hypot(y);
+                let covered = 1.0 - f32::from(colour.r()) / 255.0;
+                let expected = (inside + 0.5).clamp(0.0, 1.0);
+                // Whether a sample at a rim is covered at all is asked from a fifth on.
+                assert!((covered - expected).abs() < 0.3, "{pixels}: {inside}, {covered}");
+            }
+        }
+    });
+}
+
+#[test]
 fn cells_of_the_plane_are_crisp_at_any_zoom() {
     with_gpu(|gpu| {
         let blue = Color32::from_rgb(0, 0, 200);
