@@ -8,8 +8,9 @@ use crate::export::{Choice, Origin, Request, shell_line};
 use crate::files;
 use crate::look::Look;
 use crate::panels::show::Of;
+use crate::widgets::{default_button, text_field};
 use eframe::egui::{
-    Align, Context, Frame, Id, Image, Label, Layout, Modal, RichText, ScrollArea, Spinner,
+    Align, Context, Frame, Id, Image, Key, Label, Layout, Modal, RichText, ScrollArea, Spinner,
     TextEdit, TextureHandle, Ui, vec2,
 };
 use octoscope_core::explain::Notation;
@@ -73,7 +74,10 @@ pub const PREVIEW: [f32; 2] = [360.0, 270.0];
 
 /// Shows the dialog.
 pub fn ui(context: &Context, look: &Look, mut shown: Shown) -> Option<Answer> {
-    let mut answer = None;
+    // Enter in a field is for the field.
+    let is_free = context.memory(|memory| memory.focused().is_none());
+    let is_entered = is_free && context.input(|input| input.key_pressed(Key::Enter));
+    let mut answer = is_entered.then_some(Answer::Export);
     let frame = Frame::popup(&context.global_style()).inner_margin(20.0);
     let room = context.content_rect().size();
     let response = Modal::new(Id::unique("export")).frame(frame).show(context, |ui| {
@@ -99,7 +103,7 @@ pub fn ui(context: &Context, look: &Look, mut shown: Shown) -> Option<Answer> {
             });
         }
         ui.separator();
-        answer = command(ui, look, &shown).or(buttons(ui, look, &mut shown));
+        answer = answer.or(command(ui, look, &shown)).or(buttons(ui, look, &mut shown));
     });
     if response.should_close() { answer.or(Some(Answer::Close)) } else { answer }
 }
@@ -168,8 +172,12 @@ fn buttons(ui: &mut Ui, look: &Look, shown: &mut Shown) -> Option<Answer> {
             let room = ui.available_width() - 12.0;
             let mut file = shown.choice.file.clone();
             let field = TextEdit::singleline(&mut file).desired_width(room);
-            if ui.add(field).labelled_by(label.id).changed() {
+            let field = text_field(ui, look, field).labelled_by(label.id);
+            if field.changed() {
                 shown.choice.set_file(&file);
+            }
+            if field.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter)) {
+                answer = Some(Answer::Export);
             }
         });
     });
@@ -186,7 +194,10 @@ fn buttons(ui: &mut Ui, look: &Look, shown: &mut Shown) -> Option<Answer> {
         } else {
             &[("export-copy-image", Answer::CopyImage), ("export-copy-svg", Answer::CopySvg)]
         };
-        for &(key, asked) in [("export-do", Answer::Export)].iter().chain(copies) {
+        if ui.add(default_button(look, look.text("export-do"))).clicked() {
+            answer = Some(Answer::Export);
+        }
+        for &(key, asked) in copies {
             if ui.button(look.text(key)).clicked() {
                 answer = Some(asked);
             }

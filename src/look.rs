@@ -35,7 +35,7 @@ pub struct Palette {
     pub hairline: Color32,
     /// Hints of structure.
     pub grid: Color32,
-    /// The rail of a slider.
+    /// The rail of a slider, and the border of a field.
     pub rail: Color32,
     /// The axes x, y, z.
     pub axes: [Color32; 3],

@@ -170,7 +170,8 @@ fn width(preset: Preset, panels: &[PanelKind], room: f32) -> f32 {
         Preset::Lecture if room < LECTURE_WIDE && panels == [PanelKind::Rail] => 288.0,
         Preset::Lecture if room < LECTURE_WIDE => 304.0,
         Preset::Lecture => 320.0,
-        Preset::Compare | Preset::Map if (WIDE..SPACIOUS).contains(&room) => 440.0,
+        Preset::Compare if room >= WIDE => 500.0,
+        Preset::Map if (WIDE..SPACIOUS).contains(&room) => 440.0,
         Preset::Bits
         | Preset::Rail
         | Preset::Automaton

@@ -166,7 +166,7 @@ fn visuals(theme: Theme) -> Visuals {
     widgets.noninteractive.bg_stroke = line(p.hairline, 1.0);
     widgets.noninteractive.fg_stroke = line(p.ink, 1.0);
     for (widget, fill, border) in [
-        (&mut widgets.inactive, p.field, line(p.grid, 1.0)),
+        (&mut widgets.inactive, p.field, line(p.rail, 1.0)),
         (&mut widgets.hovered, p.hairline, line(p.quiet, 1.0)),
         (&mut widgets.active, p.hairline, line(p.accent, 2.0)),
         (&mut widgets.open, p.hairline, line(p.quiet, 1.0)),
@@ -186,11 +186,27 @@ mod tests {
     use super::*;
 
     #[test]
+    fn the_border_of_a_field_is_seen_in_every_theme() {
+        for theme in Theme::ALL {
+            let palette = octoscope_figure::Palette::of(theme);
+            assert_eq!(visuals(theme).widgets.inactive.bg_stroke.color, color32(rail(&palette)));
+            for border in [rail(&palette), palette.accent] {
+                let ratio = contrast(border, palette.panel);
+                assert!(ratio >= 3.0, "{theme:?} {ratio:.2}");
+            }
+            let selected = contrast(palette.accent, palette.hairline.over(palette.field));
+            assert!(selected >= 3.0, "what is selected in {theme:?}: {selected:.2}");
+        }
+    }
+
+    #[test]
     fn the_rail_of_a_slider_is_seen_in_every_theme() {
         for theme in Theme::ALL {
             let palette = octoscope_figure::Palette::of(theme);
             let ratio = contrast(rail(&palette), palette.panel);
             assert!(ratio >= 3.0, "{theme:?} {ratio:.2}");
+            let knob = contrast(palette.ink, rail(&palette));
+            assert!(knob >= 3.0, "its knob in {theme:?}: {knob:.2}");
         }
     }
 }

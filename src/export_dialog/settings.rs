@@ -5,7 +5,7 @@ use crate::export::{Choice, ExerciseChoice, Extent, Format, MomentChoice, StepCh
 use crate::figures::Moments;
 use crate::look::Look;
 use crate::panels::show;
-use crate::widgets::{MOST_SEED, ranged_field, segments};
+use crate::widgets::{MOST_SEED, ranged_field, segments, text_field};
 use eframe::egui::{
     CollapsingHeader, ComboBox, Grid, Layout, RichText, TextEdit, Ui, accesskit::Role, vec2,
 };
@@ -189,7 +189,7 @@ fn moments(ui: &mut Ui, look: &Look, choice: &mut Choice, last_step: usize) {
         }
         MomentChoice::Listed => {
             let field = TextEdit::singleline(&mut choice.listed_moments).hint_text("3, 7, 12");
-            let field = ui.add(field.desired_width(240.0));
+            let field = text_field(ui, look, field.desired_width(240.0));
             let name = look.text("export-listed");
             field.widget_info(|| {
                 eframe::egui::WidgetInfo::labeled(Role::TextInput, true, name.as_str())

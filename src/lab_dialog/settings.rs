@@ -4,9 +4,9 @@ use super::{Answer, Shown, State};
 use crate::bench::{MOST_DEPTH, MOST_RAYS, MOST_REPEATS};
 use crate::lab::Choice;
 use crate::look::Look;
-use crate::widgets::{MOST_SEED, ranged_field, tick};
+use crate::widgets::{MOST_SEED, default_button, ranged_field, tick};
 use eframe::egui::emath::Numeric;
-use eframe::egui::{Button, Grid, Label, ProgressBar, RichText, ScrollArea, Ui};
+use eframe::egui::{Grid, Label, ProgressBar, RichText, ScrollArea, Ui};
 use octoscope_core::explain::algorithm_name;
 use octoscope_core::measure::{SCENES, Way};
 use octoscope_core::traverse::Algorithm;
@@ -25,7 +25,7 @@ pub(super) fn ui(ui: &mut Ui, look: &Look, shown: &mut Shown, height: f32) -> Op
     match shown.state {
         State::Idle => {
             let can_run = shown.choice.plan().is_some();
-            let run = Button::new(RichText::new(look.text("lab-run")).strong());
+            let run = default_button(look, look.text("lab-run"));
             if ui.add_enabled(can_run, run).clicked() {
                 answer = Some(Answer::Run);
             }

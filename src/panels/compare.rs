@@ -64,7 +64,9 @@ fn n_fitting(ui: &Ui, look: &Look, runs: &[Run]) -> usize {
         ui.painter().layout_no_wrap(text, font, look.palette.ink).size().x
     };
     let widest = |widths: &mut dyn Iterator<Item = f32>| widths.fold(16.0, f32::max);
-    let name = |run: &Run| width(run.algorithm.id().to_owned(), FontId::proportional(13.0));
+    let language = look.texts.language();
+    let name =
+        |run: &Run| width(algorithm_name(run.algorithm, language), FontId::proportional(13.0));
     let names = widest(&mut runs.iter().map(name)) + BUTTON;
     let columns = HEADS.iter().enumerate().scan(names, |end, (n, key)| {
         let head = width(look.text(key), FontId::proportional(look.type_size(12.0)));
@@ -154,10 +156,10 @@ fn numbers(run: &Run) -> [u64; HEADS.len()] {
 /// clicked.
 fn row(ui: &mut Ui, look: &Look, run: &Run, is_shown: bool, n_numbers: usize) -> bool {
     let name = algorithm_name(run.algorithm, look.texts.language());
-    let id = RichText::new(run.algorithm.id()).size(13.0);
-    let response = ui.selectable_label(is_shown, id);
+    let shown = RichText::new(&name).size(13.0);
+    let response = ui.selectable_label(is_shown, shown);
     response.widget_info(|| WidgetInfo::selected(Role::RadioButton, true, is_shown, &name));
-    let clicked = response.on_hover_text(&name).clicked();
+    let clicked = response.on_hover_text(run.algorithm.id()).clicked();
 
     let [n_leaves, others @ ..] = numbers(run);
     let key = match (run.agrees, run.n_expected as u64 == n_leaves) {

@@ -2,15 +2,16 @@
 
 mod find;
 
-use crate::command::{COMMANDS, Command, Menu};
+use crate::command::{COMMANDS, Command, Menu, Row};
 use crate::files::Purpose;
 use crate::finder::Target;
 use crate::look::Look;
 use crate::shortcut;
 use crate::view::{Dialog, Typed};
+use crate::widgets::{default_button, text_field};
 use eframe::egui::{
-    Align2, Area, Button, Context, Frame, Grid, Id, Key, Label, Modal, Order, ProgressBar,
-    RichText, ScrollArea, Spinner, TextEdit, Ui,
+    Align2, Area, Context, Frame, Grid, Id, Key, Label, Modal, Order, ProgressBar, RichText,
+    ScrollArea, Spinner, TextEdit, Ui,
     text::{CCursor, CCursorRange},
     text_edit::TextEditState,
     vec2,
@@ -42,7 +43,9 @@ pub fn ui(
     let mut close = false;
     let frame = Frame::popup(&context.global_style()).inner_margin(20.0);
     let response = Modal::new(Id::unique("dialog")).frame(frame).show(context, |ui| {
-        ui.set_max_width(480.0);
+        let room = context.content_rect().width();
+        ui.set_max_width(most_width(shown).min(room - 60.0));
+        let mut confirm = None;
         match shown {
             Dialog::Find(search) => {
                 title(ui, &look.text("command-find"));
@@ -62,14 +65,23 @@ pub fn ui(
             // They have windows of their own.
             Dialog::Export | Dialog::Lab => {}
             Dialog::Path(typed) => {
-                if path(ui, look, typed) {
-                    answer = Some(Answer::Path(typed.clone()));
-                    close = true;
-                }
+                let entered = path(ui, look, typed);
+                let is_named = !typed.path.trim().is_empty();
+                confirm = Some((confirmation(typed), is_named, entered && is_named));
             }
         }
         ui.add_space(8.0);
-        close |= ui.button(look.text("dialog-close")).clicked();
+        ui.horizontal(|ui| {
+            let confirmed = confirm.is_some_and(|(key, is_possible, entered)| {
+                let button = default_button(look, look.text(key));
+                ui.add_enabled(is_possible, button).clicked() || entered
+            });
+            if confirmed && let Dialog::Path(typed) = shown {
+                answer = Some(Answer::Path(typed.clone()));
+                close = true;
+            }
+            close |= ui.button(look.text("dialog-close")).clicked();
+        });
     });
     if close || response.should_close() {
         *dialog = None;
@@ -79,17 +91,38 @@ pub fn ui(
     answer
 }
 
-/// Field for a path; true once it is confirmed.
+/// How wide a dialog may be.
+fn most_width(dialog: &Dialog) -> f32 {
+    match dialog {
+        Dialog::Keys => 900.0,
+        Dialog::Find(_) => 640.0,
+        Dialog::About | Dialog::Error(_) | Dialog::Path(_) => 480.0,
+        // They have windows of their own.
+        Dialog::Export | Dialog::Lab => 0.0,
+    }
+}
+
+/// What the button says that takes the path.
+fn confirmation(typed: &Typed) -> &'static str {
+    match typed.purpose {
+        _ if typed.replaces => "path-replace",
+        Purpose::Open => "path-open-confirm",
+        Purpose::Save => "path-save-confirm",
+        Purpose::Export(_) | Purpose::Lab(_) => "path-export-confirm",
+    }
+}
+
+/// Field for a path; true once Enter is pressed in it.
 fn path(ui: &mut Ui, look: &Look, typed: &mut Typed) -> bool {
-    let (name, hint, confirm) = match typed.purpose {
-        Purpose::Open => ("path-open", "path-open-hint", "path-open-confirm"),
-        Purpose::Save => ("path-save", "path-hint", "path-save-confirm"),
-        Purpose::Export(_) | Purpose::Lab(_) => ("path-export", "path-hint", "path-export-confirm"),
+    let (name, hint) = match typed.purpose {
+        Purpose::Open => ("path-open", "path-open-hint"),
+        Purpose::Save => ("path-save", "path-hint"),
+        Purpose::Export(_) | Purpose::Lab(_) => ("path-export", "path-hint"),
     };
     title(ui, &look.text(name));
     ui.label(look.text(hint));
     let field = TextEdit::singleline(&mut typed.path).desired_width(f32::INFINITY);
-    let field = ui.add(field);
+    let field = text_field(ui, look, field);
     let spoken = look.text(name);
     ui.ctx().accesskit_node_builder(field.id, |node| node.set_label(spoken));
     if field.changed() {
@@ -108,9 +141,7 @@ fn path(ui: &mut Ui, look: &Look, typed: &mut Typed) -> bool {
         let question = RichText::new(look.text("path-replaces")).strong();
         ui.add(Label::new(question).wrap());
     }
-    let confirm = if typed.replaces { "path-replace" } else { confirm };
-    let is_named = !typed.path.trim().is_empty();
-    ui.add_enabled(is_named, Button::new(look.text(confirm))).clicked() || (entered && is_named)
+    entered
 }
 
 /// Shows how far the work is; true if it is to be cancelled.
@@ -147,25 +178,50 @@ fn title(ui: &mut Ui, text: &str) {
 }
 
 fn keys(ui: &mut Ui, look: &Look) {
+    /// Least width of a column.
+    const COLUMN: f32 = 420.0;
     title(ui, &look.text("dialog-keys"));
-    ScrollArea::vertical().max_height(most_height(ui, 380.0)).show(ui, |ui| {
-        // One grid, so that all keys stand below each other.
-        Grid::new("keys").num_columns(2).spacing([24.0, 2.0]).show(ui, |ui| {
-            for menu in Menu::ALL {
-                let rows = COMMANDS.iter().filter(|row| row.menu == menu && !row.keys.is_empty());
-                let mut rows = rows.peekable();
-                if rows.peek().is_some() {
-                    ui.label(RichText::new(look.text(menu.id())).color(look.palette.quiet));
-                    ui.end_row();
-                }
-                for row in rows {
-                    let keys = shortcut::all_shown(look, row.keys);
-                    ui.label(look.text(row.id));
-                    ui.label(RichText::new(keys).monospace());
-                    ui.end_row();
-                }
+    let groups = Menu::ALL.map(|menu| {
+        let rows = COMMANDS.iter().filter(|row| row.menu == menu && !row.keys.is_empty());
+        (menu, rows.collect::<Vec<_>>())
+    });
+    let groups: Vec<_> = groups.into_iter().filter(|(_, rows)| !rows.is_empty()).collect();
+    let n_lines = |groups: &[(Menu, Vec<&Row>)]| -> usize {
+        groups.iter().map(|(_, rows)| 1 + rows.len()).sum()
+    };
+    // Where both columns are about as high.
+    let half = (0..groups.len())
+        .min_by_key(|&n| n_lines(&groups[..n]).max(n_lines(&groups[n..])))
+        .unwrap_or(0);
+    let is_wide = ui.available_width() >= 2.0 * COLUMN;
+    let columns = if is_wide { vec![&groups[..half], &groups[half..]] } else { vec![&groups[..]] };
+    let height = most_height(ui, 900.0);
+    let scroll = ScrollArea::vertical().max_height(height).min_scrolled_height(height);
+    ui.spacing_mut().scroll.floating_allocated_width = 12.0;
+    scroll.show(ui, |ui| {
+        // They are only read.
+        ui.spacing_mut().interact_size.y = 19.0;
+        ui.horizontal_top(|ui| {
+            ui.spacing_mut().item_spacing.x = 32.0;
+            for (n, groups) in columns.into_iter().enumerate() {
+                ui.vertical(|ui| keys_of(ui, look, n, groups));
             }
         });
+    });
+}
+
+/// A column of keys, all of them below each other.
+fn keys_of(ui: &mut Ui, look: &Look, column: usize, groups: &[(Menu, Vec<&Row>)]) {
+    Grid::new(("keys", column)).num_columns(2).spacing([24.0, 2.0]).show(ui, |ui| {
+        for (menu, rows) in groups {
+            ui.label(RichText::new(look.text(menu.id())).color(look.palette.quiet));
+            ui.end_row();
+            for row in rows {
+                ui.label(look.text(row.id));
+                ui.label(RichText::new(shortcut::all_shown(look, row.keys)).monospace());
+                ui.end_row();
+            }
+        }
     });
 }
 

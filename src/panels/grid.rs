@@ -1,10 +1,8 @@
 //! The walk from cell to cell of the finest grid.
 
 use crate::look::Look;
-use crate::widgets::{caption, per_axis, rich_job};
-use eframe::egui::{
-    Align2, FontId, Label, RichText, Sense, Stroke, Ui, WidgetInfo, accesskit::Role, pos2, vec2,
-};
+use crate::widgets::{caption, captioned, per_axis};
+use eframe::egui::{Align2, FontId, Sense, Stroke, Ui, WidgetInfo, accesskit::Role, pos2, vec2};
 use octoscope_core::explain::{approx, distinct};
 use octoscope_core::geometry::{AXIS_NAMES, Axes};
 use octoscope_core::trace::{Counter, GridCell, Moment};
@@ -67,24 +65,17 @@ pub fn ui<const D: usize>(ui: &mut Ui, look: &Look, moment: &Moment<D>) {
         let at = pos2(rect.right(), y);
         painter.text(at, Align2::RIGHT_CENTER, &told[axis], font, ink);
     }
-    ui.horizontal_wrapped(|ui| {
-        caption(ui, look, look.text("grid-cell"));
-        match grid.cell {
-            Some(cell) => {
-                let codes = per_axis(cell.map(|c| c.to_string()));
-                ui.add(Label::new(rich_job(&codes, look, 14.0, 220.0)));
-            }
-            None => {
-                ui.label(RichText::new(look.text("grid-outside")).size(14.0));
-            }
-        }
-        if !grid.crossed.is_empty() {
-            let axes: Vec<_> = grid.crossed.iter().map(|axis| AXIS_NAMES[axis]).collect();
-            let crossed = look.texts.format("grid-crossed", &[("axes", axes.join(", ").into())]);
-            ui.add_space(8.0);
-            caption(ui, look, crossed);
-        }
-    });
+    let cell = match grid.cell {
+        Some(cell) => per_axis(cell.map(|c| c.to_string())),
+        None => look.text("grid-outside").into(),
+    };
+    let axes: Vec<_> = grid.crossed.iter().map(|axis| AXIS_NAMES[axis]).collect();
+    let crossed = if axes.is_empty() {
+        String::new()
+    } else {
+        look.texts.format("grid-crossed", &[("axes", axes.join(", ").into())])
+    };
+    captioned(ui, look, &look.text("grid-cell"), &cell, &crossed);
 }
 
 /// The axes whose planes are met first: those that are crossed in this step.

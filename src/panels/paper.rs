@@ -6,7 +6,7 @@ pub use hall::why;
 
 use crate::document::Found;
 use crate::look::Look;
-use crate::widgets::{printed_and_right, rich_label};
+use crate::widgets::{in_segments, printed_and_right, rich_label};
 use crate::wish::Wish;
 use eframe::egui::{CollapsingHeader, Label, RichText, Ui};
 use octoscope_core::explain::{RichText as Words, misprint_formula};
@@ -32,9 +32,7 @@ pub fn ui<const D: usize>(
     if own.is_empty() {
         ui.add(Label::new(quiet(look, look.text("paper-none"))).wrap());
     }
-    ui.horizontal_wrapped(|ui| {
-        own.into_iter().for_each(|variant| switch(ui, look, query, variant));
-    });
+    switches(ui, look, query, &own);
 
     let printed = printed_in(query);
     for &variant in &printed {
@@ -71,12 +69,18 @@ fn printed_in<const D: usize>(query: &Query<D>) -> Vec<Variant> {
     query.variants_at_work().iter().filter(is_misprint).collect()
 }
 
+/// Turns each of them on and off.
+fn switches<const D: usize>(ui: &mut Ui, look: &Look, query: &mut Query<D>, of: &[Variant]) {
+    let names: Vec<&str> = of.iter().map(|variant| variant.id()).collect();
+    in_segments(ui, of, &names, |ui, &variant| switch(ui, look, query, variant));
+}
+
 /// Turns one of them on and off.
 fn switch<const D: usize>(ui: &mut Ui, look: &Look, query: &mut Query<D>, variant: Variant) {
     let mut variants = query.variants();
     let mut on = variants.has(variant);
     let title = misprint_title(variant, look.texts.language());
-    let response = ui.toggle_value(&mut on, variant.id());
+    let response = ui.toggle_value(&mut on, RichText::new(variant.id()).size(14.0));
     if response.on_hover_text(title.unwrap_or_default()).changed() {
         variants = if on { variants.with(variant) } else { variants.without(variant) };
         *query = query.with_variants(variants);

@@ -1,8 +1,8 @@
 //! From the exit point down from the root again.
 
 use crate::look::Look;
-use crate::widgets::{caption, per_axis, rich_job};
-use eframe::egui::{FontId, Frame, Label, Margin, RichText, Stroke, Ui};
+use crate::widgets::{caption, captioned, per_axis};
+use eframe::egui::{FontId, Frame, Margin, RichText, Stroke, Ui};
 use octoscope_core::event::Event;
 use octoscope_core::explain::{RichText as Coloured, approx};
 use octoscope_core::geometry::Ray;
@@ -31,11 +31,7 @@ pub fn ui<const D: usize>(
     };
     path(ui, look, tree, &past[begun..]);
     let line = |ui: &mut Ui, key: &str, texts: Coloured| {
-        ui.horizontal_wrapped(|ui| {
-            caption(ui, look, look.text(key));
-            let width = ui.available_width();
-            ui.add(Label::new(rich_job(&texts, look, 14.0, width)));
-        });
+        captioned(ui, look, &look.text(key), &texts, "");
     };
     if let Some(exits) = moment.exits {
         let t = exits.exits.into_iter().fold(f64::INFINITY, f64::min);

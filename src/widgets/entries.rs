@@ -1,7 +1,9 @@
 //! What several tables of panels are made of.
 
+use super::rich_job;
 use crate::look::Look;
-use eframe::egui::{RichText, Ui};
+use eframe::egui::text::{LayoutJob, TextFormat};
+use eframe::egui::{Align, FontId, Label, RichText, Ui};
 use octoscope_core::explain::{RichText as Coloured, Span};
 use octoscope_core::geometry::AXIS_NAMES;
 use octoscope_core::tree::Child;
@@ -9,6 +11,28 @@ use octoscope_core::tree::Child;
 /// The line above the columns of a table, or a few quiet words below it.
 pub fn caption(ui: &mut Ui, look: &Look, text: impl Into<String>) {
     ui.label(RichText::new(text).size(look.type_size(12.0)).color(look.palette.quiet));
+}
+
+/// A value behind its caption, and a few quiet words after it, all on one baseline.
+pub fn captioned(ui: &mut Ui, look: &Look, caption: &str, value: &Coloured, after: &str) {
+    const GAP: f32 = 8.0;
+    let font = FontId::proportional(look.type_size(12.0));
+    let quiet =
+        TextFormat { valign: Align::BOTTOM, ..TextFormat::simple(font, look.palette.quiet) };
+    let mut job = LayoutJob::default();
+    job.wrap.max_width = ui.available_width();
+    job.append(caption, 0.0, quiet.clone());
+    let value = rich_job(value, look, 14.0, f32::INFINITY);
+    for (n, section) in value.sections.iter().enumerate() {
+        let before = if n == 0 { GAP } else { 0.0 };
+        let format = TextFormat { valign: Align::BOTTOM, ..section.format.clone() };
+        let bytes = section.byte_range.start.0..section.byte_range.end.0;
+        job.append(&value.text[bytes], before, format);
+    }
+    if !after.is_empty() {
+        job.append(after, 2.0 * GAP, quiet);
+    }
+    ui.add(Label::new(job));
 }
 
 /// A text of one look for each axis, with its letter: x 3  y 5.

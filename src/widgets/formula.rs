@@ -31,8 +31,10 @@ pub fn printed_and_right(ui: &mut Ui, look: &Look, misprint: &Misprint) {
     let half = 0.5 * (width - GAP);
     let natural = set(f32::INFINITY);
     let side_by_side = set(half);
-    // Rather one below the other than in much smaller type, or broken.
-    let is_wide = natural.iter().any(|figure| figure.page.width as f32 > 1.5 * half)
+    // Rather one below the other than in smaller type, or broken; in a hall, which has little
+    // height, than in much smaller type.
+    let most = if look.is_for_hall() { 1.5 * half } else { half };
+    let is_wide = natural.iter().any(|figure| figure.page.width as f32 > most)
         || side_by_side.iter().any(|figure| figure.drawn.len() > 1);
     let figures = if is_wide { set(width) } else { side_by_side };
     let one = |ui: &mut Ui, n: usize| {

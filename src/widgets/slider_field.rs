@@ -3,7 +3,7 @@
 use super::ranged_field::field_in_range;
 use crate::look::Look;
 use eframe::egui::emath::Numeric;
-use eframe::egui::{Response, Slider, SliderClamping, Ui, WidgetInfo};
+use eframe::egui::{Response, Slider, SliderClamping, Stroke, Ui, WidgetInfo};
 
 /// Slider for a number from the first to the last of `range`, `set` as it is to be, with
 /// a field to type it into; both are called `name` by a screen reader. Dragging the field
@@ -21,6 +21,8 @@ pub fn slider_field<N: Numeric>(
     /// Widths of the field, and of the shortest slider.
     const FIELD: f32 = 52.0;
     const SHORTEST: f32 = 60.0;
+    /// Width of the border of the knob.
+    const KNOB: f32 = 5.0;
     let row = ui.horizontal(|ui| {
         let spacing = ui.spacing_mut();
         spacing.interact_size.x = FIELD;
@@ -30,7 +32,12 @@ pub fn slider_field<N: Numeric>(
         let slider = Slider::new(value, range[0]..=range[1]).clamping(clamping);
         let response = ui
             .scope(|ui| {
-                ui.visuals_mut().widgets.inactive.bg_fill = look.palette.rail;
+                let widgets = &mut ui.visuals_mut().widgets;
+                widgets.inactive.bg_fill = look.palette.rail;
+                // The knob is all but filled by its border: it has the fill of the rail.
+                for knob in [&mut widgets.inactive, &mut widgets.hovered, &mut widgets.active] {
+                    knob.fg_stroke = Stroke::new(KNOB, look.palette.ink);
+                }
                 ui.add(set(slider).show_value(false))
             })
             .inner;

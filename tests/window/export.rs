@@ -276,3 +276,21 @@ fn a_path_that_cannot_be_written_stays_to_be_corrected() {
     desk.press_with(Modifiers::COMMAND, Key::E);
     assert!(!is_told(&desk), "{:?}", desk.texts());
 }
+
+#[test]
+fn enter_does_what_the_dialog_is_for() {
+    let folder = tempdir().unwrap();
+    let path = folder.path().join("a.svg");
+    let mut desk = Desk::new();
+    desk.state_mut().view.export.file = path.to_string_lossy().into_owned();
+    desk.press_with(Modifiers::COMMAND, Key::E);
+    desk.run_steps(2);
+    // In a field it is for the field.
+    desk.type_into("Type and lines", "2");
+    assert_eq!(desk.state().view.dialog, Some(Dialog::Export));
+    assert!(!path.exists());
+    desk.press(Key::Enter);
+    let context = desk.ctx.clone();
+    desk.state_mut().finish_export(&context);
+    assert!(path.exists());
+}

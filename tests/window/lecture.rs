@@ -70,7 +70,7 @@ fn cut(desk: &Desk) -> Vec<String> {
     all
 }
 
-fn each_text(shape: &Shape, see: &mut impl FnMut(&TextShape)) {
+pub fn each_text(shape: &Shape, see: &mut impl FnMut(&TextShape)) {
     if let Shape::Text(text) = shape {
         see(text);
     } else if let Shape::Vec(shapes) = shape {

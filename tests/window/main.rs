@@ -35,3 +35,4 @@ mod show;
 mod states;
 mod steps;
 mod tree;
+mod whole;

@@ -4,6 +4,7 @@ use crate::finder::{Hit, Target, find};
 use crate::look::Look;
 use crate::shortcut;
 use crate::view::Search;
+use crate::widgets::text_field;
 use eframe::egui::{
     Align, Button, Event, Key, Label, Modifiers, RichText, ScrollArea, TextEdit, Ui,
 };
@@ -14,7 +15,7 @@ pub fn ui(ui: &mut Ui, look: &Look, search: &mut Search) -> Option<Target> {
     let hits = find(&search.wanted, look.texts.language());
     let moved = steps(ui);
     let field = TextEdit::singleline(&mut search.wanted).hint_text(look.text("find-hint"));
-    let field = ui.add(field.desired_width(f32::INFINITY));
+    let field = text_field(ui, look, field.desired_width(f32::INFINITY));
     field.request_focus();
     let name = look.text("command-find");
     ui.ctx().accesskit_node_builder(field.id, |node| node.set_label(name));
@@ -26,7 +27,7 @@ pub fn ui(ui: &mut Ui, look: &Look, search: &mut Search) -> Option<Target> {
     let mut taken = entered.then(|| hits.get(search.chosen)).flatten().map(|hit| hit.target);
 
     ui.add_space(4.0);
-    let height = 380.0_f32.min(ui.ctx().content_rect().height() - 200.0);
+    let height = 560.0_f32.min(ui.ctx().content_rect().height() - 240.0);
     ScrollArea::vertical().max_height(height).min_scrolled_height(height).show(ui, |ui| {
         ui.set_min_height(height);
         ui.spacing_mut().item_spacing.y = 2.0;
@@ -62,7 +63,7 @@ fn row<'a>(ui: &Ui, look: &Look, hit: &Hit, chosen: bool) -> Button<'a> {
     let side = if chosen { side } else { side.color(look.palette.quiet) };
     Button::selectable(chosen, hit.name.clone())
         .right_text(side)
-        .truncate()
+        .wrap()
         .min_size(eframe::egui::vec2(ui.available_width(), 26.0))
 }
 

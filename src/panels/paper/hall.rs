@@ -1,7 +1,7 @@
 //! The paper lab in a hall: what is printed, what is right, and whether it goes wrong; all
 //! of it at once, above the formulas of the step.
 
-use super::{both_rules, misprints_of, printed_in, switch, told_of};
+use super::{both_rules, misprints_of, printed_in, switches, told_of};
 use crate::document::Found;
 use crate::look::Look;
 use crate::wish::Wish;
@@ -23,14 +23,13 @@ pub fn ui<const D: usize>(
     ui.spacing_mut().item_spacing.y = 2.0;
     let printed = printed_in(query);
     if printed.is_empty() {
-        ui.horizontal_wrapped(|ui| {
-            misprints_of(query).into_iter().for_each(|variant| switch(ui, look, query, variant));
-        });
+        let own = misprints_of(query);
+        switches(ui, look, query, &own);
         return None;
     }
     for &variant in &printed {
         ui.horizontal(|ui| {
-            switch(ui, look, query, variant);
+            switches(ui, look, query, &[variant]);
             let title = misprint_title(variant, look.texts.language()).unwrap_or_default();
             ui.add(Label::new(RichText::new(title).size(13.5).family(look.strong_family())).wrap());
         });

@@ -210,7 +210,9 @@ impl Style {
             Role::Planned => Self { fill: Some(p.accent.faded(0.18)), ..line(p.accent, 0.8) },
             Role::Compared => Self { fill: Some(p.quiet_ink.faded(0.75)), ..Self::default() },
             Role::Series(number) => {
-                let colours = [p.accent, p.ray, p.current_outline, p.rejected, p.quiet_ink];
+                // As yellow as is seen on a panel.
+                let yellow = p.ink.faded(0.15).over(p.current_outline);
+                let colours = [p.accent, p.ray, yellow, p.rejected, p.quiet_ink];
                 let dash = [Dash::Solid, Dash::Dashed, Dash::Dotted, Dash::DashDotted];
                 let colour = colours[number % Role::N_SERIES_COLOURS];
                 let dash = dash[number / Role::N_SERIES_COLOURS % dash.len()];
