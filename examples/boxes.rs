@@ -89,6 +89,7 @@ fn path(edge: Color32, fill: Color32) -> Vec<BoxMark> {
         width,
         line,
         layer: 0,
+        is_crossed: false,
     };
     let none = Color32::TRANSPARENT;
     let quiet = edge.gamma_multiply(0.55);

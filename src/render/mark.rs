@@ -21,6 +21,8 @@ pub struct BoxMark {
     pub line: Line,
     /// Edges of a higher layer lie above those of lower ones, and above all faces.
     pub layer: usize,
+    /// Whether the sides that face the eye are crossed out, by lines as of the edges.
+    pub is_crossed: bool,
 }
 
 /// How a line is drawn.
@@ -78,6 +80,12 @@ fn add(
         Line::Dashed => [4.0 * unit, 3.0 * unit],
         Line::Dotted => [unit, 2.0 * unit],
     };
+    let faces_eye = |axis: usize, end: usize| {
+        let to_eye = eye[axis] - corners[end][axis] * eye.w;
+        if end == 1 { to_eye > 0.0 } else { to_eye < 0.0 }
+    };
+    // From inside, all sides are seen.
+    let is_inside = (0..3).all(|axis| !faces_eye(axis, 0) && !faces_eye(axis, 1));
     for axis in 0..3 {
         let [u, v] = [(axis + 1) % 3, (axis + 2) % 3];
         if mark.fill != Color32::TRANSPARENT {
@@ -87,6 +95,19 @@ fn add(
                 let colour = mark.fill.to_array();
                 let face = Item { a, b, colour, kind: axis as u32, pen: [0.0; 3] };
                 items.push(((0, distance(&face, eye)), face));
+            }
+        }
+        if mark.is_crossed && mark.edge != Color32::TRANSPARENT {
+            let ends = [0, 1].into_iter().filter(|&end| is_inside || faces_eye(axis, end));
+            for side in ends.map(|end: usize| corners[end][axis]) {
+                for [from, to] in [[0, 1], [1, 0]] {
+                    let [mut a, mut b] = corners;
+                    (a[axis], b[axis]) = (side, side);
+                    (a[v], b[v]) = (corners[from][v], corners[to][v]);
+                    let (colour, pen) = (mark.edge.to_array(), [width, dash, dash + gap]);
+                    let line = Item { a, b, colour, kind: EDGE, pen };
+                    items.push(((mark.layer, distance(&line, eye)), line));
+                }
             }
         }
         if mark.edge != Color32::TRANSPARENT && mark.width > 0.0 {
@@ -123,6 +144,7 @@ mod tests {
             width: 2.0,
             line: Line::Solid,
             layer: 0,
+            is_crossed: false,
         }
     }
 
@@ -155,5 +177,18 @@ mod tests {
     fn a_box_without_fill_has_only_edges() {
         let empty = BoxMark { fill: Color32::TRANSPARENT, ..mark(0.0, 1.0) };
         assert_eq!(sorted(&[empty], &from_above(), 1.0).len(), 12);
+    }
+
+    #[test]
+    fn what_is_seen_of_a_wrong_box_is_crossed_out_by_two_lines_a_side() {
+        let plain = mark(3.0, 4.0);
+        let crossed = BoxMark { is_crossed: true, ..plain };
+        let [plain, crossed] = [plain, crossed].map(|mark| sorted(&[mark], &from_above(), 1.0));
+        // The upper side, and those towards the middle of the picture.
+        assert_eq!(crossed.len(), plain.len() + 3 * 2);
+        let is_diagonal = |item: &&Item| {
+            item.kind == EDGE && (0..3).filter(|&e| item.a[e] != item.b[e]).count() == 2
+        };
+        assert_eq!(crossed.iter().filter(is_diagonal).count(), 6);
     }
 }

@@ -54,7 +54,9 @@ fn drawn(gpu: &mut Gpu, picture: &Picture) -> ColorImage {
 
 fn mark(fill: Color32) -> BoxMark {
     let edge = Color32::TRANSPARENT;
-    BoxMark { min: [1.0; 3], max: [3.0; 3], fill, edge, width: 1.0, line: Line::Solid, layer: 0 }
+    let (line, is_crossed) = (Line::Solid, false);
+    let [min, max] = [[1.0; 3], [3.0; 3]];
+    BoxMark { min, max, fill, edge, width: 1.0, line, layer: 0, is_crossed }
 }
 
 #[test]

@@ -182,9 +182,8 @@ fn view_of<const D: usize>(camera: &Camera<D>, page: Page) -> render::View {
 
 /// Whether the graphics adapter draws a mark, so that the painter need not.
 pub fn draws<const D: usize>(mark: &Mark<D>) -> bool {
-    // What is asked stays above planes, and a cross is drawn by the painter alone.
-    let is_above =
-        matches!(mark.role, Role::Apart | Role::ApartTaken | Role::Region | Role::Strayed);
+    // What is asked stays above planes.
+    let is_above = matches!(mark.role, Role::Apart | Role::ApartTaken | Role::Region);
     D == 3 && matches!(mark.shape, Shape::Box(_)) && !is_above
 }
 
@@ -216,6 +215,7 @@ fn box_marks<const D: usize>(mark: &Mark<D>, theme: Theme, unit: f64) -> Vec<Box
         line: if is_small { Line::Solid } else { line },
         // What is quieter lies among the faces.
         layer: if layer < Role::Taken.layer() { 0 } else { 2 * layer + 1 },
+        is_crossed: mark.role == Role::Strayed,
     };
     let casing = (style.casing > 0.0).then(|| BoxMark {
         fill: Color32::TRANSPARENT,
@@ -223,6 +223,7 @@ fn box_marks<const D: usize>(mark: &Mark<D>, theme: Theme, unit: f64) -> Vec<Box
         width: (width + 2.0 * style.casing) as f32,
         line: Line::Solid,
         layer: own.layer.saturating_sub(1),
+        is_crossed: false,
         ..own
     });
     casing.into_iter().chain([own]).collect()
