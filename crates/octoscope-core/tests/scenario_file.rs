@@ -132,6 +132,15 @@ fn unknown_fields_are_told_with_the_nearest_known_one() {
         &format!("line 3, column 35: {at}"),
     );
     refused_with(
+        r#""query": {"kind": "ray"}"#,
+        "line 3, column 11: there is no field ‘kind’ here; there are ray, point, region, neighbour",
+    );
+    refused_with(
+        r#""query": {"ray": {"origin": [0, 0]}}"#,
+        "line 3, column 11: ‘query.ray’ is not written so; write \"query\": \"ray\"; its numbers go \
+         into the field \"ray\" beside it",
+    );
+    refused_with(
         r#""options": {"x": 1}"#,
         "line 3, column 13: there is no field ‘x’ here; there are stop-at, segment-end, variants",
     );

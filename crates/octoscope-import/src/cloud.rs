@@ -79,7 +79,9 @@ fn points<'a, const D: usize>(
     for (line, words) in rows {
         progress.advance(line.text.len() as u64 + 1)?;
         if words.len() != n_columns {
-            let fact = format!("the line has {} columns, the first has {n_columns}", words.len());
+            let n = words.len();
+            let columns = if n == 1 { "column" } else { "columns" };
+            let fact = format!("the line has {n} {columns}, the first has {n_columns}");
             return Err(ImportError::at(line.end(), fact, "give every line the same columns"));
         }
         let mut point = [0.0; D];

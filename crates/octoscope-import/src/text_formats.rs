@@ -66,7 +66,7 @@ pub fn rays<const D: usize>(text: &str) -> Result<Vec<Ray<D>>, ImportError> {
 
 fn check_length(line: &Line<'_>, words: &[Word<'_>], due: usize) -> Result<(), ImportError> {
     if words.len() < due {
-        let fact = format!("the line has {} numbers, not {due}", words.len());
+        let fact = format!("the line has {} of {due} numbers", words.len());
         return Err(ImportError::at(line.end(), fact, "add what is missing"));
     }
     match words.get(due) {
@@ -121,7 +121,7 @@ mod tests {
             "1 2\n1 4",
             "line 2, column 3: “4” is not a whole number in 0 … 3; write cells of the grid, or ask for a greater depth",
         );
-        check_cells("1", "line 1, column 2: the line has 1 numbers, not 2; add what is missing");
+        check_cells("1", "line 1, column 2: the line has 1 of 2 numbers; add what is missing");
         check_cells(
             "1 2 3",
             "line 1, column 5: the line has more than 2 numbers; take the rest away, or write # before it",

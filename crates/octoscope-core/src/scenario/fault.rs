@@ -100,7 +100,8 @@ fn of_data(message: &str, text: &str, spot: &Spot, dimension: Option<usize>) -> 
     };
     let value = || word_at(text, spot.start);
     let is = |kind: &str| message.starts_with(kind);
-    let told = if is("unknown field `") {
+    let is_name = text[spot.end..].trim_start().starts_with(':');
+    let told = if is("unknown field `") || is("unknown variant `") && is_name {
         format!("there is no field ‘{name}’ here; {}", there_are())
     } else if is("unknown variant `") {
         format!("{} is {}; {}", of_path(&spot.path), value(), there_are())
@@ -109,6 +110,8 @@ fn of_data(message: &str, text: &str, spot: &Spot, dimension: Option<usize>) -> 
         format!("the field ‘{name}’ is missing; {}", due(path, dimension))
     } else if is("duplicate field `") {
         format!("the field ‘{name}’ is there twice; take one away")
+    } else if is("invalid ") && is_name {
+        format!("{} is not written so; {}", of_path(&spot.path), due(&spot.path, dimension))
     } else if is("invalid ") {
         format!("{} is {}; {}", of_path(&spot.path), value(), due(&spot.path, dimension))
     } else {
@@ -148,7 +151,7 @@ fn word_at(text: &str, start: usize) -> String {
 pub(super) const LEAST: &str = r#"{"octoscope": 1, "scene": {"built-in": "cloud"}}"#;
 
 /// What is right at a path, without the indices of lists; # is the dimension.
-const DUE: [(&str, &str); 44] = [
+const DUE: [(&str, &str); 45] = [
     ("octoscope", "write 1, the version of the format"),
     ("dimension", "write 2 for a quadtree or 3 for an octree"),
     ("domain", r#"write an object with "min" and "side""#),
@@ -158,7 +161,7 @@ const DUE: [(&str, &str); 44] = [
     ("scene.built-in", r#"write the name of a scene in quotes, such as "cloud""#),
     ("scene.parameters", r#"write an object with "seed" or "n""#),
     ("scene.parameters.seed", "write a whole number from 0"),
-    ("scene.parameters.n", "write a whole number from 1"),
+    ("scene.parameters.n", "write a whole number from 1 in digits alone"),
     ("scene.points", "write a list of points of # numbers each"),
     ("scene.cells", "write a list of cells of # whole numbers from 0 each"),
     ("scene.image", r#"write an object with "width", "height" and "rows""#),
@@ -182,6 +185,7 @@ const DUE: [(&str, &str); 44] = [
     ("ray.origin", "write # numbers in brackets, one for each axis"),
     ("ray.direction", "write # numbers in brackets, one for each axis, not all of them 0"),
     ("query", r#"write "ray", or an object with "point", "region" or "neighbour""#),
+    ("query.ray", r#"write "query": "ray"; its numbers go into the field "ray" beside it"#),
     ("query.point", r#"write an object with "at""#),
     ("query.point.at", "write # numbers in brackets, one for each axis"),
     ("query.region", r#"write an object with "min" and "max""#),

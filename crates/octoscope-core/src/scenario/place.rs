@@ -16,11 +16,11 @@ pub(super) struct Spot {
 pub(super) fn spot_before(text: &str, offset: usize) -> Spot {
     let mut scan = Scan::new(text);
     let mut last = Spot::default();
-    while let Some((start, spot)) = scan.next_spot() {
-        if start >= offset {
+    while let Some(found) = scan.next_found() {
+        if found.begins >= offset {
             break;
         }
-        last = spot;
+        last = scan.spot(&found);
     }
     last
 }
@@ -28,8 +28,14 @@ pub(super) fn spot_before(text: &str, offset: usize) -> Spot {
 /// The value at `path`, or the one around it if it is not there.
 pub(super) fn spot_of(text: &str, path: &str) -> Spot {
     let mut scan = Scan::new(text);
+    let most_open = path.matches(['.', '[']).count() + 1;
     let mut best = Spot::default();
-    while let Some((_, spot)) = scan.next_spot() {
+    while let Some(found) = scan.next_found() {
+        // Its path would be longer, and long to write if much is open.
+        if found.n_open > most_open {
+            continue;
+        }
+        let spot = scan.spot(&found);
         let within = path.strip_prefix(spot.path.as_str());
         let fits = spot.path.is_empty() || within.is_some_and(|w| !w.starts_with(is_of_a_name));
         if fits && spot.path.len() >= best.path.len() {
@@ -71,30 +77,40 @@ enum Part {
     Value,
 }
 
+/// A name or a value, as long as nothing after it has been scanned.
+struct Found {
+    /// Where what ends it begins: the closing bracket of an object or a list,
+    /// else itself.
+    begins: usize,
+    /// Offsets of its first byte and behind its last.
+    start: usize,
+    end: usize,
+    /// How many objects and lists are open around it.
+    n_open: usize,
+}
+
 impl<'a> Scan<'a> {
     fn new(text: &'a str) -> Self {
         Self { text, offset: 0, open: Vec::new() }
     }
 
-    /// The next spot, and where what ends it begins: the closing bracket of an
-    /// object or a list, else the spot itself.
-    fn next_spot(&mut self) -> Option<(usize, Spot)> {
+    fn next_found(&mut self) -> Option<Found> {
         loop {
             let start = self.offset;
             let c = self.text[start..].chars().next()?;
             self.offset += c.len_utf8();
             match c {
                 '{' | '[' => {
-                    let spot = self.spot(start);
+                    let found = self.found(start, start);
                     self.open.push(match c {
                         '{' => Open::Object { start, name: "", part: Part::Name },
                         _ => Open::List { start, index: 0 },
                     });
-                    return Some((start, spot));
+                    return Some(found);
                 }
                 '}' | ']' => match self.open.pop() {
                     Some(Open::Object { start: begin, .. } | Open::List { start: begin, .. }) => {
-                        return Some((start, self.spot(begin)));
+                        return Some(self.found(start, begin));
                     }
                     None => {}
                 },
@@ -114,14 +130,14 @@ impl<'a> Scan<'a> {
                     {
                         *name = inside;
                     }
-                    return Some((start, self.spot(start)));
+                    return Some(self.found(start, start));
                 }
                 c if c.is_whitespace() => {}
                 _ => {
                     let rest = &self.text[start..];
                     let is_end = |c: char| c.is_whitespace() || "{}[]:,\"".contains(c);
                     self.offset = start + rest.find(is_end).unwrap_or(rest.len());
-                    return Some((start, self.spot(start)));
+                    return Some(self.found(start, start));
                 }
             }
         }
@@ -142,10 +158,15 @@ impl<'a> Scan<'a> {
         &self.text[start..]
     }
 
-    /// Spot from `start` to here.
-    fn spot(&self, start: usize) -> Spot {
+    /// What goes from `start` to here.
+    fn found(&self, begins: usize, start: usize) -> Found {
+        Found { begins, start, end: self.offset, n_open: self.open.len() }
+    }
+
+    /// What was found last, with its path.
+    fn spot(&self, found: &Found) -> Spot {
         let mut path = String::new();
-        for open in &self.open {
+        for open in &self.open[..found.n_open] {
             match open {
                 Open::Object { name, .. } if path.is_empty() => path.push_str(name),
                 Open::Object { name, .. } => {
@@ -155,7 +176,7 @@ impl<'a> Scan<'a> {
                 Open::List { index, .. } => path.push_str(&format!("[{index}]")),
             }
         }
-        Spot { path, start, end: self.offset }
+        Spot { path, start: found.start, end: found.end }
     }
 }
 
@@ -195,6 +216,13 @@ mod tests {
         check("a[7]", "[1, {\"ü\": tru}]");
         check("ab", TEXT);
         check("", TEXT);
+    }
+
+    #[test]
+    fn what_is_nested_deep_is_not_told() {
+        let text = "[".repeat(200_000);
+        assert_eq!(spot_of(&text, "a").end, 1);
+        assert_eq!(spot_of(&text, "[0]").start, 1);
     }
 
     #[test]
