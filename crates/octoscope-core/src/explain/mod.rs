@@ -29,7 +29,7 @@ pub use listing::{Line, Listing, branch, label, listing};
 pub use names::{algorithm_name, counter_name, end_name, query_name, step_texts};
 pub use number::{approx, distinct, number, signed_number};
 pub use rich::{RichText, Span};
-pub use sentence::sentence;
+pub use sentence::{sentence, sentences};
 pub use table::{trace_latex, trace_markdown};
 pub use title::short_title;
 pub use variables::{Variable, variables};

@@ -38,6 +38,9 @@ const NO_BREAK: char = '\u{a0}';
 /// Brackets of more letters may be broken.
 const SHORT_BRACKETS: usize = 24;
 
+/// An operator that is a word.
+const XOR: [char; 4] = [' ', 'x', 'o', 'r'];
+
 /// Which letters are in brackets so short that they stay on one line.
 fn within_short_brackets(letters: &[char]) -> Vec<bool> {
     let mut within = vec![false; letters.len()];
@@ -83,16 +86,22 @@ impl RichText {
     }
 
     /// The same with no-break spaces where no line should end: within short brackets,
-    /// around an equals sign, after a relation, and between a word and its number.
+    /// around an equals sign and an operator, after a relation, and between a word and its
+    /// number.
     pub fn unbroken(&self) -> Self {
         let letters: Vec<char> = self.0.iter().flat_map(|span| span.text.chars()).collect();
         let in_brackets = within_short_brackets(&letters);
         let is_kept = |at: usize| {
             let before = at.checked_sub(1).and_then(|before| letters.get(before));
             let after = letters.get(at + 1);
-            let is_number = |c: &char| c.is_ascii_digit() || matches!(c, '−' | '∞' | '=');
+            let is_number = |c: &char| c.is_ascii_digit() || matches!(c, '−' | '∞');
+            let is_operator = |c: &char| matches!(c, '+' | '∧' | '=');
             in_brackets[at]
-                || before.is_some_and(|c| matches!(c, '=' | '<' | '>' | '≤' | '≥' | '≠'))
+                || before.is_some_and(|c| matches!(c, '<' | '>' | '≤' | '≥' | '≠'))
+                || before.is_some_and(is_operator)
+                || after.is_some_and(is_operator)
+                || letters[..at].ends_with(&XOR)
+                || letters[at..].starts_with(&XOR)
                 || before.is_some_and(|c| c.is_alphanumeric()) && after.is_some_and(is_number)
         };
         let mut at = 0;
@@ -200,6 +209,8 @@ mod tests {
         check("t = 0.66 < s = −1 ends", &["t = 0.66", "< s = −1", "ends"]);
         check("child 6 (3 in Morton order)", &["child 6", "(3 in Morton order)"]);
         check("at 0.25, 0.5", &["at 0.25,", "0.5"]);
+        check("as f(i) = i xor 3 holds", &["as", "f(i) = i xor 3", "holds"]);
+        check("t = ∞ = s, read as x + 2y", &["t = ∞ = s,", "read", "as", "x + 2y"]);
     }
 
     #[test]

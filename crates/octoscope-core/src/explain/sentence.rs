@@ -34,21 +34,21 @@ pub fn sentence<const D: usize>(
 
 /// All sentences of `trace`, that of step 0 first. O(events) for a ray, unlike
 /// as many calls of [`sentence`].
-pub(super) fn sentences<const D: usize>(
-    tree: &Tree<D>,
-    ray: &Ray<D>,
-    trace: &Trace<D>,
+pub fn sentences<'a, const D: usize>(
+    tree: &'a Tree<D>,
+    ray: &'a Ray<D>,
+    trace: &'a Trace<D>,
     language: Language,
-) -> Vec<RichText> {
+) -> impl Iterator<Item = RichText> + 'a {
     let words = Words::new(tree, language);
-    let mut sentences = vec![RichText::parse(&start(&words, ray, trace))];
+    let first = RichText::parse(&start(&words, ray, trace));
     let mut before = Moment::default();
-    for event in &trace.events {
+    let others = trace.events.iter().map(move |event| {
         let marked = Teller { words: &words, ray, trace, before: &before }.tell_all(event);
-        sentences.push(RichText::parse(&marked));
         before.apply(tree, event);
-    }
-    sentences
+        RichText::parse(&marked)
+    });
+    std::iter::once(first).chain(others)
 }
 
 /// What is about to happen, and which of its rules are in another form.

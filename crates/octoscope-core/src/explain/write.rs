@@ -19,8 +19,8 @@ pub fn trace_text<const D: usize>(
     let width = trace.events.len().to_string().len();
     let sentences = sentences(tree, ray, trace, language);
     let line =
-        |(step, text): (usize, &super::RichText)| format!("{step:width$}  {}\n", text.plain());
-    sentences.iter().enumerate().map(line).collect()
+        |(step, text): (usize, super::RichText)| format!("{step:width$}  {}\n", text.plain());
+    sentences.enumerate().map(line).collect()
 }
 
 /// `trace` as JSON lines: a header, then one object a step.

@@ -188,7 +188,7 @@ fn printed(variant: Variant) -> Vec<String> {
         let tree = build(&content, domain, &scenario.recipe, &Progress::default()).unwrap();
         let trace = record(&tree, &scenario.ray, &scenario.query);
         let sentences = sentence::sentences(&tree, &scenario.ray, &trace, Language::English);
-        sentences.iter().map(RichText::plain).collect()
+        sentences.map(|text| text.plain()).collect()
     }
     match counterexample(variant) {
         AnyScenario::Quadtree(scenario) => of(&scenario),
@@ -329,7 +329,7 @@ fn all_planes_without_a_number_are_told_with_all_their_rules() {
         ];
         for (n, language) in [Language::English, Language::German].into_iter().enumerate() {
             let sentences = sentence::sentences(&tree, &ray, &trace, language);
-            let told: Vec<String> = sentences.iter().map(RichText::plain).collect();
+            let told: Vec<String> = sentences.map(|text| text.plain()).collect();
             let is_told = told.iter().any(|t| t.contains(planes[n]) && t.ends_with(rules[n]));
             assert!(is_told, "{told:#?}");
         }

@@ -4,6 +4,7 @@ mod forms;
 mod formulas;
 mod listed;
 mod told;
+mod unbroken;
 
 use super::*;
 use crate::event::Event;

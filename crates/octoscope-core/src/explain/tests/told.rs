@@ -144,11 +144,12 @@ fn the_last_step_out_of_the_grid_leads_to_no_cell() {
 fn only_algorithms_with_states_speak_of_them() {
     let ray = Ray::new([1.25, 0.125], [-1.0, 0.0625]).unwrap();
     for algorithm in Algorithm::ALL {
-        let trace = record(&tree(3), &ray, &along(algorithm));
+        let tree = tree(3);
+        let trace = record(&tree, &ray, &along(algorithm));
         let visits = trace.events.iter().any(|event| matches!(event, Event::Visit { .. }));
         for (language, word) in Language::ALL.into_iter().zip(["state", "Zustand"]) {
-            let told = sentence::sentences(&tree(3), &ray, &trace, language);
-            let speaks = told.iter().any(|text| text.plain().contains(word));
+            let mut told = sentence::sentences(&tree, &ray, &trace, language);
+            let speaks = told.any(|text| text.plain().contains(word));
             assert_eq!(speaks, visits, "{algorithm:?}");
         }
     }
@@ -287,9 +288,10 @@ fn the_end_of_a_search_names_what_was_found() {
 fn a_point_is_told_in_short_with_its_digits_behind_it() {
     let third = 1.0 / 3.0;
     let ray = Ray::new([-0.25, third], [1.0, 0.0]).unwrap();
-    let trace = record(&tree(3), &ray, &along(Algorithm::Codes));
-    let told = sentence::sentences(&tree(3), &ray, &trace, Language::English);
-    let encoded = told.iter().find(|text| text.plain().contains("near (")).unwrap();
+    let tree = tree(3);
+    let trace = record(&tree, &ray, &along(Algorithm::Codes));
+    let mut told = sentence::sentences(&tree, &ray, &trace, Language::English);
+    let encoded = told.find(|text| text.plain().contains("near (")).unwrap();
     assert!(encoded.plain().contains("near (0, 0.3333), the ray"), "{}", encoded.plain());
     let whole: Vec<_> = encoded.0.iter().filter_map(|span| span.whole.clone()).collect();
     assert_eq!(whole, ["0.3333333333333333"]);
