@@ -12,8 +12,9 @@ use octoscope_core::tree::NodeId;
 
 /// Value of a ray that visits nothing, and should not.
 pub const NOTHING: u32 = 0;
-/// Values of [`Colouring::Differences`].
+/// Value of a ray that visits the leaves that it should, in [`Colouring::Differences`].
 pub const RIGHT: u32 = 1;
+/// Value of one that visits others.
 pub const WRONG: u32 = 2;
 /// The run was given up before it came to an end, and is right so far.
 pub const UNKNOWN: u32 = 3;

@@ -1,8 +1,11 @@
 //! The map of rays: every place is a ray, coloured by what becomes of it.
 
+mod legend;
+mod sides;
+
 use crate::counted::counted_quickly;
 use crate::look::Look;
-use crate::map::{Asked, Colouring, Drawing, Raster, Rays, Scale, colours};
+use crate::map::{Asked, Colouring, Drawing, Raster, Rays, colours};
 use crate::theme::color32;
 use crate::view::{MapView, RaysOf};
 use crate::widgets::{caption, segments};
@@ -11,7 +14,6 @@ use eframe::egui::{
     Response, Sense, Stroke, StrokeKind, TextureHandle, TextureOptions, Ui, WidgetInfo,
     accesskit::Role, pos2, vec2,
 };
-use octoscope_core::explain::approx;
 use octoscope_core::family::Family;
 use octoscope_core::geometry::{Aabb, Ray};
 use octoscope_core::query::Query;
@@ -50,10 +52,11 @@ pub fn ui<const D: usize>(
         return None;
     }
     choice::<D>(ui, look, view);
-    let width = ui.available_width().floor();
-    let size = vec2(width, (HEIGHT * width).floor());
-    let (rect, response) = ui.allocate_exact_size(size, Sense::click_and_drag());
-    let asked = asked(subject, view, size);
+    // The sides of a family are those of any page.
+    let axes = asked(subject, view, vec2(1.0, 1.0)).rays.axes();
+    let rect = sides::room(ui, look, axes.as_ref(), HEIGHT);
+    let response = ui.interact(rect, ui.scope_id().with("map"), Sense::click_and_drag());
+    let asked = asked(subject, view, rect.size());
     drawing.want(ui.ctx(), &asked);
     let painter = ui.painter_at(rect.expand(2.0));
     painter.rect_filled(rect, 0.0, look.palette.background);
@@ -62,6 +65,7 @@ pub fn ui<const D: usize>(
         painter.image(texture.id(), rect, whole, Color32::WHITE);
     }
     painter.rect_stroke(rect, 0.0, Stroke::new(1.0, look.palette.quiet), StrokeKind::Outside);
+    axes.iter().for_each(|axes| sides::paint(ui.painter(), look, rect, axes));
     let place = asked.rays.place(subject.ray);
     if let Some(at) = place.map(|place| on_screen(rect, place)) {
         painter.circle_stroke(at, 6.0, Stroke::new(4.5, look.palette.background));
@@ -79,8 +83,10 @@ pub fn ui<const D: usize>(
         response.on_hover_text_at_pointer(told(look, &asked, &pointed));
     }
     caption(ui, look, of_ray);
-    caption(ui, look, extent(look, &asked.rays));
-    legend(ui, look, drawing, &asked);
+    if axes.is_none() {
+        caption(ui, look, look.text("map-extent-picture"));
+    }
+    explained(ui, look, drawing, &asked);
     chosen
 }
 
@@ -232,52 +238,10 @@ fn told<const D: usize>(look: &Look, asked: &Asked<D>, ray: &Ray<D>) -> String {
     )
 }
 
-/// What lies along the sides of the map.
-fn extent<const D: usize>(look: &Look, rays: &Rays<D>) -> String {
-    let degrees = |angle: f64| approx(angle.to_degrees());
-    match rays {
-        Rays::Family(Family::Lines { radius, .. }) => {
-            look.texts.format("map-extent-lines", &[("radius", approx(*radius).into())])
-        }
-        Rays::Family(Family::Sight { spread: [turn, rise], .. }) => look.texts.format(
-            "map-extent-sight",
-            &[("turn", degrees(*turn).into()), ("rise", degrees(*rise).into())],
-        ),
-        Rays::Picture(..) => look.text("map-extent-picture"),
-    }
-}
-
 /// What the colours mean, who has found that out, and how far the next map is.
-fn legend<const D: usize>(ui: &mut Ui, look: &Look, drawing: &Drawing<D>, asked: &Asked<D>) {
+fn explained<const D: usize>(ui: &mut Ui, look: &Look, drawing: &Drawing<D>, asked: &Asked<D>) {
     if let Some((done, raster)) = drawing.done.as_ref().filter(|(d, _)| d.shows_the_same(asked)) {
-        let scale = Scale::of(done.colouring, raster);
-        let [least, most] = scale.range;
-        match done.colouring {
-            Colouring::Sequence => caption(ui, look, look.text("map-sequence-legend")),
-            Colouring::Leaves | Colouring::Steps | Colouring::Comparisons => {
-                ui.horizontal(|ui| {
-                    caption(ui, look, least.to_string());
-                    let (rect, _) = ui.allocate_exact_size(vec2(96.0, 10.0), Sense::hover());
-                    for n in 0..48u32 {
-                        let value = least + ((most - least) as u64 * u64::from(n) / 47) as u32;
-                        let left = rect.left() + 2.0 * n as f32;
-                        let piece = Rect::from_min_size(pos2(left, rect.top()), vec2(2.5, 10.0));
-                        let colour = color32(scale.colour(look.theme, value));
-                        ui.painter().rect_filled(piece, 0.0, colour);
-                    }
-                    caption(ui, look, most.to_string());
-                });
-            }
-            Colouring::Differences => {
-                let rays = raster.values.len();
-                let arguments = [("wrong", scale.n_wrong.into()), ("rays", rays.into())];
-                caption(ui, look, look.texts.format("map-differences-legend", &arguments));
-                if scale.n_unknown > 0 {
-                    let arguments = [("rays", scale.n_unknown.into())];
-                    caption(ui, look, look.texts.format("map-unknown-legend", &arguments));
-                }
-            }
-        }
+        legend::ui(ui, look, done.colouring, raster);
     }
     let by = match asked.colouring {
         Colouring::Sequence | Colouring::Leaves => "map-by-batch",

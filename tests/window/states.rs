@@ -223,6 +223,7 @@ fn pictures() -> Vec<State> {
         State::new("map-wrong-2d", |desk| {
             desk.open_scenario(&counterexample(Variant::B3));
             desk.state_mut().view.preset = Preset::Map;
+            desk.state_mut().view.map.colouring = Colouring::Differences;
             desk.finish_maps();
         }),
     ]

@@ -476,10 +476,15 @@ map-ray = Ganzer Strahl: { $leaves ->
    *[other] { $comparisons } Vergleiche
 }
 map-ray-long = Sein Lauf ist zu lang, um ihn hier zu zählen
-map-extent-lines = → Winkel der Richtung, 0° bis 360°   ↑ Abstand von der Mitte, −{ $radius } bis { $radius }
-map-extent-sight = → zur Seite, −{ $turn }° bis { $turn }°   ↑ nach oben, −{ $rise }° bis { $rise }°
+map-axis-angle = Winkel der Richtung (°)
+map-axis-offset = Abstand von der Mitte (Länge)
+map-axis-turn = Zur Seite (°)
+map-axis-rise = Nach oben (°)
 map-extent-picture = Die Sehstrahlen der Raumansicht
 map-sequence-legend = Gleiche Farbe: dieselben Blätter in derselben Reihenfolge
+map-legend-nothing = Kein Blatt
+map-legend-right = Richtig
+map-legend-ray = Der jetzige Strahl
 map-differences-legend = { $wrong ->
     [0] Keiner von { $rays } Strahlen geht falsch
     [one] 1 von { $rays } Strahlen geht falsch

@@ -476,10 +476,15 @@ map-ray = Whole ray: { $leaves ->
    *[other] { $comparisons } comparisons
 }
 map-ray-long = Its run is too long to be counted here
-map-extent-lines = → angle of the direction, 0° to 360°   ↑ offset from the centre, −{ $radius } to { $radius }
-map-extent-sight = → to the side, −{ $turn }° to { $turn }°   ↑ upwards, −{ $rise }° to { $rise }°
+map-axis-angle = Angle of the direction (°)
+map-axis-offset = Distance from the centre (length)
+map-axis-turn = To the side (°)
+map-axis-rise = Upwards (°)
 map-extent-picture = The lines of sight of the space view
 map-sequence-legend = The same colour: the same leaves in the same order
+map-legend-nothing = No leaf
+map-legend-right = Right
+map-legend-ray = The present ray
 map-differences-legend = { $wrong ->
     [0] None of { $rays } rays goes wrong
     [one] 1 of { $rays } rays goes wrong
