@@ -3,7 +3,8 @@
 use crate::comparison::Run;
 use crate::look::Look;
 use eframe::egui::{
-    Align, FontId, Grid, Id, Label, Layout, RichText, Sense, Ui, WidgetInfo, accesskit::Role,
+    Align, FontFamily, FontId, Grid, Id, Label, Layout, Rect, Response, RichText, Sense, Ui,
+    WidgetInfo, accesskit::Role, vec2,
 };
 use octoscope_core::explain::algorithm_name;
 use octoscope_core::trace::Counter;
@@ -44,8 +45,9 @@ pub fn ui(ui: &mut Ui, look: &Look, runs: &[Run], shown: Option<Algorithm>) -> O
             }
         }
         ui.end_row();
+        let ranges = ranges(runs);
         for run in order.of(runs) {
-            if row(ui, look, run, shown == Some(run.algorithm), n_numbers) {
+            if row(ui, look, run, shown == Some(run.algorithm), &ranges[..n_numbers]) {
                 chosen = Some(run.algorithm);
             }
             ui.end_row();
@@ -65,8 +67,9 @@ fn n_fitting(ui: &Ui, look: &Look, runs: &[Run]) -> usize {
     };
     let widest = |widths: &mut dyn Iterator<Item = f32>| widths.fold(16.0, f32::max);
     let language = look.texts.language();
-    let name =
-        |run: &Run| width(algorithm_name(run.algorithm, language), FontId::proportional(13.0));
+    let name = |run: &Run| {
+        width(algorithm_name(run.algorithm, language), FontId::proportional(look.type_size(13.0)))
+    };
     let names = widest(&mut runs.iter().map(name)) + BUTTON;
     let columns = HEADS.iter().enumerate().scan(names, |end, (n, key)| {
         let head = width(look.text(key), FontId::proportional(look.type_size(12.0)));
@@ -152,16 +155,25 @@ fn numbers(run: &Run) -> [u64; HEADS.len()] {
     ]
 }
 
-/// Row of one algorithm, with the first few of its numbers; true if its name is
-/// clicked.
-fn row(ui: &mut Ui, look: &Look, run: &Run, is_shown: bool, n_numbers: usize) -> bool {
-    let name = algorithm_name(run.algorithm, look.texts.language());
-    let shown = RichText::new(&name).size(13.0);
-    let response = ui.selectable_label(is_shown, shown);
-    response.widget_info(|| WidgetInfo::selected(Role::RadioButton, true, is_shown, &name));
-    let clicked = response.on_hover_text(run.algorithm.id()).clicked();
+/// The smallest and the largest number of every column.
+fn ranges(runs: &[Run]) -> [[u64; 2]; HEADS.len()] {
+    std::array::from_fn(|column| {
+        let all = || runs.iter().map(|run| numbers(run)[column]);
+        [all().min().unwrap_or(0), all().max().unwrap_or(0)]
+    })
+}
 
-    let [n_leaves, others @ ..] = numbers(run);
+/// Row of one algorithm, with the first few of its numbers, which range so; true if its
+/// name is clicked.
+fn row(ui: &mut Ui, look: &Look, run: &Run, is_shown: bool, ranges: &[[u64; 2]]) -> bool {
+    let name = algorithm_name(run.algorithm, look.texts.language());
+    let text = RichText::new(&name).size(look.type_size(13.0));
+    let response = ui.selectable_label(is_shown, text);
+    response.widget_info(|| WidgetInfo::selected(Role::RadioButton, true, is_shown, &name));
+    let clicked = response.clicked();
+
+    let numbers = numbers(run);
+    let n_leaves = numbers[0];
     let key = match (run.agrees, run.n_expected as u64 == n_leaves) {
         (true, true) => "compare-agrees",
         (true, false) => "compare-slivers",
@@ -169,19 +181,42 @@ fn row(ui: &mut Ui, look: &Look, run: &Run, is_shown: bool, n_numbers: usize) ->
     };
     let arguments = [("leaves", n_leaves.into()), ("expected", run.n_expected.into())];
     let verdict = look.texts.format(key, &arguments);
-    let (sign, color) =
-        if run.agrees { ("=", look.palette.ink) } else { ("≠", look.palette.rejected) };
-    let leaves = format!("{sign} {n_leaves}");
-    let others = others.map(|number| (number.to_string(), look.palette.ink, String::new()));
-    let cells = std::iter::once((leaves, color, verdict)).chain(others);
-    for (number, color, spoken) in cells.take(n_numbers) {
+    for (column, (&number, range)) in numbers.iter().zip(ranges).enumerate() {
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-            let label = ui.label(RichText::new(number).monospace().size(13.0).color(color));
-            if !spoken.is_empty() {
-                label.widget_info(|| WidgetInfo::labeled(Role::Label, true, spoken.as_str()));
-                label.on_hover_text(spoken);
+            if column == 0 {
+                let label = leaves(ui, look, run.agrees, n_leaves);
+                label.widget_info(|| WidgetInfo::labeled(Role::Label, true, verdict.as_str()));
+                label.on_hover_text(verdict.as_str());
+            } else {
+                cost(ui, look, number, *range);
             }
         });
     }
     clicked
+}
+
+/// The number of leaves, and whether they are the right ones.
+fn leaves(ui: &mut Ui, look: &Look, agrees: bool, n_leaves: u64) -> Response {
+    let (sign, color, family) = if agrees {
+        ("=", look.palette.ink, FontFamily::Monospace)
+    } else {
+        ("≠", look.palette.rejected, look.mono_strong_family())
+    };
+    let text = RichText::new(format!("{sign} {n_leaves}")).family(family);
+    ui.label(text.size(look.type_size(13.0)).color(color))
+}
+
+/// A cost with its share of the largest in its column as a bar below it; the least is
+/// emphasised.
+fn cost(ui: &mut Ui, look: &Look, number: u64, [least, most]: [u64; 2]) {
+    const BAR: f32 = 3.0;
+    let is_least = number == least && least < most;
+    let family = if is_least { look.mono_strong_family() } else { FontFamily::Monospace };
+    let text = RichText::new(number.to_string()).family(family).size(look.type_size(13.0));
+    let cell = ui.max_rect();
+    ui.label(text.color(look.palette.ink));
+    let share = number as f32 / most.max(1) as f32;
+    let corner = cell.right_bottom() - vec2(share * cell.width(), BAR);
+    let bar = Rect::from_min_max(corner, cell.right_bottom());
+    ui.painter().rect_filled(bar, 1.0, look.palette.accent.gamma_multiply(0.55));
 }
