@@ -1,12 +1,13 @@
 //! How the panels are laid out around the space view.
 
 mod explanation;
+mod formulas;
 
 use crate::document::Document;
 use crate::look::Look;
 use crate::map::Maps;
 use crate::notice::Notice;
-use crate::panels::{formula, paper, query, ray, scene, show};
+use crate::panels::{query, ray, scene, show};
 use crate::space::{self, Layers, Space};
 use crate::view::{PanelKind, Preset, View};
 use crate::wish::Wish;
@@ -14,9 +15,8 @@ use eframe::egui::{
     CentralPanel, Color32, Frame, Margin, Mesh, Panel, Rangef, Rect, ScrollArea, Ui, UiBuilder,
     pos2,
 };
-use octoscope_core::explain::formulas;
+use formulas::Place;
 use octoscope_core::query::Query;
-use octoscope_figure::views::FormulaRows;
 
 /// Windows of less than this, in points, have panels on one side only.
 const NARROW: f32 = 900.0;
@@ -62,8 +62,8 @@ pub fn ui<const D: usize>(
         });
     }
     let panels = view.panels(&document.scenario.query);
-    let has_room = lecture && matches!(panels.as_slice(), [panel] if is_low(*panel));
-    let place = if has_room { Place::BelowPanel } else { Place::BelowPicture };
+    let column = ui.available_height() - margin.sum().y;
+    let place = Place::of(view, &document.trace, &panels, column);
     // In a narrow window there is one side for both; what was asked for comes first.
     let question_first = narrow && shown;
     let question_below = narrow && !lecture && view.question.is_none();
@@ -75,8 +75,8 @@ pub fn ui<const D: usize>(
         let least_view = if narrow { LEAST_NARROW_VIEW } else { LEAST_VIEW };
         let most = (ui.available_width() - least_view).clamp(260.0, 760.0);
         right.size_range(Rangef::new(260.0, most)).show(ui, |ui| {
-            if place == Place::BelowPanel {
-                formulas_in(ui, look, document, view, place);
+            if let Place::BelowPanel(_) = place {
+                formulas::ui(ui, look, document, view, place);
             }
             scrolled(ui, look, |ui| {
                 if question_first {
@@ -92,7 +92,7 @@ pub fn ui<const D: usize>(
         });
     }
     if place == Place::BelowPicture {
-        formulas_in(ui, look, document, view, place);
+        formulas::ui(ui, look, document, view, place);
     }
     let middle = Frame::new().fill(look.palette.background);
     CentralPanel::default().frame(middle).show(ui, |ui| {
@@ -101,75 +101,14 @@ pub fn ui<const D: usize>(
     scene.map(Wish::Scene).or(wish)
 }
 
-/// Where the formulas of the step are.
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum Place {
-    BelowPicture,
-    /// Beside the picture, which is so much higher.
-    BelowPanel,
-}
-
-/// Whether a panel of a lecture leaves room for formulas below it.
-fn is_low(panel: PanelKind) -> bool {
-    use PanelKind::{
-        Automaton, Children, Codes, Compare, Counters, Cuts, Grid, Halves, Links, Listing, Map,
-        Neighbour, Paper, Rail, Region, Stack, Tables, Tree, Variables, WayDown, WhyNot,
-    };
-    match panel {
-        Rail | Codes | WayDown | Links | Halves | Grid | Paper => true,
-        Cuts | Children | Tables | Region | Neighbour | Automaton | Listing | Variables | Stack
-        | Counters | Compare | Tree | WhyNot | Map => false,
-    }
-}
-
-/// The formulas of the step, if they are shown and have room, at the lower edge: in as
-/// much room in every step.
-fn formulas_in<const D: usize>(
-    ui: &mut Ui,
-    look: &Look,
-    document: &Document<D>,
-    view: &View,
-    place: Place,
-) {
-    let room = ui.available_height();
-    let height = match (place, view.preset) {
-        (Place::BelowPanel, _) => formula::height_below_panel(room),
-        (Place::BelowPicture, Preset::Lecture) => formula::height(room, FormulaRows::One),
-        (Place::BelowPicture, _) => formula::height(room, FormulaRows::Two),
-    };
-    let Some(height) = height.filter(|_| view.formulas) else { return };
-    let (fill, side) = match place {
-        Place::BelowPicture => (look.palette.background, 16),
-        // The margin there is that of the panel.
-        Place::BelowPanel => (look.palette.panel, 0),
-    };
-    let frame = Frame::new().fill(fill).inner_margin(Margin::symmetric(side, 6));
-    let told = formulas(
-        &document.tree,
-        document.traced_ray(),
-        &document.trace,
-        view.playback.step,
-        view.notation,
-        view.language,
-    );
-    let why = paper::why(look, &document.scenario.query);
-    let why = why.filter(|_| told.is_empty() && place == Place::BelowPanel);
-    // Without anything in it, it is part of the ground of what is above it.
-    let is_empty = told.is_empty() && why.is_none();
-    let panel = Panel::bottom("formula").frame(frame).show_separator_line(!is_empty);
-    panel.resizable(false).exact_size(height + 12.0).show(ui, |ui| match why {
-        Some(why) => formula::words_instead(ui, look, &why),
-        None => formula::ui(ui, look, &told, view.notation),
-    });
-}
-
 /// First width of the explanation in a window of so many points.
 fn width(preset: Preset, panels: &[PanelKind], room: f32) -> f32 {
     match preset {
         Preset::Debug if room >= WIDE => 616.0,
         Preset::Lecture if room < LECTURE_WIDE && panels == [PanelKind::Rail] => 288.0,
         Preset::Lecture if room < LECTURE_WIDE => 304.0,
-        Preset::Lecture => 320.0,
+        // What a wide window has beside a square picture is the panel's.
+        Preset::Lecture => (room - 440.0).clamp(320.0, 416.0),
         Preset::Compare if room >= WIDE => 500.0,
         Preset::Map if (WIDE..SPACIOUS).contains(&room) => 440.0,
         Preset::Bits

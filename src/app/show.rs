@@ -8,10 +8,10 @@ use crate::sidebar;
 use crate::wish::Wish;
 use crate::with_document;
 use eframe::egui::{Align, Frame, Layout, Margin, Panel, Ui, vec2};
-use octoscope_core::explain::sentence as sentence_of;
 
-/// Height of the sentence in a hall; of the sentence with what has happened below it.
-const SENTENCE_IN_HALL: f32 = 62.0;
+/// Height of the sentence in a hall, of three lines that are read from the back row or two
+/// of the largest type; of the sentence with what has happened below it.
+const SENTENCE_IN_HALL: f32 = 66.0;
 const SENTENCE_AND_NOTICE: f32 = 72.0;
 
 impl App {
@@ -46,10 +46,9 @@ impl App {
                         return;
                     }
                 }
-                let text = with_document!(&self.document, d => {
-                    sentence_of(&d.tree, d.traced_ray(), &d.trace, step, self.view.language)
+                with_document!(&self.document, d => {
+                    sentence::ui(ui, &self.look, d, self.view.language, step);
                 });
-                sentence::ui(ui, &self.look, text, step);
             });
             if !hall {
                 let said = is_said_here.then_some(&mut self.notice);

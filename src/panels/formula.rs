@@ -20,11 +20,12 @@ pub fn height(picture: f32, rows: FormulaRows) -> Option<f32> {
     (picture >= LEAST).then(|| (formula_height(rows) as f32).min(SHARE * picture))
 }
 
-/// Height of formulas below a panel in a column of this height: what the first step of
-/// an octree needs; `None` where there is no room.
-pub fn height_below_panel(column: f32) -> Option<f32> {
-    const ROOM: f32 = 148.0;
-    (column >= 2.0 * ROOM).then_some(ROOM)
+/// Height of formulas below a panel that leaves room of this height in every step: no more
+/// than the first step of an octree needs; `None` where there is not enough for any.
+pub fn height_below_panel(room: f32) -> Option<f32> {
+    const MOST: f32 = 148.0;
+    const LEAST: f32 = 60.0;
+    (room >= LEAST).then_some(room.min(MOST))
 }
 
 /// Formulas of a step in all the room there is, in the largest type that fits.

@@ -3,9 +3,13 @@
 use crate::look::Look;
 use crate::widgets::bit_table;
 use eframe::egui::{RichText, Ui};
-use octoscope_core::trace::Moment;
+use octoscope_core::event::Event;
+use octoscope_core::trace::{Moment, Target, Trace};
 use octoscope_core::tree::Tree;
-use octoscope_figure::views::{BitTable, Spacing, neighbour_tables};
+use octoscope_figure::views::{BitTable, Spacing, neighbour_heights, neighbour_tables};
+
+/// Room below each table.
+const GAP: f32 = 6.0;
 
 /// The sum or difference of every crossed axis with its carries, the border, the
 /// XOR with its run of ones, and the climb to the common ancestor.
@@ -20,7 +24,7 @@ pub fn ui<const D: usize>(ui: &mut Ui, look: &Look, tree: &Tree<D>, moment: &Mom
         let table = &BitTable { headless: n > 0 && is_low, ..table.clone() };
         let spacing = if is_low { Spacing::Close } else { Spacing::Wide };
         bit_table(ui, look, table, spacing, &look.text("panel-neighbour"));
-        ui.add_space(6.0);
+        ui.add_space(GAP);
     }
     // In a hall the sentence says it.
     if look.is_for_hall() {
@@ -32,4 +36,16 @@ pub fn ui<const D: usize>(ui: &mut Ui, look: &Look, tree: &Tree<D>, moment: &Mom
     if let Some(climb) = computed.climb {
         ui.label(climb);
     }
+}
+
+/// Height of all of it in a hall, in points, in the step of the walk in which it is highest.
+pub fn most_height<const D: usize>(trace: &Trace<D>) -> f32 {
+    let height = |event: &Event<D>| {
+        let Event::Target { level, from, to, axes, .. } = *event else { return 0.0 };
+        let target = Target { level, from, to, axes, outside: None };
+        let heights = neighbour_heights(&target, Spacing::Close);
+        // Each table is followed by a gap, and by the distance of two entries.
+        heights.iter().map(|height| *height as f32 + 2.0 * GAP).sum()
+    };
+    trace.events.iter().map(height).fold(0.0, f32::max)
 }

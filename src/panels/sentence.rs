@@ -1,9 +1,14 @@
 //! The sentence of the step, readable from the back row.
 
+use crate::document::Document;
 use crate::look::Look;
 use crate::widgets::{fitting_size, rich_label};
-use eframe::egui::Ui;
-use octoscope_core::explain::{RichText, Span};
+use eframe::egui::{Id, Ui};
+use octoscope_core::explain::{RichText, Span, sentence as sentence_of, sentences};
+use octoscope_core::text::Language;
+use octoscope_core::trace::Trace;
+use std::cmp::Reverse;
+use std::sync::Arc;
 
 /// With less room than this, in points, the type is smaller.
 const NARROW: f32 = 640.0;
@@ -13,15 +18,21 @@ const LARGEST: f32 = 22.0;
 /// The sentence of `step`, in large type, before the first step with the key
 /// that begins; a screen reader is told when it changes. Pointing at it shows the
 /// numbers that it tells in short with all their digits.
-pub fn ui(ui: &mut Ui, look: &Look, mut sentence: RichText, step: usize) {
-    if step == 0 {
-        let text = format!(" {}", look.text("sentence-begin"));
-        sentence.0.push(Span { text, ..Span::default() });
-    }
+pub fn ui<const D: usize>(
+    ui: &mut Ui,
+    look: &Look,
+    document: &Document<D>,
+    language: Language,
+    step: usize,
+) {
+    let (tree, ray, trace) = (&document.tree, document.traced_ray(), &document.trace);
+    let sentence = whole(look, step, sentence_of(tree, ray, trace, step, language));
     let width = ui.available_width();
-    // Nothing moves from step to step: a long sentence has smaller type.
+    let room = [width, ui.min_size().y];
+    // Nothing moves from step to step, and no type changes.
     let largest = if look.is_for_hall() || width >= NARROW { LARGEST } else { 18.0 };
-    let size = fitting_size(ui, look, &sentence, [width, ui.min_size().y]).min(largest);
+    let of_all = size_of_walk(ui, look, document, language, room).min(largest);
+    let size = fitting_size(ui, look, &sentence, room).min(of_all);
     let mut response = rich_label(ui, look, &sentence, size, width);
     let digits = digits(&sentence);
     if !digits.is_empty() {
@@ -31,6 +42,64 @@ pub fn ui(ui: &mut Ui, look: &Look, mut sentence: RichText, step: usize) {
         node.set_live(eframe::egui::accesskit::Live::Polite);
         node.set_author_id("sentence");
     });
+}
+
+/// The sentence of a step with the key that begins, if that is what comes next.
+fn whole(look: &Look, step: usize, mut sentence: RichText) -> RichText {
+    if step == 0 {
+        let text = format!(" {}", look.text("sentence-begin"));
+        sentence.0.push(Span { text, ..Span::default() });
+    }
+    sentence
+}
+
+/// Height of type for all sentences of a walk, and what it follows from.
+#[derive(Clone)]
+struct SizeOfWalk<const D: usize> {
+    trace: Arc<Trace<D>>,
+    language: Language,
+    room: [f32; 2],
+    zoom: f32,
+    size: f32,
+}
+
+/// Height of the largest type in which every sentence of a walk fits into a room, in
+/// points; found once for a walk.
+fn size_of_walk<const D: usize>(
+    ui: &Ui,
+    look: &Look,
+    document: &Document<D>,
+    language: Language,
+    room: [f32; 2],
+) -> f32 {
+    /// Sentences of so many steps at most are looked at: longer walks say the same again.
+    const STEPS: usize = 2000;
+    /// Of them, so many of the longest are laid out.
+    const LONGEST: usize = 24;
+    let id = Id::unique("size-of-sentences");
+    let zoom = ui.ctx().pixels_per_point();
+    let trace = &document.trace;
+    let kept = ui.data(|data| data.get_temp::<SizeOfWalk<D>>(id));
+    let is_same = |kept: &SizeOfWalk<D>| {
+        let is_same_room = kept.room == room && kept.zoom == zoom;
+        Arc::ptr_eq(&kept.trace, trace) && kept.language == language && is_same_room
+    };
+    if let Some(kept) = kept.filter(is_same) {
+        return kept.size;
+    }
+    let all = sentences(&document.tree, document.traced_ray(), trace, language);
+    let all = all.take(STEPS).enumerate().map(|(step, text)| whole(look, step, text));
+    let mut all: Vec<(usize, RichText)> = all.map(|text| (n_letters(&text), text)).collect();
+    all.sort_by_key(|(n_letters, _)| Reverse(*n_letters));
+    let longest = all.iter().take(LONGEST);
+    let size = longest.map(|(_, text)| fitting_size(ui, look, text, room)).fold(LARGEST, f32::min);
+    let kept = SizeOfWalk { trace: Arc::clone(trace), language, room, zoom, size };
+    ui.data_mut(|data| data.insert_temp(id, kept));
+    size
+}
+
+fn n_letters(text: &RichText) -> usize {
+    text.0.iter().map(|span| span.text.chars().count()).sum()
 }
 
 /// The numbers that are told in short, each once, with all their digits.

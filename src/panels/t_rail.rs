@@ -12,6 +12,19 @@ use octoscope_core::tree::{NodeId, Tree};
 use octoscope_figure::DiagramOf;
 use octoscope_figure::views::{RailFigure, rail_of, t_rail};
 
+/// Room below the bars.
+const BELOW: f32 = 34.0;
+
+/// Height of a row in a lecture.
+pub fn lecture_row<const D: usize>() -> f32 {
+    if D == 2 { 66.0 } else { 38.0 }
+}
+
+/// Height of the rail in a lecture.
+pub fn lecture_height<const D: usize>() -> f32 {
+    D as f32 * lecture_row::<D>() + BELOW
+}
+
 /// One bar per axis from t0 to t1 with tm, in rows of height `row`; dragging goes to the leaf at that t.
 /// Returns what is pointed at.
 pub fn ui<const D: usize>(
@@ -27,7 +40,7 @@ pub fn ui<const D: usize>(
     let size = [f64::from(width), f64::from(row)];
     let least = f64::from(look.least_type);
     let Some(rail) = t_rail(&look.texts, of, size, least) else {
-        let size = vec2(width, row * D as f32 + 34.0);
+        let size = vec2(width, row * D as f32 + BELOW);
         let (rect, response) = ui.allocate_exact_size(size, Sense::click_and_drag());
         let hint = RichText::new(look.text("t-rail-none")).color(look.palette.quiet);
         let middle = UiBuilder::new().max_rect(rect).layout(Layout::top_down(Align::Center));

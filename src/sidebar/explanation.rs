@@ -86,11 +86,6 @@ pub fn ui<const D: usize>(
     wish
 }
 
-/// Height of a row of the rail in a lecture.
-fn lecture_row<const D: usize>() -> f32 {
-    if D == 2 { 57.0 } else { 38.0 }
-}
-
 /// Quiet words beside the title of a panel.
 fn note<const D: usize>(
     look: &Look,
@@ -153,7 +148,8 @@ fn body<const D: usize>(
         PanelKind::Region => region::ui(ui, look, &tree, moment),
         PanelKind::Neighbour => neighbour::ui(ui, look, &tree, moment),
         PanelKind::Rail => {
-            let row = if view.preset == Preset::Lecture { lecture_row::<D>() } else { 40.0 };
+            let is_lecture = view.preset == Preset::Lecture;
+            let row = if is_lecture { t_rail::lecture_row::<D>() } else { 40.0 };
             let pointed = t_rail::ui(ui, look, &trace, &document.shown(moment), row);
             if let Some(step) = pointed.step {
                 view.playback.playing = false;

@@ -10,13 +10,15 @@ use egui_kittest::{Harness, Node};
 use octoscope::text::texts;
 use octoscope::view::Preset;
 use octoscope::with_document;
-use octoscope_core::explain::{Formula, Statement, formulas};
+use octoscope_core::explain::{Formula, Statement, formulas, sentences};
 use octoscope_core::paper::{counterexample, erratum_of};
 use octoscope_core::scenario::built_in;
 use octoscope_core::text::Language;
 use octoscope_core::traverse::Variant;
 use octoscope_figure::views::formula_figure;
 use octoscope_figure::{Form, Page};
+use std::cmp::Reverse;
+use std::mem::discriminant;
 
 /// What a projector shows, in points.
 const PROJECTOR: [f32; 2] = [1024.0, 768.0];
@@ -264,4 +266,80 @@ fn a_lecture_shows_what_every_algorithm_computes_with_its_numbers() {
         }
     }
     assert!(bare.is_empty(), "{}\n{}", bare.len(), bare.join("\n"));
+}
+
+/// Height of the sentence's type, in points of the screen.
+fn size_of_sentence(desk: &Desk) -> f32 {
+    let sentence = named(desk, "sentence").unwrap();
+    let mut size = 0.0_f32;
+    for ClippedShape { shape, .. } in &desk.output().shapes {
+        each_text(shape, &mut |text| {
+            if sentence.expand(2.0).contains(text.visual_bounding_rect().center()) {
+                let sizes = text.galley.job.sections.iter().map(|one| one.format.font_id.size);
+                size = sizes.fold(size, f32::max);
+            }
+        });
+    }
+    size * desk.ctx.zoom_factor()
+}
+
+/// Some steps of a walk: the first and the last, the longest told ones, and of many kinds.
+fn telling_steps(desk: &Desk) -> Vec<usize> {
+    let language = desk.state().view.language;
+    with_document!(desk.state().document(), d => {
+        let told = sentences(&d.tree, d.traced_ray(), &d.trace, language);
+        let mut steps: Vec<(usize, usize)> =
+            told.map(|text| text.plain().chars().count()).enumerate().collect();
+        let last = steps.len() - 1;
+        steps.sort_by_key(|(_, n_letters)| Reverse(*n_letters));
+        let longest = steps.iter().take(2).map(|(step, _)| *step);
+        let mut kinds = Vec::new();
+        let first_of_kind = d.trace.events.iter().enumerate().filter_map(|(index, event)| {
+            let kind = discriminant(event);
+            let is_new = !kinds.contains(&kind);
+            kinds.push(kind);
+            is_new.then_some(index + 1)
+        });
+        first_of_kind.step_by(3).chain(longest).chain([0, last]).collect()
+    })
+}
+
+#[test]
+fn nothing_in_a_lecture_moves_or_changes_its_size_from_step_to_step() {
+    let mut faults = Vec::new();
+    let rooms = [PROJECTOR, [1280.0, 800.0], [1920.0, 1080.0]];
+    let mut turn = 0;
+    for (_, scene) in SCENES {
+        for question in Question::all() {
+            // All sizes and languages, each with every panel of the plane or of space.
+            let (room, language) = (rooms[turn % 3], Language::ALL[turn % 2]);
+            turn += 1;
+            let mut desk = Desk::of(Harness::builder(), room);
+            desk.open_scenario(&built_in(scene).unwrap());
+            let view = &mut desk.state_mut().view;
+            (view.language, view.preset) = (language, Preset::Lecture);
+            desk.run();
+            question.ask(&mut desk);
+            let mut first = None;
+            for step in telling_steps(&desk) {
+                let length = desk.state().document().n_events();
+                desk.state_mut().view.playback.go_to(step, length);
+                desk.step();
+                let place = format!("{scene} {language:?} {room:?} {} {step}", question.name());
+                let size = size_of_sentence(&desk);
+                let now = (desk.state().view.space.unwrap(), size);
+                if *first.get_or_insert(now) != now {
+                    faults.push(format!("{place}: {now:?} instead of {first:?}"));
+                }
+                if size < LEAST - 0.01 {
+                    faults.push(format!("{place}: {size}"));
+                }
+                let overflow = desk.overflow();
+                if overflow > 0.5 {
+                    faults.push(format!("{place}: scrolls by {overflow}"));
+                }
+            }
+        }
+    }
+    assert!(faults.is_empty(), "{}\n{}", faults.len(), faults.join("\n"));
 }

@@ -81,7 +81,7 @@ impl Spacing {
     fn heights(self) -> [f64; 2] {
         match self {
             Self::Wide => [29.0, 24.0],
-            Self::Close => [22.0, 19.0],
+            Self::Close => [20.0, 18.0],
         }
     }
 }
@@ -153,9 +153,15 @@ pub(super) fn room_of<'a>(tables: impl Iterator<Item = &'a BitTable>) -> [f64; 2
 
 impl BitTable {
     /// Height of the row of bit numbers, and of the row of carries.
-    const HEADER: f64 = 16.0;
+    pub(super) const HEADER: f64 = 16.0;
     const CARRIES: f64 = 18.0;
     const CONCLUSION: f64 = 20.0;
+
+    /// Height of so many rows with their notes beside them, and of what is carried.
+    pub(super) fn height(n_rows: usize, is_carried: bool, spacing: Spacing) -> f64 {
+        let carries = if is_carried { Self::CARRIES } else { 0.0 };
+        carries + n_rows as f64 * spacing.heights()[0]
+    }
 
     /// Room that the names of its rows take.
     pub fn name_width(&self) -> f64 {

@@ -10,6 +10,8 @@ use octoscope_core::explain::{Formula, Statement, formulas};
 
 /// Steps by which the type may become smaller to fit.
 const SMALLEST: u8 = 5;
+/// Steps after which type is no longer large.
+const LARGE: u8 = 1;
 /// Distances of what stands on a page, in page units.
 #[derive(Clone, Copy)]
 struct Spacing {
@@ -36,17 +38,20 @@ pub fn formula_figure(statements: &[Statement], most: Page, least: f64) -> Figur
     let is_fitting = |figure: &Figure| {
         figure.page.height <= most.height + 1e-9 && figure.page.width <= most.width + 1e-9
     };
-    let set_in = |statements: &[Statement], lines: Lines| {
-        let types = (0..=SMALLEST.min(smallest)).map(|step| FormulaType { step, most: smallest });
+    let set_in = |statements: &[Statement], lines: Lines, steps: u8| {
+        let types = (0..=steps.min(smallest)).map(|step| FormulaType { step, most: smallest });
         let mut pages = types.flat_map(|of| [WIDE, TIGHT].map(|spacing| (of, spacing)));
         pages.find_map(|(of, spacing)| {
             Some(set(statements, most.width, of, (spacing, lines))).filter(is_fitting)
         })
     };
+    // Where a hall reads it, it is rather broken than much smaller.
+    let large = [Lines::Whole, Lines::Broken].map(|lines| (lines, LARGE));
+    let any = [Lines::Whole, Lines::Broken, Lines::Low].map(|lines| (lines, SMALLEST));
+    let large = large.into_iter().filter(|_| least > 0.0);
+    let ways: Vec<_> = large.chain(any).collect();
     let either = |statements: &[Statement]| {
-        [Lines::Whole, Lines::Broken, Lines::Low]
-            .into_iter()
-            .find_map(|lines| set_in(statements, lines))
+        ways.iter().find_map(|&(lines, steps)| set_in(statements, lines, steps))
     };
     let shorter = |told: Told| -> Vec<Statement> {
         statements.iter().map(|statement| told_in(statement, told)).collect()

@@ -36,7 +36,7 @@ pub use exercise::{Exercise, ExerciseError};
 pub use formula::{FormulaRows, formula_figure, formula_height, formula_line};
 pub use kind::{FigureView, UnknownView, ViewError};
 pub use listing::{Changed, changed_variables};
-pub use neighbour::{NeighbourTables, neighbour_tables};
+pub use neighbour::{NeighbourTables, neighbour_heights, neighbour_tables};
 pub use rail::RailOf;
 pub use region::region_table;
 pub use storyboard::{Layout, Panel, common_extent, storyboard};

@@ -46,6 +46,32 @@ pub fn neighbour_tables<const D: usize>(
     Some(NeighbourTables { tables, border, climb })
 }
 
+/// Heights of the tables of a neighbour once all of them is computed, one below the other:
+/// the first has the numbers of the bits, the last the level that follows from all.
+pub fn neighbour_heights<const D: usize>(target: &Target<D>, spacing: Spacing) -> Vec<f64> {
+    let axes = (0..D).filter(|&axis| is_told(target, axis));
+    let mut heights: Vec<f64> = axes
+        .map(|axis| {
+            // Code, what is added, result, XOR; or code before and after.
+            let n_rows = if target.axes.contains(axis) { 4 } else { 2 };
+            let is_carried = target.axes.contains(axis) && carries_of(target, axis) != 0;
+            BitTable::height(n_rows, is_carried, spacing)
+        })
+        .collect();
+    if let [first, ..] = heights.as_mut_slice() {
+        *first += BitTable::HEADER;
+    }
+    if let [_, .., last] = heights.as_mut_slice() {
+        *last += BitTable::height(1, false, spacing);
+    }
+    heights
+}
+
+/// Whether something is told of an axis.
+fn is_told<const D: usize>(target: &Target<D>, axis: usize) -> bool {
+    target.axes.contains(axis) || target.to[axis] != i64::from(target.from[axis])
+}
+
 /// The tables, as they are.
 pub(super) fn bits_of<const D: usize>(
     texts: &Texts,
@@ -56,7 +82,7 @@ pub(super) fn bits_of<const D: usize>(
     let root_level = tree.domain().root_level();
     let table = |axis: usize| {
         let crossed = target.axes.contains(axis);
-        if !crossed && target.to[axis] == i64::from(target.from[axis]) {
+        if !is_told(&target, axis) {
             return None;
         }
         let mut rows =

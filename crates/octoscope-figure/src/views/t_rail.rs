@@ -141,12 +141,22 @@ struct Drawing<'a, const D: usize> {
 const TICK: f64 = 8.0;
 /// From a bar down to the middle of its labels, and to the top of their letters.
 const DOWN: [f64; 2] = [17.0, 12.0];
+/// In rows of at least this height names stand above the bars and values below them, both
+/// in larger type.
+const HIGH: f64 = 60.0;
+/// From a bar to the middle of its names and of its values, and to their letters, there.
+const APART: [f64; 2] = [21.0, 13.0];
+/// What names and values are set as there.
+const LARGE: Role = Role::Formula(0);
 
 /// Between an odd number and the frame around it.
 const BADGE: f64 = 4.0;
 
 /// Text beside a bar.
 struct Label {
+    role: Role,
+    /// Whether it stands above the bar.
+    is_above: bool,
     /// Where its mark stands on the bar.
     tick: f64,
     /// Its left end and its middle height.
@@ -170,7 +180,12 @@ impl<const D: usize> Drawing<'_, D> {
     }
 
     fn bar_y(&self, axis: usize) -> f64 {
-        self.row * (axis as f64 + 0.5) - 8.0
+        let up = if self.is_high() { 0.0 } else { 8.0 };
+        self.row * (axis as f64 + 0.5) - up
+    }
+
+    fn is_high(&self) -> bool {
+        self.row >= HIGH
     }
 
     fn bottom(&self) -> f64 {
@@ -194,14 +209,14 @@ impl<const D: usize> Drawing<'_, D> {
                 sheet.push(Role::Stop(axis), Part::Fine, Form::Polyline(line.to_vec()));
             });
         }
-        for Label { at, width, text, is_odd, tick: _ } in labels {
+        for Label { role, at, width, text, is_odd, is_above: _, tick: _ } in labels {
             let mut start = at;
             if is_odd {
                 let half = self.half_line();
                 sheet.rect(Role::Blank, [at[0], at[1] - half], [width, 2.0 * half]);
                 start[0] += BADGE;
             }
-            sheet.text(Role::Words, start, Anchor::Start, text);
+            sheet.text(role, start, Anchor::Start, text);
         }
         self.scale(sheet);
         match missed {
@@ -215,7 +230,14 @@ impl<const D: usize> Drawing<'_, D> {
         let y = self.bar_y(axis);
         sheet.text(Role::Heading, [0.0, y], Anchor::Start, on_axis(axis, AXIS_NAMES[axis]));
         if let Some([near, far]) = self.rail.bar(axis).filter(|[near, far]| near < far) {
-            sheet.line(Role::Bar(axis), [[self.x_of(near), y], [self.x_of(far), y]]);
+            let [from, to] = [near, far].map(|t| self.x_of(t));
+            sheet.line(Role::Bar(axis), [[from, y], [to, y]]);
+            if self.is_high() {
+                // As thick again.
+                for off in [-2.5, 2.5] {
+                    sheet.line(Role::Bar(axis), [[from, y + off], [to, y + off]]);
+                }
+            }
         }
         let [low, high] = self.range;
         for (t, _) in self.rail.stops(axis) {
@@ -231,48 +253,80 @@ impl<const D: usize> Drawing<'_, D> {
         }
     }
 
-    /// t with its subscript below each mark, and the value where there is room.
+    /// t with its subscript at each mark, and the value where there is room.
     fn labels(&self, axis: usize) -> Vec<Label> {
-        let y = self.bar_y(axis) + DOWN[0];
+        let y = self.bar_y(axis);
         let stops = self.rail.stops(axis);
-        let room = [18.0, self.track[1] + 6.0];
+        if self.is_high() {
+            let line = |is_above: bool| {
+                let labels = stops.iter().map(|&(t, plane)| {
+                    let text = match is_above {
+                        true => parameter(axis, plane),
+                        false => self.rail.value(axis, t).into(),
+                    };
+                    self.label(t, text, LARGE, is_above)
+                });
+                let off = if is_above { -APART[0] } else { APART[0] };
+                self.in_line(labels.collect(), y + off)
+            };
+            return line(true).into_iter().chain(line(false)).collect();
+        }
+        let room = self.room();
         let mut labels = Vec::new();
         // The first way in which all fit: with all values, those of planes, none.
         for shown in [|_: &str| true, |plane: &str| plane != "m", |_: &str| false] {
-            labels =
-                stops.iter().map(|&(t, plane)| self.label(axis, t, plane, shown(plane))).collect();
+            let label = |&(t, plane): &(f64, &str)| {
+                let value = if shown(plane) {
+                    format!(" {}", self.rail.value(axis, t))
+                } else {
+                    String::new()
+                };
+                let text = joined([parameter(axis, plane), value.into()]);
+                self.label(t, text, Role::Words, false)
+            };
+            labels = stops.iter().map(label).collect();
             let wide: f64 = labels.iter().map(|label: &Label| label.width + LABEL_GAP).sum();
             if wide - LABEL_GAP <= room[1] - room[0] {
                 break;
             }
         }
+        self.in_line(labels, y + DOWN[0])
+    }
+
+    /// Where labels may stand.
+    fn room(&self) -> [f64; 2] {
+        [18.0, self.track[1] + 6.0]
+    }
+
+    /// The labels with their middles at this height, none over another.
+    fn in_line(&self, mut labels: Vec<Label>, y: f64) -> Vec<Label> {
         let wanted: Vec<[f64; 2]> = labels.iter().map(|label| [label.at[0], label.width]).collect();
-        for (label, start) in labels.iter_mut().zip(spread(&wanted, LABEL_GAP, room)) {
+        for (label, start) in labels.iter_mut().zip(spread(&wanted, LABEL_GAP, self.room())) {
             label.at = [start, y];
         }
         labels
     }
 
-    /// Text of a parameter, wished with its middle below the mark.
-    fn label(&self, axis: usize, t: f64, plane: &str, with_value: bool) -> Label {
-        let is_odd = !t.is_finite();
+    /// Text of a parameter, wished with its middle at the mark.
+    fn label(&self, t: f64, text: RichText, role: Role, is_above: bool) -> Label {
+        let is_odd = !t.is_finite() && !is_above;
         let x = if t.is_nan() { 0.5 * (self.track[0] + self.track[1]) } else { self.x_of(t) };
-        let value =
-            if with_value { format!(" {}", self.rail.value(axis, t)) } else { String::new() };
-        let text = joined([parameter(axis, plane), value.into()]);
         let around = if is_odd { 2.0 * BADGE } else { 0.0 };
-        let width = metrics::width_of_least(Role::Words, &text, self.least) + around;
-        Label { tick: x, at: [x - 0.5 * width, 0.0], width, text, is_odd }
+        let width = metrics::width_of_least(role, &text, self.least) + around;
+        Label { role, is_above, tick: x, at: [x - 0.5 * width, 0.0], width, text, is_odd }
     }
 
-    /// The line from a mark to its label, where that could not stand in the middle below.
+    /// The line from a mark to its label, where that could not stand in its middle.
     fn leader(&self, axis: usize, label: &Label) -> Option<[[f64; 2]; 2]> {
         const OFF: f64 = 4.0;
         let [left, right] = [label.at[0], label.at[0] + label.width];
         let is_off = (0.5 * (left + right) - label.tick).abs() > OFF;
         let foot = label.tick.max(left + OFF).min(right - OFF);
         let y = self.bar_y(axis);
-        is_off.then_some([[label.tick, y + TICK], [foot, y + DOWN[1]]])
+        let down = if self.is_high() { APART[1] } else { DOWN[1] };
+        let [tick, letters] =
+            [TICK, down].map(|down| if label.is_above { y - down } else { y + down });
+        is_off.then_some([[label.tick, tick], [foot, letters]])
     }
 
     /// A dashed line across all bars, interrupted where something is written.

@@ -1,0 +1,124 @@
+//! Where the formulas of the step are: in as much room in every step of a walk.
+
+use crate::document::Document;
+use crate::look::Look;
+use crate::panels::{formula, neighbour, paper, t_rail};
+use crate::view::{PanelKind, Preset, View};
+use eframe::egui::{Frame, Margin, Panel, Ui};
+use octoscope_core::explain::{RichText, formulas};
+use octoscope_core::trace::Trace;
+use octoscope_figure::views::FormulaRows;
+
+/// Where the formulas of the step are.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Place {
+    /// Below the picture, which is so much lower.
+    BelowPicture,
+    /// Beside the picture, in a room of this height.
+    BelowPanel(f32),
+}
+
+/// Room above and below formulas.
+const MARGIN: f32 = 6.0;
+
+impl Place {
+    /// Where they are beside `panels` in a column of this height: in a lecture below its
+    /// panel, if they have room there in every step.
+    pub fn of<const D: usize>(
+        view: &View,
+        trace: &Trace<D>,
+        panels: &[PanelKind],
+        column: f32,
+    ) -> Self {
+        let [panel] = panels else { return Self::BelowPicture };
+        let is_alone = view.preset == Preset::Lecture && !view.question_shown;
+        let most = most_height(*panel, trace).filter(|_| is_alone);
+        let room = most.map(|most| column - most - 2.0 * MARGIN);
+        room.and_then(formula::height_below_panel).map_or(Self::BelowPicture, Self::BelowPanel)
+    }
+}
+
+/// Height of a panel of a lecture with its heading, in points, in the step of the walk in
+/// which it is highest; `None` where that is not known.
+fn most_height<const D: usize>(panel: PanelKind, trace: &Trace<D>) -> Option<f32> {
+    use PanelKind::{
+        Automaton, Children, Codes, Compare, Counters, Cuts, Grid, Halves, Links, Listing, Map,
+        Neighbour, Paper, Rail, Region, Stack, Tables, Tree, Variables, WayDown, WhyNot,
+    };
+    const HEADING: f32 = 30.0;
+    let n_axes = D as f32;
+    let body = match panel {
+        Codes => 77.0 + 22.0 * n_axes,
+        Region => 56.0 + 60.0 * n_axes,
+        Neighbour => neighbour::most_height(trace),
+        Rail => t_rail::lecture_height::<D>(),
+        Tables => 200.0,
+        Cuts => 112.0 + 39.0 * n_axes,
+        Children => 18.0 + 18.0 * (1 << D) as f32,
+        WayDown => 86.0,
+        Links => 18.0 + 36.0 * n_axes,
+        Halves => 133.0,
+        Grid => 30.0 + 26.0 * n_axes,
+        Paper => 159.0,
+        Automaton | Listing | Variables | Stack | Counters | Compare | Tree | WhyNot | Map => {
+            return None;
+        }
+    };
+    Some(HEADING + body)
+}
+
+/// The formulas of the step, if they are shown and have room, at the lower edge.
+pub fn ui<const D: usize>(
+    ui: &mut Ui,
+    look: &Look,
+    document: &Document<D>,
+    view: &View,
+    place: Place,
+) {
+    let room = ui.available_height();
+    let height = match (place, view.preset) {
+        (Place::BelowPanel(height), _) => Some(height),
+        (Place::BelowPicture, Preset::Lecture) => formula::height(room, FormulaRows::One),
+        (Place::BelowPicture, _) => formula::height(room, FormulaRows::Two),
+    };
+    let Some(height) = height.filter(|_| view.formulas) else { return };
+    let (fill, side) = match place {
+        Place::BelowPicture => (look.palette.background, 16),
+        // The margin there is that of the panel.
+        Place::BelowPanel(_) => (look.palette.panel, 0),
+    };
+    let frame = Frame::new().fill(fill).inner_margin(Margin::symmetric(side, MARGIN as i8));
+    let told = formulas(
+        &document.tree,
+        document.traced_ray(),
+        &document.trace,
+        view.playback.step,
+        view.notation,
+        view.language,
+    );
+    let words = if told.is_empty() { words_instead(look, document, view, place) } else { None };
+    // Without anything in it, it is part of the ground of what is above it.
+    let is_empty = told.is_empty() && words.is_none();
+    let panel = Panel::bottom("formula").frame(frame).show_separator_line(!is_empty);
+    panel.resizable(false).exact_size(height + 2.0 * MARGIN).show(ui, |ui| match words {
+        Some(words) => formula::words_instead(ui, look, &words),
+        None => formula::ui(ui, look, &told, view.notation),
+    });
+}
+
+/// What is said in the room of formulas in a step that has none: why a misprint is one, or
+/// that there is none, where the room would be taken for a part of the picture.
+fn words_instead<const D: usize>(
+    look: &Look,
+    document: &Document<D>,
+    view: &View,
+    place: Place,
+) -> Option<Vec<RichText>> {
+    match place {
+        Place::BelowPanel(_) => paper::why(look, &document.scenario.query).map(Vec::from),
+        Place::BelowPicture => {
+            let is_said = view.preset == Preset::Lecture && view.playback.step > 0;
+            is_said.then(|| vec![look.text("formula-none").into()])
+        }
+    }
+}
