@@ -110,6 +110,7 @@ fn width(preset: Preset, panels: &[PanelKind], room: f32) -> f32 {
         // What a wide window has beside a square picture is the panel's.
         Preset::Lecture => (room - 440.0).clamp(320.0, 416.0),
         Preset::Compare if room >= WIDE => 500.0,
+        Preset::Compare if room >= NARROW => 392.0,
         Preset::Map if (WIDE..SPACIOUS).contains(&room) => 440.0,
         Preset::Bits
         | Preset::Rail

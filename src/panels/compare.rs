@@ -170,7 +170,7 @@ fn row(ui: &mut Ui, look: &Look, run: &Run, is_shown: bool, ranges: &[[u64; 2]])
     let text = RichText::new(&name).size(look.type_size(13.0));
     let response = ui.selectable_label(is_shown, text);
     response.widget_info(|| WidgetInfo::selected(Role::RadioButton, true, is_shown, &name));
-    let clicked = response.clicked();
+    let clicked = response.on_hover_text(run.algorithm.id()).clicked();
 
     let numbers = numbers(run);
     let n_leaves = numbers[0];

@@ -24,7 +24,7 @@ pub fn height(picture: f32, rows: FormulaRows) -> Option<f32> {
 /// than the first step of an octree needs; `None` where there is not enough for any.
 pub fn height_below_panel(room: f32) -> Option<f32> {
     const MOST: f32 = 148.0;
-    const LEAST: f32 = 60.0;
+    const LEAST: f32 = 72.0;
     (room >= LEAST).then_some(room.min(MOST))
 }
 

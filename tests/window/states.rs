@@ -12,7 +12,7 @@ use octoscope::document::Document;
 use octoscope::files::Purpose;
 use octoscope::lab::{Choice, Tab};
 use octoscope::map::Colouring;
-use octoscope::view::{Dialog, MapView, Preset, RaysOf, Search, Typed};
+use octoscope::view::{Dialog, MapView, PanelKind, Preset, RaysOf, Search, Typed};
 use octoscope::with_document;
 use octoscope_core::locate::{Direction, NeighbourMethod, Reach};
 use octoscope_core::measure::{Quantity, Results};
@@ -225,6 +225,9 @@ fn pictures() -> Vec<State> {
             desk.state_mut().view.preset = Preset::Map;
             desk.state_mut().view.map.colouring = Colouring::Differences;
             desk.finish_maps();
+            // Below the paper lab.
+            desk.state_mut().view.sought = Some(PanelKind::Map);
+            desk.run();
         }),
     ]
 }
