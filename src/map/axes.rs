@@ -105,7 +105,7 @@ mod tests {
         assert_eq!(full, ["0°", "90°", "180°", "270°", "360°"]);
         assert_eq!(told([-37.2, 37.2], Measures::Angle), ["−20°", "0°", "20°"]);
         assert_eq!(told([-7.0, 7.0], Measures::Angle), ["−5°", "0°", "5°"]);
-        assert_eq!(told([-0.7071, 0.7071], Measures::Length), ["−0.5", "0", "0.5"]);
+        assert_eq!(told([-0.6, 0.6], Measures::Length), ["−0.5", "0", "0.5"]);
         assert_eq!(told([-141.4, 141.4], Measures::Length), ["−100", "0", "100"]);
     }
 

@@ -68,7 +68,7 @@ fn rows<const D: usize>(
 ) -> Vec<Row> {
     let begin = Step::default();
     let steps = std::iter::once(begin).chain(steps(tree, trace));
-    let sentences = sentences(tree, ray, trace, language).into_iter();
+    let sentences = sentences(tree, ray, trace, language);
     let row = |(number, (step, sentence)): (usize, (Step, RichText))| Row {
         number,
         event: step.event.to_owned(),

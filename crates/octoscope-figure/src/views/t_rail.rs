@@ -176,7 +176,8 @@ impl<const D: usize> Drawing<'_, D> {
 
     /// Half the height that a label takes.
     fn half_line(&self) -> f64 {
-        (0.6 * self.least).max(8.0)
+        let least = if self.is_high() { 10.0 } else { 8.0 };
+        (0.6 * self.least).max(least)
     }
 
     fn bar_y(&self, axis: usize) -> f64 {
