@@ -1,10 +1,13 @@
 //! Parameters t of the planes of the current node, on one axis.
 
+mod labels;
+
 use super::rail::{Rail, RailOf};
 use super::sheet::Sheet;
 use super::subject::Subject;
-use super::words::{joined, on_axis, parameter};
+use super::words::{on_axis, parameter};
 use crate::{Anchor, DiagramOf, Figure, Form, Part, Role, metrics};
+use labels::{BADGE, HIGH, Label, spread};
 use octoscope_core::explain::{RichText, distinct};
 use octoscope_core::geometry::AXIS_NAMES;
 use octoscope_core::query::Query;
@@ -139,34 +142,6 @@ struct Drawing<'a, const D: usize> {
 
 /// Half the height of the mark of a plane on its bar.
 const TICK: f64 = 8.0;
-/// From a bar down to the middle of its labels, and to the top of their letters.
-const DOWN: [f64; 2] = [17.0, 12.0];
-/// In rows of at least this height names stand above the bars and values below them, both
-/// in larger type.
-const HIGH: f64 = 60.0;
-/// From a bar to the middle of its names and of its values, and to their letters, there.
-const APART: [f64; 2] = [21.0, 13.0];
-/// What names and values are set as there.
-const LARGE: Role = Role::Formula(0);
-
-/// Between an odd number and the frame around it.
-const BADGE: f64 = 4.0;
-
-/// Text beside a bar.
-struct Label {
-    role: Role,
-    /// Whether it stands above the bar.
-    is_above: bool,
-    /// Where its mark stands on the bar.
-    tick: f64,
-    /// Its left end and its middle height.
-    at: [f64; 2],
-    /// With the frame, if it has one.
-    width: f64,
-    text: RichText,
-    /// Whether the number has to be looked at twice: ±∞, NaN or −0.
-    is_odd: bool,
-}
 
 impl<const D: usize> Drawing<'_, D> {
     fn x_of(&self, t: f64) -> f64 {
@@ -254,82 +229,6 @@ impl<const D: usize> Drawing<'_, D> {
         }
     }
 
-    /// t with its subscript at each mark, and the value where there is room.
-    fn labels(&self, axis: usize) -> Vec<Label> {
-        let y = self.bar_y(axis);
-        let stops = self.rail.stops(axis);
-        if self.is_high() {
-            let line = |is_above: bool| {
-                let labels = stops.iter().map(|&(t, plane)| {
-                    let text = match is_above {
-                        true => parameter(axis, plane),
-                        false => self.rail.value(axis, t).into(),
-                    };
-                    self.label(t, text, LARGE, is_above)
-                });
-                let off = if is_above { -APART[0] } else { APART[0] };
-                self.in_line(labels.collect(), y + off)
-            };
-            return line(true).into_iter().chain(line(false)).collect();
-        }
-        let room = self.room();
-        let mut labels = Vec::new();
-        // The first way in which all fit: with all values, those of planes, none.
-        for shown in [|_: &str| true, |plane: &str| plane != "m", |_: &str| false] {
-            let label = |&(t, plane): &(f64, &str)| {
-                let value = if shown(plane) {
-                    format!(" {}", self.rail.value(axis, t))
-                } else {
-                    String::new()
-                };
-                let text = joined([parameter(axis, plane), value.into()]);
-                self.label(t, text, Role::Words, false)
-            };
-            labels = stops.iter().map(label).collect();
-            let wide: f64 = labels.iter().map(|label: &Label| label.width + LABEL_GAP).sum();
-            if wide - LABEL_GAP <= room[1] - room[0] {
-                break;
-            }
-        }
-        self.in_line(labels, y + DOWN[0])
-    }
-
-    /// Where labels may stand.
-    fn room(&self) -> [f64; 2] {
-        [18.0, self.track[1] + 6.0]
-    }
-
-    /// The labels with their middles at this height, none over another.
-    fn in_line(&self, mut labels: Vec<Label>, y: f64) -> Vec<Label> {
-        let wanted: Vec<[f64; 2]> = labels.iter().map(|label| [label.at[0], label.width]).collect();
-        for (label, start) in labels.iter_mut().zip(spread(&wanted, LABEL_GAP, self.room())) {
-            label.at = [start, y];
-        }
-        labels
-    }
-
-    /// Text of a parameter, wished with its middle at the mark.
-    fn label(&self, t: f64, text: RichText, role: Role, is_above: bool) -> Label {
-        let is_odd = !t.is_finite() && !is_above;
-        let x = if t.is_nan() { 0.5 * (self.track[0] + self.track[1]) } else { self.x_of(t) };
-        let around = if is_odd { 2.0 * BADGE } else { 0.0 };
-        let width = metrics::width_of_least(role, &text, self.least) + around;
-        Label { role, is_above, tick: x, at: [x - 0.5 * width, 0.0], width, text, is_odd }
-    }
-
-    /// The line from a mark to its label, where that could not stand in its middle.
-    fn leader(&self, axis: usize, label: &Label) -> Option<[[f64; 2]; 2]> {
-        const OFF: f64 = 4.0;
-        let [left, right] = [label.at[0], label.at[0] + label.width];
-        let is_off = (0.5 * (left + right) - label.tick).abs() > OFF;
-        let foot = label.tick.max(left + OFF).min(right - OFF);
-        let y = self.bar_y(axis);
-        let down = if self.is_high() { APART[1] } else { DOWN[1] };
-        let [tick, letters] =
-            [TICK, down].map(|down| if label.is_above { y - down } else { y + down });
-        is_off.then_some([[label.tick, tick], [foot, letters]])
-    }
-
     /// A dashed line across all bars, interrupted where something is written.
     fn limit(&self, sheet: &mut Sheet, x: f64, labels: &[Label]) {
         // Of less, a dash or two would be left.
@@ -405,48 +304,6 @@ impl<const D: usize> Drawing<'_, D> {
             sheet.text(Role::Note, [start, y], Anchor::Start, text);
         }
     }
-}
-
-/// Room between two labels of a bar.
-const LABEL_GAP: f64 = 9.0;
-
-/// Where labels begin that want to begin at a place and have a width: in their
-/// order, apart from each other, and between two ends if they fit.
-fn spread(wanted: &[[f64; 2]], gap: f64, [left, right]: [f64; 2]) -> Vec<f64> {
-    // Groups of labels that touch each other, with the middle that they want.
-    struct Group {
-        start: f64,
-        width: f64,
-        n: usize,
-    }
-    let mut groups: Vec<Group> = Vec::new();
-    for &[start, width] in wanted {
-        groups.push(Group { start: start.min(right - width), width, n: 1 });
-        while let [.., before, last] = &mut groups[..]
-            && before.start + before.width + gap > last.start
-        {
-            let n = before.n + last.n;
-            let middle = |group: &Group| group.start + 0.5 * group.width;
-            let wish = (before.n as f64 * middle(before) + last.n as f64 * middle(last)) / n as f64;
-            before.width += gap + last.width;
-            before.start = (wish - 0.5 * before.width).min(right - before.width).max(left);
-            before.n = n;
-            groups.pop();
-        }
-        if let [only] = &mut groups[..] {
-            only.start = only.start.max(left);
-        }
-    }
-    let mut starts = Vec::with_capacity(wanted.len());
-    let mut widths = wanted.iter().map(|[_, width]| width);
-    for Group { start, n, .. } in groups {
-        let mut x = start;
-        for width in widths.by_ref().take(n) {
-            starts.push(x);
-            x += width + gap;
-        }
-    }
-    starts
 }
 
 #[cfg(test)]
