@@ -13,9 +13,18 @@ pub fn note<const D: usize>(look: &Look, moment: &Moment<D>) -> String {
     look.texts.format("grid-count", &[("n", n.into())])
 }
 
-/// When the next plane of every axis is met, on bars from t = 0, and the codes of the
-/// cell. Lit is what is met first; in the step that crosses it, it is still there, with
-/// the plane behind it.
+/// Room for the letter of an axis before its bar.
+const LETTER: f32 = 24.0;
+/// Room for numbers behind the bars: the same in most steps, so that bars do not jump.
+const ROOM: f32 = 140.0;
+/// Between a bar and the numbers behind it.
+const GAP: f32 = 10.0;
+/// Bars are no shorter than this.
+const LEAST: f32 = 48.0;
+
+/// When the next plane of every axis is met, on bars that begin where the ray does in the
+/// grid, and the codes of the cell. Lit is what is met first; in the step that crosses a
+/// plane, that plane, with its parameter and the one of the plane behind it.
 pub fn ui<const D: usize>(ui: &mut Ui, look: &Look, moment: &Moment<D>) {
     let Some(grid) = moment.grid else {
         caption(ui, look, look.text("grid-none"));
@@ -23,7 +32,8 @@ pub fn ui<const D: usize>(ui: &mut Ui, look: &Look, moment: &Moment<D>) {
     };
     let palette = &look.palette;
     let shown = grid.left.unwrap_or(grid.next);
-    let last = shown.into_iter().filter(|t| t.is_finite()).fold(0.0, f64::max);
+    let first = moment.clip.map_or(0.0, |clip| clip.interval[0].max(0.0));
+    let shares = shares(&shown, first);
     let lit = lit(&grid);
     let told = told(&grid);
     let row = 26.0;
@@ -32,21 +42,22 @@ pub fn ui<const D: usize>(ui: &mut Ui, look: &Look, moment: &Moment<D>) {
     let spoken: Vec<_> = (0..D).map(|e| format!("tMax {} {}", AXIS_NAMES[e], told[e])).collect();
     response.widget_info(|| WidgetInfo::labeled(Role::Canvas, true, spoken.join(", ")));
     let painter = ui.painter_at(rect);
-    // The same in every step, so that bars do not jump.
-    let room = 140.0;
-    let track = (rect.left() + 24.0)..=(rect.right() - room);
+    let widths = told.iter().map(|text| {
+        let font = FontId::new(13.0, look.mono_strong_family());
+        painter.layout_no_wrap(text.clone(), font, palette.ink).size().x + GAP
+    });
+    let room = widths.fold(ROOM, f32::max).min(rect.width() - LETTER - LEAST);
+    let track = (rect.left() + LETTER)..=(rect.right() - room);
     let length = track.end() - track.start();
     for axis in 0..D {
         let y = rect.top() + row * (axis as f32 + 0.5);
-        let t = shown[axis];
         let color = palette.axes[axis];
         let wins = lit.contains(axis);
         let strong = FontId::new(14.0, look.strong_family());
         painter.text(pos2(rect.left(), y), Align2::LEFT_CENTER, AXIS_NAMES[axis], strong, color);
         painter.hline(track.clone(), y, Stroke::new(1.0, palette.grid));
-        let share = if last > 0.0 { (t / last) as f32 } else { 0.0 };
-        let end = track.start() + share.clamp(0.0, 1.0) * length;
-        if t.is_finite() {
+        if let Some(share) = shares[axis] {
+            let end = track.start() + share * length;
             let width = if wins { 11.0 } else { 6.0 };
             painter.hline(
                 *track.start()..=end.max(track.start() + 2.0),
@@ -78,6 +89,16 @@ pub fn ui<const D: usize>(ui: &mut Ui, look: &Look, moment: &Moment<D>) {
     captioned(ui, look, &look.text("grid-cell"), &cell, &crossed);
 }
 
+/// How far from `first` to the last of some parameters each lies, from 0 to 1; `None` of
+/// those that are never reached.
+fn shares<const D: usize>(parameters: &[f64; D], first: f64) -> [Option<f32>; D] {
+    let last = parameters.iter().copied().filter(|t| t.is_finite()).fold(first, f64::max);
+    parameters.map(|t| {
+        let share = if last > first { (t - first) / (last - first) } else { 0.0 };
+        t.is_finite().then_some(share.clamp(0.0, 1.0) as f32)
+    })
+}
+
 /// The axes whose planes are met first: those that are crossed in this step.
 fn lit<const D: usize>(grid: &GridCell<D>) -> Axes<D> {
     if grid.left.is_some() {
@@ -104,6 +125,13 @@ fn told<const D: usize>(grid: &GridCell<D>) -> [String; D] {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn bars_of_a_ray_from_far_away_tell_its_planes_apart() {
+        assert_eq!(shares(&[10.25, 10.5], 10.0), [Some(0.5), Some(1.0)]);
+        assert_eq!(shares(&[0.25, f64::INFINITY], 0.0), [Some(1.0), None]);
+        assert_eq!(shares(&[3.0, 3.0], 3.0), [Some(0.0); 2]);
+    }
 
     #[test]
     fn the_axis_that_is_crossed_is_lit_with_its_parameter_before_and_after() {
