@@ -6,7 +6,7 @@ use crate::theme::color32;
 use eframe::egui::text::LayoutJob;
 use eframe::egui::{Align, Color32, FontFamily, Painter, Pos2, Shape, Stroke, vec2};
 use octoscope_core::explain::RichText;
-use octoscope_figure::{Colour, Drawn, Figure, Form, Lettering, Paint, Style, Theme, Weight};
+use octoscope_figure::{Colour, Drawn, Figure, Form, Lettering, Page, Paint, Style, Theme, Weight};
 
 /// Paints `figure` where `frame` says its page lies.
 pub fn paint_on_page(
@@ -17,11 +17,17 @@ pub fn paint_on_page(
     figure: &Figure,
 ) {
     for drawn in &figure.spelled_out().drawn {
-        paint(painter, look, theme, frame, drawn);
+        paint(painter, look, theme, (frame, figure.page), drawn);
     }
 }
 
-fn paint(painter: &Painter, look: &Look, theme: Theme, frame: PageInWindow, drawn: &Drawn) {
+fn paint(
+    painter: &Painter,
+    look: &Look,
+    theme: Theme,
+    (frame, page): (PageInWindow, Page),
+    drawn: &Drawn,
+) {
     let paint = Paint::of(theme, drawn);
     let Paint { fill, stroke, width, .. } = paint;
     let dashes = paint.dashes(&drawn.form);
@@ -40,12 +46,12 @@ fn paint(painter: &Painter, look: &Look, theme: Theme, frame: PageInWindow, draw
                 return;
             };
             let ring: Vec<_> = points.iter().chain(points.first()).copied().collect();
-            let dashes = dashes.along(&ring);
+            let dashes = dashes.along(&ring, page);
             painter.extend(dashes.iter().map(|dash| Shape::line(place(dash), stroke)));
         }
         Form::Polyline(points) => {
             let whole = || vec![points.clone()];
-            let lines = dashes.map_or_else(whole, |dashes| dashes.along(points));
+            let lines = dashes.map_or_else(whole, |dashes| dashes.along(points, page));
             painter.extend(lines.iter().map(|line| Shape::line(place(line), stroke)));
         }
         Form::Circle { centre, radius } => {
