@@ -149,6 +149,7 @@ impl<const D: usize> Document<D> {
             query: &self.trace.query,
             moment,
             event: moment.step.checked_sub(1).and_then(|index| self.trace.events.get(index)),
+            strayed: self.strayed_nodes(),
         }
     }
 

@@ -224,7 +224,7 @@ mod tests {
         else {
             panic!()
         };
-        document.find_right_nodes();
+        document.find_right_nodes(&Progress::default()).unwrap();
         let last = document.trace.events.len();
         let page = Page { width: 400.0, height: 300.0 };
         let figure = space(&document, None, page, &Show::at_first::<2>(), last);

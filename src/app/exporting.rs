@@ -10,6 +10,7 @@ use crate::figures::views_of;
 use crate::job::{Job, Poll};
 use crate::panels::dialogs;
 use crate::panels::show::Of;
+use crate::text::texts;
 use crate::view::Dialog;
 use crate::{complaint, with_document};
 use anyhow::anyhow;
@@ -36,7 +37,11 @@ pub(super) struct Exporting {
 /// What another thread has made of a document.
 pub(super) enum Made {
     /// A file of this name.
-    File(String),
+    File {
+        name: String,
+        /// What is not in it, in words.
+        left_out: Option<String>,
+    },
     /// The figure for the clipboard.
     Image(ColorImage),
     /// The figure for the clipboard, as SVG.
@@ -145,10 +150,13 @@ impl App {
         let request = export_dialog::request(&self.document, &self.view);
         let (name, mut document, path) = (file_name(path), self.document.clone(), path.to_owned());
         let title = self.look.texts.format("job-export", &[("name", name.as_str().into())]);
+        let language = self.view.language;
         let work = move |progress: &Progress| {
             // The window may keep less of a long run, or nothing of it yet.
             with_document!(&mut document, d => d.trace_whole_within(progress))?;
-            request.run(&document, Some(&path), progress).map(|()| Made::File(name))
+            let left_out = with_document!(&document, d => request.left_out(d, &texts(language)));
+            request.run(&document, Some(&path), progress)?;
+            Ok(Made::File { name, left_out })
         };
         self.make(context, title, work);
     }
@@ -192,10 +200,11 @@ impl App {
             Poll::Broken => Err(anyhow!(self.look.text("job-broken"))),
         };
         match result {
-            Ok(Made::File(name)) => {
+            Ok(Made::File { name, left_out }) => {
                 self.view.dialog.take_if(|dialog| *dialog == Dialog::Export);
-                self.notice
-                    .say(self.look.texts.format("status-exported", &[("name", name.into())]));
+                let said = self.look.texts.format("status-exported", &[("name", name.into())]);
+                let all = [Some(said), left_out].into_iter().flatten();
+                self.notice.say(all.collect::<Vec<_>>().join(": "));
             }
             Ok(Made::Image(image)) => {
                 context.copy_image(image);

@@ -211,7 +211,7 @@ impl App {
         self.view.dialog = Some(Dialog::Lab);
         self.make(context, job, move |progress| {
             lab::write(&results, &chart, (theme, &title), &path, progress)?;
-            Ok(Made::File(name))
+            Ok(Made::File { name, left_out: None })
         });
     }
 }

@@ -12,6 +12,7 @@ use crate::export::{Eye, Format, Order, Request, Size, Steps, parse_shown};
 use crate::figures::Moments;
 use crate::kept_show::kept_show;
 use crate::open::open;
+use crate::text::texts;
 use crate::with_document;
 use anyhow::{anyhow, bail};
 use clap::Args;
@@ -187,7 +188,9 @@ pub fn export(arguments: &Export) -> anyhow::Result<Answer> {
         None => with_document!(&document, d => kept_show(&d.opened().view))?,
     };
     let request = Request { steps, show, ..request };
-    if let Some(note) = with_document!(&document, d => request.left_out(d)) {
+    if let Some(note) =
+        with_document!(&document, d => request.left_out(d, &texts(Language::English)))
+    {
         tell(&note);
     }
     run_with_progress(|progress| request.run(&document, arguments.output.as_deref(), progress))?;

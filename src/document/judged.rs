@@ -150,13 +150,32 @@ impl<const D: usize> Document<D> {
         }
     }
 
-    /// Finds out, however long it takes, what would be right, where a misprint is
-    /// followed: figures do not depend on what is known by chance.
-    pub fn find_right_nodes(&mut self) {
+    /// What is reported and not right, where a misprint is followed and the verdict is
+    /// known, in the order of the numbers.
+    pub fn strayed_nodes(&self) -> &[NodeId] {
+        match self.known_verdict() {
+            Some(verdict) if self.trace.query.is_misprinted() => &verdict.strayed,
+            Some(_) | None => &[],
+        }
+    }
+
+    /// Finds out, however long it takes, what is wrong and what would be right, where a
+    /// misprint is followed: figures do not depend on what is known by chance.
+    ///
+    /// # Errors
+    /// Stops with [`Cancelled`] when `progress` is cancelled.
+    pub fn find_right_nodes(&mut self, progress: &Progress) -> Result<(), Cancelled> {
+        progress.check()?;
         let is_wanted = self.trace.query.is_misprinted() && self.known_verdict().is_none();
         if is_wanted && !self.is_judged_never() {
             self.verdict.know(verdict(&self.tree, &self.traced.0, &self.trace));
         }
+        progress.check()
+    }
+
+    /// Whether a misprint is followed, but it cannot be known what is right.
+    pub fn is_unjudged(&self) -> bool {
+        self.trace.query.is_misprinted() && self.is_judged_never()
     }
 
     fn is_quick(&self) -> bool {

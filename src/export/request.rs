@@ -2,6 +2,7 @@
 
 use super::table::table;
 use super::{Eye, Format, Order, Series, Steps, print_shown, write};
+use crate::comparison::MOST_LEAVES;
 use crate::document::{AnyDocument, Document};
 use crate::figures::{Moments, Wanted, figure_of, left_out, take_exercise};
 use crate::files::Output;
@@ -12,7 +13,7 @@ use anyhow::bail;
 use octoscope_core::explain::{Notation, sentence};
 use octoscope_core::progress::Progress;
 use octoscope_core::scenario::StepAt;
-use octoscope_core::text::Language;
+use octoscope_core::text::{Language, Texts};
 use octoscope_figure::views::{Fields, FigureView, ViewError};
 use octoscope_figure::{
     Background, Figure, FileOptions, Page, Pixels, PixelsError, Scale, Show, TikzForm, Unit, svg,
@@ -60,7 +61,7 @@ impl Request {
             return output.finish();
         }
         let folder = path.map(|path| path.parent().unwrap_or(Path::new("")));
-        self.with_series(document, self.steps, folder, |series| {
+        self.with_series(document, self.steps, folder, progress, |series| {
             write(&self.order, series, path, progress)
         })
     }
@@ -113,7 +114,7 @@ impl Request {
         step: usize,
         progress: &Progress,
     ) -> anyhow::Result<String> {
-        self.with_series(document, one(step), None, |series| {
+        self.with_series(document, one(step), None, progress, |series| {
             let step = *series.steps.start();
             let (figure, scale) = Series::figure_of(&self.order, series, step, progress)?;
             let (title, scenario) = ((series.caption)(step).plain(), (series.scenario)(step));
@@ -155,7 +156,7 @@ impl Request {
         step: usize,
         progress: &Progress,
     ) -> anyhow::Result<(Figure, Scale)> {
-        self.with_series(document, one(step), None, |series| {
+        self.with_series(document, one(step), None, progress, |series| {
             Series::figure_of(&self.order, series, *series.steps.start(), progress)
         })
     }
@@ -175,9 +176,10 @@ impl Request {
         document: &AnyDocument,
         steps: Steps,
         folder: Option<&Path>,
+        progress: &Progress,
         then: impl FnOnce(&Series) -> anyhow::Result<T>,
     ) -> anyhow::Result<T> {
-        let document = &self.shown_document(document)?;
+        let document = &self.shown_document(document, progress)?;
         let caption = |step| {
             if !self.view.is_of_a_step() {
                 return texts(self.language).get(&format!("figure-{}", self.view)).into();
@@ -204,13 +206,17 @@ impl Request {
 
     /// The document with all that its figures show, and with the ray of the exercise, if
     /// a worksheet of one is asked for.
-    fn shown_document(&self, document: &AnyDocument) -> anyhow::Result<AnyDocument> {
+    fn shown_document(
+        &self,
+        document: &AnyDocument,
+        progress: &Progress,
+    ) -> anyhow::Result<AnyDocument> {
         let mut shown = document.clone();
         if let (FigureView::Worksheet, Some(number)) = (self.view, self.exercise.0) {
             with_document!(&mut shown, d => take_exercise(d, number)?);
         }
-        if self.view.shows_space() {
-            with_document!(&mut shown, d => d.find_right_nodes());
+        if self.marks_results() {
+            with_document!(&mut shown, d => d.find_right_nodes(progress))?;
         }
         Ok(shown)
     }
@@ -265,8 +271,24 @@ impl Request {
     }
 
     /// What the figure leaves out, in words, if anything.
-    pub fn left_out<const D: usize>(&self, document: &Document<D>) -> Option<String> {
-        if self.view.shows_space() { left_out(document, &self.show::<D>()) } else { None }
+    pub fn left_out<const D: usize>(
+        &self,
+        document: &Document<D>,
+        texts: &Texts,
+    ) -> Option<String> {
+        let mut told = Vec::new();
+        if self.view.shows_space() {
+            told = left_out(document, &self.show::<D>(), texts);
+        }
+        if self.marks_results() && document.is_unjudged() {
+            told.push(texts.format("left-out-right", &[("most", MOST_LEAVES.into())]));
+        }
+        (!told.is_empty()).then(|| told.join("; "))
+    }
+
+    /// Whether the figure marks what a misprint reports and should not.
+    fn marks_results(&self) -> bool {
+        self.view.shows_space() || self.view == FigureView::Tree
     }
 
     /// What is shown of a tree of dimension D.
@@ -360,11 +382,13 @@ pub fn shell_line(words: &[String]) -> String {
 mod tests {
     use super::*;
     use crate::open::open_built_in;
+    use octoscope_core::event::End;
     use octoscope_core::query::Query;
     use octoscope_core::traverse::Method;
+    use std::sync::Arc;
 
     #[test]
-    fn a_figure_of_a_misprint_shows_what_would_be_right_however_large_the_tree_is() {
+    fn a_figure_of_a_misprint_shows_what_would_be_right_where_a_frame_would_not_do() {
         let mut any = open_built_in("rings", &Progress::default()).unwrap();
         let AnyDocument::Plane(document) = &mut any else { panic!("not a quadtree") };
         assert!(document.tree.n_leaves() > 2000, "{}", document.tree.n_leaves());
@@ -372,19 +396,47 @@ mod tests {
         document.scenario.query = Query::default().along_the_ray_by(method);
         document.trace_whole_within(&Progress::default()).unwrap();
         let last = document.trace.events.len();
-        let request = Request {
+        let svg = in_space(last).svg(&any, last, &Progress::default()).unwrap();
+        assert!(svg.contains("expected"), "{}", svg.len());
+        let cancelled = Progress::default();
+        cancelled.cancel();
+        assert!(in_space(last).svg(&any, last, &cancelled).is_err());
+    }
+
+    fn in_space(step: usize) -> Request {
+        Request {
             view: FigureView::Space,
             order: Order::default(),
-            steps: one(last),
+            steps: one(step),
             moments: Moments::default(),
             exercise: (None, Fields::Empty),
             eye: None,
             show: None,
             language: Language::English,
             notation: Notation::default(),
+        }
+    }
+
+    #[test]
+    fn a_figure_that_cannot_tell_what_is_right_says_so() {
+        let any = open_built_in("quadtree-82", &Progress::default()).unwrap();
+        let AnyDocument::Plane(mut document) = any else { panic!("not a quadtree") };
+        let english = texts(Language::English);
+        let mut left_out = |method: &str, is_cut: bool| {
+            let query = Query::default().along_the_ray_by(method.parse().unwrap());
+            document.scenario.query = query;
+            document.trace_whole_within(&Progress::default()).unwrap();
+            if is_cut {
+                let mut trace = (*document.trace).clone();
+                trace.outcome.end = End::Cut;
+                document.trace = Arc::new(trace);
+            }
+            in_space(0).left_out(&document, &english)
         };
-        let svg = request.svg(&any, last, &Progress::default()).unwrap();
-        assert!(svg.contains("expected"), "{}", svg.len());
+        assert_eq!(left_out("parametric@B-1", false), None);
+        assert_eq!(left_out("parametric", true), None);
+        let told = left_out("parametric@B-1", true).unwrap();
+        assert!(told.contains("not marked"), "{told}");
     }
 
     #[test]

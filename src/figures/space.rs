@@ -2,9 +2,10 @@
 
 use crate::document::Document;
 use octoscope_core::scene::Content;
+use octoscope_core::text::Texts;
 use octoscope_figure::{
-    Camera, Figure, Mark, Page, Rest, Role, Shape, Show, axes, axis_names, cells, content, marks,
-    node_mark, space_figure,
+    Camera, Figure, Mark, Page, Rest, Role, Shape, Show, axes, axis_names, cells, content,
+    cross_out, marks, node_mark, space_figure,
 };
 
 /// From the end of an axis to its name, in page units.
@@ -41,6 +42,7 @@ pub fn space<const D: usize>(
         all.extend(axis_names(document.tree.domain(), beyond));
     }
     all.extend(marks(&document.tree, &scenario.ray, &scenario.query, &moment, event, show));
+    cross_out(&mut all, document.strayed_nodes());
     let right = document.right_nodes().iter();
     all.extend(right.map(|&node| node_mark(&document.tree, node, Role::Expected)));
     all.sort_by_key(|mark| mark.role.layer());
@@ -81,14 +83,14 @@ fn n_primitives_shown<const D: usize>(document: &Document<D>, show: &Show) -> us
     }
 }
 
-/// What the figure of the space view leaves out, in words, if anything.
-pub fn left_out<const D: usize>(document: &Document<D>, show: &Show) -> Option<String> {
-    let too_many = |n: usize, most: usize, what: &str| {
-        (n > most).then(|| format!("{n} {what} are left out; figures show at most {most}"))
+/// What the figure of the space view leaves out, in words.
+pub fn left_out<const D: usize>(document: &Document<D>, show: &Show, texts: &Texts) -> Vec<String> {
+    let too_many = |n: usize, most: usize, key: &str| {
+        (n > most).then(|| texts.format(key, &[("n", n.into()), ("most", most.into())]))
     };
     let left_out = [
-        too_many(n_leaves_shown(document, show), MOST_LEAVES, "leaves beside the ray"),
-        too_many(n_primitives_shown(document, show), MOST_PRIMITIVES, "points or solids"),
+        too_many(n_leaves_shown(document, show), MOST_LEAVES, "left-out-leaves"),
+        too_many(n_primitives_shown(document, show), MOST_PRIMITIVES, "left-out-solids"),
     ];
-    left_out.into_iter().flatten().reduce(|a, b| format!("{a}; {b}"))
+    left_out.into_iter().flatten().collect()
 }

@@ -20,6 +20,7 @@ pub fn whole_tree<const D: usize>(
         query: &document.scenario.query,
         moment: &moment,
         event: step.checked_sub(1).and_then(|index| document.trace.events.get(index)),
+        strayed: document.strayed_nodes(),
     };
     let on = |page| -> Diagram { tree_diagram(&of, &[], None, page, DiagramLens::default()) };
     let most = most.unwrap_or(PAGE.width);

@@ -13,7 +13,7 @@ use glam::Mat4;
 use octoscope_core::scene::Content;
 use octoscope_figure::{
     Camera, Colour, Cut, Dash, Mark, Page, Palette, Part, Role, Shape, Style, Theme, drawn_box,
-    is_large,
+    edge_part, is_large,
 };
 
 /// Layers that are kept as long as what they show stays the same.
@@ -190,29 +190,27 @@ pub fn draws<const D: usize>(mark: &Mark<D>) -> bool {
 /// The box of a mark, above what parts it from all else; `unit` is a page unit in world
 /// units.
 fn box_marks<const D: usize>(mark: &Mark<D>, theme: Theme, unit: f64) -> Vec<BoxMark> {
-    /// The lines of small boxes are no wider than this share of their side, and unbroken.
-    const WIDEST: f64 = 0.1;
     let Shape::Box(bounds) = mark.shape else { return Vec::new() };
     let bounds = drawn_box(mark.role, &bounds, unit);
-    let side = bounds.size().into_iter().fold(0.0, f64::max) / unit;
     let style = Style::of(theme, mark.role);
-    let is_small = WIDEST * side < style.width;
-    let width = if is_small { (WIDEST * side).max(1.0) } else { style.width };
+    let is_fine = edge_part(&style, &bounds, unit) == Part::FineEdge;
+    let fine = (Part::FineEdge.width() * style.width).max(1.0);
+    let width = if is_fine { fine } else { style.width };
     let layer = mark.role.layer();
     let line = match style.dash {
         Dash::Solid => Line::Solid,
         Dash::Dashed | Dash::DashDotted => Line::Dashed,
         Dash::Dotted => Line::Dotted,
     };
-    let part = if is_large(mark.role, &bounds, unit) { Part::Wash.opacity() } else { 1.0 };
-    let weak = |fill: Colour| color32(fill.faded(fill.opacity * 0.6 * part));
+    let share = if is_large(mark.role, &bounds, unit) { Part::Wash.opacity() } else { 1.0 };
+    let weak = |fill: Colour| color32(fill.faded(fill.opacity * 0.6 * share));
     let own = BoxMark {
         min: in_space(bounds.min),
         max: in_space(bounds.max),
         fill: style.fill.map_or(Color32::TRANSPARENT, weak),
         edge: style.stroke.map_or(Color32::TRANSPARENT, color32),
         width: width as f32,
-        line: if is_small { Line::Solid } else { line },
+        line: if is_fine { Line::Solid } else { line },
         // What is quieter lies among the faces.
         layer: if layer < Role::Taken.layer() { 0 } else { 2 * layer + 1 },
         is_crossed: mark.role == Role::Strayed,

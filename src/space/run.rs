@@ -2,7 +2,7 @@
 
 use crate::document::Document;
 use octoscope_core::trace::Moment;
-use octoscope_figure::{Mark, Role, Show, marks};
+use octoscope_figure::{Mark, Role, Show, cross_out, marks};
 
 /// What the run shows at a moment. While a long run along a ray that was moved is
 /// still being traced, that ray is where it is held; all else belongs to the traced one.
@@ -13,6 +13,7 @@ pub fn run_marks<const D: usize>(
 ) -> Vec<Mark<D>> {
     let of = document.shown(moment);
     let mut shown = marks(of.tree, of.ray, of.query, moment, of.event, show);
+    cross_out(&mut shown, of.strayed);
     if document.needs_tracing() {
         let is_held = |mark: &Mark<D>| is_of_ray(mark.role);
         let (ray, query) = (&document.scenario.ray, &document.scenario.query);

@@ -221,7 +221,7 @@ arithmetic-doubles = doubles
 arithmetic-doubles-why = Parameters t are 64-bit floating-point numbers and round, as in a usual program.
 arithmetic-exact = exact
 arithmetic-exact-why = Parameters t are compared as exact fractions; the steps tell where doubles would err.
-arithmetic-fixed-why = Every leaf is always tested exactly: the result is what other algorithms are held against.
+arithmetic-fixed-why = Every leaf is always tested exactly: the result is what other algorithms are measured against.
 point-codes = by codes
 point-comparison = by comparison
 reach-equal = equal or larger
@@ -248,7 +248,7 @@ show-content-why = The points, the picture or the solids from which the tree is 
 show-empty-leaves-why = Leaves that hold nothing
 show-ancestors-why = Nodes from the root to the current one
 show-children-why = Children of the current node, those not taken dashed
-show-more = which cells, how far apart
+show-more = which cells, cut, how far apart
 show-inner-nodes = inner nodes
 show-inner-nodes-why = Inner nodes off the path too, not leaves alone
 show-levels = levels
@@ -302,7 +302,7 @@ timeline-name = Step of the trace
 timeline-speed = Speed
 timeline-wrong = Step { $step } is the first one that goes wrong
 timeline-cut = The run is longer: the trace ends after so many steps
-timeline-why = A tick for every step. Tall: a leaf or a result, and where it begins and ends. Down from the line: into a node. Up from it: back to an ancestor. Yellow: the next child, cell or plane is chosen. Purple: only touched. Short: computed.
+timeline-why = A tick for every step. Tall: a leaf or a result, and where the run begins and ends. Down from the line: into a node. Up from it: back to an ancestor. Yellow: the next child, cell or plane is chosen. Purple: only touched. Short: computed.
 timeline-rounded = Steps with a triangle: doubles would err
 
 tree-name = Tree view
@@ -423,7 +423,7 @@ status-no-ray = This query has no ray. “Ray” under Query brings the last one
 status-rules = Algorithm: { $algorithm }; { $rules }
 status-rule-printed = rule { $rule } as printed
 status-detour = The printed rule comes to the right result by a detour, which begins here.
-status-no-misprint = No rule is followed as printed here, so no step goes wrong by one. The paper lab switches misprints on.
+status-no-misprint = Every rule is followed in its right form, so no misprint leads astray. The paper lab switches misprints on.
 status-only-in-space = This is for octrees: a quadtree is seen from one side only.
 status-saving = Saving { $name } …
 status-saved = Saved as { $name }
@@ -431,6 +431,9 @@ status-kept = “{ $title }” had changes that no file has: Ctrl+Z brings it ba
 status-not-restored = What was open last cannot be opened now; the next start tries again. { $why }
 status-still-exporting = An export or a copy is still being made. Wait for its end, or cancel it.
 status-exported = Exported as { $name }
+left-out-leaves = { $n } leaves beside the ray are left out; figures show at most { $most }
+left-out-solids = { $n } points or solids are left out; figures show at most { $most }
+left-out-right = what is right and wrong is not marked; runs to their end are checked, in trees of at most { $most } leaves
 
 paper-none = No rule of this algorithm is misprinted in the paper.
 paper-counterexample = Load the counterexample
@@ -495,7 +498,7 @@ map-unknown-legend = { $rays ->
    *[other] Grey: { $rays } runs were given up after a million steps, right so far
 }
 map-by-batch = Computed for many rays at once, exactly
-map-by-algorithm = Counted in the algorithm that is shown, ray by ray
+map-by-algorithm = Counted while the algorithm shown runs, ray by ray
 map-by-both = The algorithm that is shown, compared with an exact search
 map-progress = The map is being made
 

@@ -40,7 +40,7 @@ fn measure<const D: usize>(name: &str, tree: &Tree<D>) {
         let moment = &Moment::after(tree, &trace, step);
         let event = step.checked_sub(1).and_then(|index| trace.events.get(index));
         let start = Instant::now();
-        let of = DiagramOf { tree, ray, query, moment, event };
+        let of = DiagramOf { tree, ray, query, moment, event, strayed: &[] };
         let diagram = black_box(tree_diagram(&of, &[], None, PAGE, DiagramLens::default()));
         times.push(start.elapsed().as_secs_f64() * 1e6);
         shapes = shapes.max(diagram.figure.drawn.len());

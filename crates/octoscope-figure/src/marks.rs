@@ -14,9 +14,8 @@ use crate::{Mark, Role, Shape, Show};
 use octoscope_core::event::{End, Event};
 use octoscope_core::geometry::{AXIS_NAMES, Aabb, Axes, Ray};
 use octoscope_core::query::Query;
-use octoscope_core::trace::{LeafOnRay, Moment, strayed};
+use octoscope_core::trace::{LeafOnRay, Moment};
 use octoscope_core::tree::{Child, NodeId, Tree, branch};
-use std::collections::HashSet;
 
 /// Marks of a query at a moment, the lowest first; O(length of the path), so
 /// that they can be made anew while the ray is dragged. `event` is the last
@@ -29,8 +28,7 @@ pub fn marks<const D: usize>(
     event: Option<&Event<D>>,
     show: &Show,
 ) -> Vec<Mark<D>> {
-    let strayed = strayed(tree, ray, query, moment);
-    let scene = Scene { tree, ray, query, moment, event, show, strayed };
+    let scene = Scene { tree, ray, query, moment, event, show };
     let mut marks = vec![node_mark(tree, NodeId::ROOT, Role::Root)];
     scene.visited(&mut marks);
     scene.ancestors(&mut marks);
@@ -46,6 +44,17 @@ pub fn marks<const D: usize>(
     marks
 }
 
+/// Makes the reports of nodes that are not right known as such; `strayed` are all of the
+/// run, in the order of their numbers.
+pub fn cross_out<const D: usize>(marks: &mut [Mark<D>], strayed: &[NodeId]) {
+    for mark in marks {
+        let is_report = matches!(mark.role, Role::Visited { .. } | Role::Found);
+        if is_report && mark.node.is_some_and(|node| strayed.binary_search(&node).is_ok()) {
+            mark.role = Role::Strayed;
+        }
+    }
+}
+
 /// Mark of a node that means `role`.
 pub fn node_mark<const D: usize>(tree: &Tree<D>, node: NodeId, role: Role) -> Mark<D> {
     Mark::new(Shape::Box(tree.node_box(node)), role).of_node(node)
@@ -58,8 +67,6 @@ struct Scene<'a, const D: usize> {
     moment: &'a Moment<D>,
     event: Option<&'a Event<D>>,
     show: &'a Show,
-    /// What is reported though it is not right.
-    strayed: HashSet<NodeId>,
 }
 
 impl<const D: usize> Scene<'_, D> {
@@ -70,12 +77,7 @@ impl<const D: usize> Scene<'_, D> {
         for (index, leaf) in self.moment.leaves.iter().enumerate() {
             let share =
                 ((leaf.enter - root[0].max(0.0)) / (root[1] - root[0].max(0.0))).clamp(0.0, 1.0);
-            let role = if self.strayed.contains(&leaf.node) {
-                Role::Strayed
-            } else {
-                Role::Visited { share }
-            };
-            marks.push(node_mark(self.tree, leaf.node, role));
+            marks.push(node_mark(self.tree, leaf.node, Role::Visited { share }));
             if self.show.order_numbers {
                 let label = Mark::new(self.number_in(leaf, misprinted), Role::OrderNumber);
                 marks.push(label.of_node(leaf.node).with_text((index + 1).to_string()));
@@ -122,18 +124,10 @@ impl<const D: usize> Scene<'_, D> {
         }
     }
 
-    /// The node whose children are chosen among, the child that is taken, and
-    /// whether those before it are done rather than rejected.
+    /// The node whose children are chosen among, and the child that is taken.
     fn choice(&self) -> Option<(NodeId, Child<D>)> {
         match *self.event? {
-            // The last one is left for none.
-            Event::Step { state, next: None, .. } => {
-                let frame = self.moment.frame()?;
-                let mask = self.moment.clip.map_or(Axes::NONE, |clip| clip.mirror);
-                let variants = self.query.variants_at_work();
-                Some((frame.node, variants.child_of_state(state, mask)))
-            }
-            Event::First { .. } | Event::Step { next: Some(_), .. } => {
+            Event::First { .. } | Event::Step { .. } => {
                 let frame = self.moment.frame()?;
                 let mask = self.moment.clip.map_or(Axes::NONE, |clip| clip.mirror);
                 let variants = self.query.variants_at_work();
@@ -230,7 +224,6 @@ impl<const D: usize> Scene<'_, D> {
         let bounds = part.map_or_else(|| self.tree.node_box(node), |part| part.bounds(self.tree));
         let missed = matches!(self.event, Some(Event::Test { interval: None, .. }));
         let role = match (self.moment.found == Some(node), missed) {
-            (true, _) if self.strayed.contains(&node) => Role::Strayed,
             (true, _) => Role::Found,
             (false, true) => Role::Missed,
             (false, false) => Role::Current,
@@ -252,14 +245,6 @@ impl<const D: usize> Scene<'_, D> {
 
     /// Planes that are compared or met in this step.
     fn planes(&self, marks: &mut Vec<Mark<D>>) {
-        if let Some(&Event::Split { axis, plane, taken, .. }) = self.event {
-            // The other half is as large, so that the part that is divided is known.
-            let (axis, mut bounds) = (usize::from(axis), taken.bounds(self.tree));
-            (bounds.min[axis], bounds.max[axis]) = (plane, plane);
-            let mark = Mark::new(Shape::Plane { axis, bounds }, Role::MidPlane(axis));
-            marks.push(mark.of_node(taken.node).with_text(AXIS_NAMES[axis]));
-            return;
-        }
         let mut middle = |node: NodeId, axes: Axes<D>| {
             let bounds = self.tree.node_box(node);
             for axis in axes.iter() {
@@ -271,6 +256,13 @@ impl<const D: usize> Scene<'_, D> {
         let all = Axes::where_true([true; D]);
         let frame = self.moment.frame().map(|frame| frame.node);
         match (self.event, frame) {
+            (Some(&Event::Split { axis, plane, taken, .. }), _) => {
+                // Both halves have the same extent across the plane.
+                let (axis, mut bounds) = (usize::from(axis), taken.bounds(self.tree));
+                (bounds.min[axis], bounds.max[axis]) = (plane, plane);
+                let mark = Mark::new(Shape::Plane { axis, bounds }, Role::MidPlane(axis));
+                marks.push(mark.of_node(taken.node).with_text(AXIS_NAMES[axis]));
+            }
             (
                 Some(Event::Halve { .. } | Event::Cuts { .. } | Event::Classify { .. }),
                 Some(node),

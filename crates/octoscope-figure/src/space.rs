@@ -23,7 +23,7 @@ use apart::is_apart;
 use arrows::last_point;
 use cross::cross_out;
 use indices::chosen;
-pub use inset::{drawn_box, is_large};
+pub use inset::{drawn_box, edge_part, is_large};
 use octoscope_core::geometry::Aabb;
 use octoscope_core::tree::NodeId;
 use overlaid::strong_boxes;
@@ -297,10 +297,7 @@ impl<const D: usize> Canvas<'_, D> {
 
     /// The edges of a box so small that its line would fill it are finer.
     fn edge_part(&self, mark: &Mark<D>, bounds: &Aabb<D>) -> Part {
-        const LEAST: f64 = 10.0;
-        let side = bounds.size().into_iter().fold(0.0, f64::max) / self.camera.unit(self.page);
-        let is_small = side < LEAST * Style::of(Theme::Light, mark.role).width;
-        if is_small { Part::FineEdge } else { Part::Edge }
+        edge_part(&Style::of(Theme::Light, mark.role), bounds, self.camera.unit(self.page))
     }
 
     /// Labels shall not cover this outline, if they can.
@@ -340,7 +337,7 @@ impl<const D: usize> Canvas<'_, D> {
 
     /// The same, parted from what lies below it if its role is.
     fn push_cased(&mut self, mark: &Mark<D>, bounds: Aabb<D>, part: Part, form: Form) {
-        let has_casing = Style::of(Theme::Light, mark.role).casing > 0.0;
+        let has_casing = mark.role.has_casing();
         let casing = has_casing.then(|| (Part::Casing, form.clone()));
         self.push_parts(mark, bounds, casing.into_iter().chain([(part, form)]).collect());
     }

@@ -103,6 +103,13 @@ impl Lettering {
     }
 }
 
+impl Role {
+    /// Whether its lines are parted from what lies below them, in every theme.
+    pub(crate) fn has_casing(self) -> bool {
+        Style::of(Theme::Light, self).casing > 0.0
+    }
+}
+
 impl Style {
     /// Radius of points in space, where many lie behind each other, with their line.
     pub const POINT_IN_SPACE: f64 = 1.8;

@@ -42,7 +42,7 @@ impl<const D: usize> Run<D> {
         let moment = Moment::after(&self.tree, &self.trace, step);
         let event = step.checked_sub(1).and_then(|index| self.trace.events.get(index));
         let Self { tree, ray, query, .. } = self;
-        let of = DiagramOf { tree, ray, query, moment: &moment, event };
+        let of = DiagramOf { tree, ray, query, moment: &moment, event, strayed: &[] };
         tree_diagram(&of, unfolded, None, page, DiagramLens::default())
     }
 }

@@ -4,14 +4,18 @@ use crate::event::{End, Event};
 use crate::geometry::Ray;
 use crate::query::Query;
 use crate::trace::{Trace, corrected, on_the_ray, record, results, slivers};
-use crate::traverse::{Options, StopAt, Variants, first_difference_of_run};
+use crate::traverse::{Options, Slivers, StopAt, Variants, first_difference_of_run, is_sliver};
 use crate::tree::{NodeId, Tree};
+use std::collections::BTreeSet;
 
 /// What a trace should have come to.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Verdict {
     /// The leaves on the ray in order, or the nodes that the query should find.
     pub expected: Vec<NodeId>,
+    /// The nodes that the trace reports and should not, in the order of their numbers,
+    /// whether or not others are missing.
+    pub strayed: Vec<NodeId>,
     /// Number of events up to and with the first one that is wrong, if the trace
     /// does not agree: that is another than the same walk makes by the right rules.
     pub first_wrong_step: Option<usize>,
@@ -35,7 +39,8 @@ impl Verdict {
 }
 
 /// Compares a trace with the oracle, or, of a query without a ray, with the
-/// right rules. Slivers may be there or not.
+/// right rules. Slivers may be there or not. O(leaves + events) along a ray, else as long
+/// as the query takes.
 pub fn verdict<const D: usize>(tree: &Tree<D>, ray: &Ray<D>, trace: &Trace<D>) -> Verdict {
     match trace.query {
         Query::Ray { options, .. } => of_ray(tree, ray, trace, options),
@@ -43,7 +48,8 @@ pub fn verdict<const D: usize>(tree: &Tree<D>, ray: &Ray<D>, trace: &Trace<D>) -
             let right = record(tree, ray, &trace.query.corrected());
             let (expected, found) = (results(&right.events), results(&trace.events));
             let first_wrong_step = (expected != found).then(|| step_apart(trace, &right.events));
-            judged(trace, &right.events, expected, first_wrong_step)
+            let strayed = without(found, &expected);
+            judged(trace, &right.events, [expected, strayed], first_wrong_step)
         }
     }
 }
@@ -60,15 +66,20 @@ fn of_ray<const D: usize>(
 
     // What the misprint does not change is right, slivers included. The run may stop at a
     // full leaf, but at none that is not on the ray at all.
-    let slivers = slivers(tree, ray, options, &expected, &results(&corrected));
+    let right = results(&corrected);
+    let slivers = slivers(tree, ray, options, &expected, &right);
     let stopped_beside = trace.outcome.end == End::FirstFull
         && found.last().is_some_and(|leaf| !expected.contains(leaf));
     let difference = first_difference_of_run(tree, ray, options, &expected, &found, slivers);
     let wrong = difference.map(|difference| difference.found);
     let wrong = wrong.or_else(|| stopped_beside.then(|| found.last().copied()));
-    let wrong = wrong.filter(|_| results(&corrected) != found);
+    let wrong = wrong.filter(|_| right != found);
     let first_wrong_step =
         wrong.map(|leaf| step_of(trace, leaf).min(step_apart(trace, &corrected)));
+
+    let end = options.end().unwrap_or(f64::INFINITY);
+    let mut strayed = without(without(found, &expected), &right);
+    strayed.retain(|&leaf| slivers == Slivers::Count || !is_sliver(tree, ray, end, leaf));
 
     // Expected is what lies before the place where the right run stops.
     let is_full = |&leaf: &NodeId| tree.node(leaf).is_full();
@@ -77,20 +88,26 @@ fn of_ray<const D: usize>(
     {
         expected.truncate(first + 1);
     }
-    judged(trace, &corrected, expected, first_wrong_step)
+    judged(trace, &corrected, [expected, strayed], first_wrong_step)
+}
+
+/// Those of `nodes` that are not among `others`, each once, in the order of their numbers.
+fn without(nodes: Vec<NodeId>, others: &[NodeId]) -> Vec<NodeId> {
+    let others: BTreeSet<NodeId> = others.iter().copied().collect();
+    BTreeSet::from_iter(nodes).difference(&others).copied().collect()
 }
 
 /// The verdict on a trace beside the run with `corrected` rules.
 fn judged<const D: usize>(
     trace: &Trace<D>,
     corrected: &[Event<D>],
-    expected: Vec<NodeId>,
+    [expected, strayed]: [Vec<NodeId>; 2],
     first_wrong_step: Option<usize>,
 ) -> Verdict {
     let n_steps = [trace.events.len(), corrected.len()];
     let is_detour = first_wrong_step.is_none() && n_steps[0] > n_steps[1];
     let detour = is_detour.then(|| step_apart(trace, corrected));
-    Verdict { expected, first_wrong_step, detour, n_steps }
+    Verdict { expected, strayed, first_wrong_step, detour, n_steps }
 }
 
 /// Number of events up to and with the report of `wrong`, or of all.
@@ -122,7 +139,7 @@ mod tests {
     use super::super::counterexample;
     use super::*;
     use crate::progress::Progress;
-    use crate::scenario::AnyScenario;
+    use crate::scenario::{AnyScenario, Scenario};
     use crate::traverse::Variant;
     use crate::tree::{Cell, Domain, Split, build, grow};
 
@@ -223,5 +240,48 @@ mod tests {
     #[test]
     fn a_point_outside_goes_wrong_where_it_gets_codes() {
         assert!(matches!(first_wrong(Variant::B21), (1, Event::Encode { .. })));
+    }
+
+    /// Level and code of what has strayed at the end of the counterexample of `variant`.
+    fn at_the_end(variant: Variant) -> Vec<Vec<u32>> {
+        fn of<const D: usize>(scenario: &Scenario<D>) -> Vec<Vec<u32>> {
+            let content = scenario.source.content().unwrap();
+            let domain = scenario.grid().unwrap();
+            let tree = build(&content, domain, &scenario.recipe, &Progress::default()).unwrap();
+            let (ray, query) = (&scenario.ray, &scenario.query);
+            let strayed = verdict(&tree, ray, &record(&tree, ray, query)).strayed;
+            let place = |node| [&[u32::from(tree.level(node))][..], &tree.code(node)].concat();
+            let mut places: Vec<_> = strayed.into_iter().map(place).collect();
+            places.sort();
+            places
+        }
+        match counterexample(variant) {
+            AnyScenario::Quadtree(scenario) => of(&scenario),
+            AnyScenario::Octree(scenario) => of(&scenario),
+        }
+    }
+
+    #[test]
+    fn leaves_are_wrong_even_where_none_would_be_right() {
+        // The ray passes by the root, or lies behind it, or in its open side.
+        assert_eq!(at_the_end(Variant::B1), [[0, 0, 1]]);
+        assert_eq!(at_the_end(Variant::B10), [[0, 0, 0, 0], [0, 1, 1, 1]]);
+        assert_eq!(at_the_end(Variant::B5), [[0, 1, 0, 0], [0, 1, 0, 1]]);
+        assert_eq!(at_the_end(Variant::B11), [[0, 0, 1]]);
+        assert_eq!(at_the_end(Variant::B21), [[0, 0, 0]]);
+    }
+
+    #[test]
+    fn of_several_leaves_only_the_wrong_ones_stray() {
+        assert_eq!(at_the_end(Variant::B3), [[0, 0, 1], [0, 1, 1]]);
+        assert_eq!(at_the_end(Variant::B2), [[0; 0]; 0], "it loses one, but reports no other");
+        assert_eq!(at_the_end(Variant::B9), [[0; 0]; 0]);
+    }
+
+    #[test]
+    fn another_node_than_the_one_that_is_asked_for_strays() {
+        assert_eq!(at_the_end(Variant::B19).len(), 1);
+        assert_eq!(at_the_end(Variant::B24c).len(), 1);
+        assert_eq!(at_the_end(Variant::B28).len(), 1);
     }
 }

@@ -9,7 +9,6 @@ mod record;
 mod right;
 mod rounding;
 mod state;
-mod strayed;
 
 pub use counters::{Counter, Counters};
 pub use fate::{Fate, deciding_fate, fate};
@@ -22,4 +21,3 @@ pub use state::{
     Codes, Cuts, Detour, Difference, Exits, Extent, Frame, GridCell, HalvingPlane, LeafOnRay,
     RootClip, Target, Towards,
 };
-pub use strayed::strayed;

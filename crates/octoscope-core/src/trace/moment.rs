@@ -103,7 +103,9 @@ impl<const D: usize> Moment<D> {
     pub fn apply(&mut self, tree: &Tree<D>, event: &Event<D>) {
         self.step += 1;
         self.counters.add(event);
-        self.grid.iter_mut().for_each(|grid| grid.left = None);
+        if let Some(grid) = &mut self.grid {
+            grid.left = None;
+        }
         match *event {
             Event::Clip { near, far, enter, exit, hit, mirror } => {
                 let interval = [enter, exit];

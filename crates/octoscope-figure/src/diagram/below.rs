@@ -74,9 +74,12 @@ impl<const D: usize> Drawing<'_, D> {
         let counts = below.iter().filter(|text| text.role == Role::Branch);
         let gaps: HashSet<usize> =
             counts.filter(|text| self.is_crossed(text, fans)).map(|text| text.depth).collect();
-        below.retain(|text| match text.role == Role::Branch {
-            true => !gaps.contains(&text.depth),
-            false => !self.is_crossed(text, fans),
+        below.retain(|text| {
+            if text.role == Role::Branch {
+                !gaps.contains(&text.depth)
+            } else {
+                !self.is_crossed(text, fans)
+            }
         });
     }
 

@@ -33,6 +33,9 @@ pub struct DiagramOf<'a, const D: usize> {
     pub moment: &'a Moment<D>,
     /// The event that has just happened.
     pub event: Option<&'a Event<D>>,
+    /// The nodes that the run reports though they are not right, in the order of their
+    /// numbers, as far as that is known.
+    pub strayed: &'a [NodeId],
 }
 
 impl<const D: usize> DiagramOf<'_, D> {

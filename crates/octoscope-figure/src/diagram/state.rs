@@ -4,7 +4,7 @@ use super::DiagramOf;
 use super::layout::Item;
 use octoscope_core::event::End;
 use octoscope_core::query::Query;
-use octoscope_core::trace::{Fate, Reason, fate, strayed};
+use octoscope_core::trace::{Fate, Reason, fate};
 use octoscope_core::tree::NodeId;
 use std::collections::HashMap;
 
@@ -57,7 +57,8 @@ pub(super) fn states<const D: usize>(of: &DiagramOf<D>, items: &[Item]) -> State
             states[item].visit([n + 1; 2], share);
         }
     }
-    for node in strayed(tree, ray, query, moment) {
+    let reported = moment.leaves.iter().map(|leaf| leaf.node).chain(moment.found);
+    for node in reported.filter(|node| of.strayed.binary_search(node).is_ok()) {
         if let Some(item) = drawn(node) {
             states[item].is_strayed = true;
         }

@@ -4,15 +4,15 @@ use super::{Canvas, above_space, distance};
 use crate::camera::clipped;
 use crate::marks::interval;
 use crate::parts::Arrow;
-use crate::{Drawn, Form, Mark, Page, Part, Role, Style, Theme};
+use crate::{Drawn, Form, Mark, Page, Part, Role};
 use octoscope_core::geometry::{Aabb, Ray};
 
 /// Length of the head of an arrow, in page units.
 const HEAD: f64 = 14.0;
 
 impl<const D: usize> Canvas<'_, D> {
-    /// The ray, so long that its head lies beyond the last point on it; one that is asked
-    /// about up to a point before that ends there.
+    /// The ray, so long that its head lies beyond the last point on it; a ray whose end is
+    /// asked for before that point ends there.
     pub(super) fn past_last(&self, [from, to]: [[f64; D]; 2]) -> [[f64; D]; 2] {
         const ROOM: f64 = 8.0;
         const MOST: f64 = 8.0;
@@ -76,7 +76,7 @@ impl<const D: usize> Canvas<'_, D> {
             self.arrows.push(Arrow { ends, shaft: [from, neck], line, head });
         } else {
             let order = above_space(mark.role);
-            if Style::of(Theme::Light, mark.role).casing > 0.0 {
+            if mark.role.has_casing() {
                 let casing = Drawn { part: Part::Casing, ..line.clone() };
                 self.drawn.push((order, casing));
             }

@@ -14,8 +14,8 @@ const INSET: f64 = 16.0;
 const LEAST: f64 = 3.0 * INSET;
 
 impl<const D: usize> Canvas<'_, D> {
-    /// Breaks the ray where it comes from beyond the page, and writes how far away its
-    /// origin is, in world units; not inside the root, where it is looked at from near.
+    /// Breaks the ray where it comes from beyond the page, and writes how far
+    /// before the border its origin is, in world units; not inside the root, where it is looked at from near.
     pub(super) fn write_away(&mut self, marks: &[Mark<D>], root: Option<&Aabb<D>>) {
         let arrow = marks.iter().find_map(|mark| match (mark.role, mark.shape) {
             (Role::Ray, Shape::Arrow(ends)) => Some((mark, ends)),
@@ -66,7 +66,7 @@ impl<const D: usize> Canvas<'_, D> {
             .flat_map(|side| [0.0, 12.0, 24.0, 40.0].map(|by| moved(INSET + by, side * aside)));
         let on_page: Vec<_> = places.filter(|at| self.is_on_page(*at, reach)).collect();
         let Some(at) = self.clearest(on_page, reach) else { return };
-        // A ring as that of the origin, and so far it is away.
+        // A ring as at the origin, then the distance.
         let left = at[0] - reach[0];
         let centre = [left + ring, at[1]];
         let disc = Form::Circle { centre, radius: ring };

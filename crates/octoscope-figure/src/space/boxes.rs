@@ -23,8 +23,7 @@ impl<const D: usize> Canvas<'_, D> {
         }
         let cross = cross_out_box(mark.role, bounds, self.camera, self.page);
         front.extend(cross.into_iter().map(|line| (Part::Edge, line)));
-        let (part, has_casing) =
-            (self.edge_part(mark, bounds), Style::of(Theme::Light, mark.role).casing > 0.0);
+        let (part, has_casing) = (self.edge_part(mark, bounds), mark.role.has_casing());
         for (line, is_in_sight) in self.edges(mark.role, bounds, &seen) {
             let form = Form::Polyline(line.to_vec());
             if !is_in_sight {

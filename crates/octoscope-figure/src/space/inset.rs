@@ -1,7 +1,7 @@
 //! How large boxes are drawn: some within their own cell, and those that fill the picture
 //! more weakly.
 
-use crate::Role;
+use crate::{Part, Role, Style};
 use octoscope_core::geometry::Aabb;
 
 /// The box of a mark as it is drawn: that of a child which is not taken lies a little
@@ -19,6 +19,14 @@ pub fn drawn_box<const D: usize>(role: Role, bounds: &Aabb<D>, unit: f64) -> Aab
         min: std::array::from_fn(|e| bounds.min[e] + by[e]),
         max: std::array::from_fn(|e| bounds.max[e] - by[e]),
     }
+}
+
+/// How the edges of a box are drawn: finer where it is so small that a line of this style
+/// would fill it. `unit` is a page unit in world units.
+pub fn edge_part<const D: usize>(style: &Style, bounds: &Aabb<D>, unit: f64) -> Part {
+    const LEAST: f64 = 10.0;
+    let side = bounds.size().into_iter().fold(0.0, f64::max) / unit;
+    if side < LEAST * style.width { Part::FineEdge } else { Part::Edge }
 }
 
 /// Whether the box of the node at work is so large on the page that its area is drawn

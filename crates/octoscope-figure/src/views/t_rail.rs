@@ -108,7 +108,14 @@ pub(super) fn view<const D: usize>(subject: &Subject<D>, width: f64) -> Option<F
     const ROW: f64 = 40.0;
     const HEAD: f64 = 20.0;
     let Subject { tree, ray, moment, .. } = *subject;
-    let of = DiagramOf { tree, ray, query: subject.query(), moment, event: subject.event() };
+    let of = DiagramOf {
+        tree,
+        ray,
+        query: subject.query(),
+        moment,
+        event: subject.event(),
+        strayed: &[],
+    };
     let rail = t_rail(subject.texts, &of, [width, ROW], 0.0)?;
     let mut sheet = Sheet::default();
     let text = rail_of(subject.moment)?.note(subject.texts, subject.tree);

@@ -25,7 +25,12 @@ fn along(algorithm: Algorithm, segment_end: Option<f64>) -> Query<2> {
 
 fn rail(tree: &Tree<2>, ray: &Ray<2>, query: &Query<2>, moment: &Moment<2>) -> Option<RailFigure> {
     let texts = Texts::new(Language::English, &[figure_texts(Language::English)]);
-    t_rail(&texts, &DiagramOf { tree, ray, query, moment, event: None }, [400.0, 40.0], 0.0)
+    t_rail(
+        &texts,
+        &DiagramOf { tree, ray, query, moment, event: None, strayed: &[] },
+        [400.0, 40.0],
+        0.0,
+    )
 }
 
 #[test]
