@@ -45,6 +45,7 @@ fn said() -> Vec<Said> {
             folder("texts/de").into_iter().find(|de| de.file_name() == english.file_name());
         let [english, german] =
             [english, german.unwrap()].map(|path| messages(&fs::read_to_string(path).unwrap()));
+        assert_eq!(english.len(), german.len());
         for ((key, english), (same, german)) in english.into_iter().zip(german) {
             assert_eq!(key, same);
             all.push(Said { key, english, german });

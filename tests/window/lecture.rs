@@ -205,11 +205,13 @@ fn bare_steps(desk: &mut Desk, place: &str) -> Vec<String> {
                 _ => None,
             })
             .collect();
-        let is_shown = |told: &Statement| {
-            let numbers = told.numbers.as_ref().and_then(last_number);
-            numbers.is_none_or(|number| letters.contains(&number))
+        // Each line has its own numbers, in the order of the lines.
+        let mut rest = letters.iter();
+        let mut is_shown = |told: &Statement| {
+            let number = told.numbers.as_ref().and_then(last_number);
+            number.is_none_or(|number| rest.any(|letter| *letter == number))
         };
-        (!is_large || !told.iter().all(is_shown))
+        (!is_large || !told.iter().all(&mut is_shown))
             .then(|| format!("{place}: step {step}: {letters:?}"))
     };
     let view = &desk.state().view;

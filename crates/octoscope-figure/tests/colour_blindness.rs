@@ -97,11 +97,13 @@ fn roles_stay_apart_in_every_theme_and_for_every_kind_of_eyes() {
 #[test]
 fn no_visited_leaf_has_the_colour_of_the_current_node() {
     for theme in Theme::ALL {
-        let current = seen(Palette::of(theme).current, &VISIONS[0].1);
-        for step in 0..=20 {
-            let share = f64::from(step) / 20.0;
-            let apart = distance(seen(ramp(theme, share), &VISIONS[0].1), current);
-            assert!(apart >= LEAST, "{theme:?} {share}: {apart:.3}");
+        for (vision, matrix) in &VISIONS {
+            let current = seen(Palette::of(theme).current, matrix);
+            for step in 0..=20 {
+                let share = f64::from(step) / 20.0;
+                let apart = distance(seen(ramp(theme, share), matrix), current);
+                assert!(apart >= LEAST, "{theme:?} {vision} {share}: {apart:.3}");
+            }
         }
     }
 }

@@ -3,6 +3,7 @@
 #![allow(clippy::unwrap_used, reason = "a test may panic")]
 
 use octoscope_core::gallery::Degenerate;
+use octoscope_core::geometry::Aabb;
 use octoscope_core::paper::{counterexample, erratum_of};
 use octoscope_core::progress::Progress;
 use octoscope_core::scenario::{AnyScenario, Scenario, built_in};
@@ -33,13 +34,15 @@ fn written(figure: &Figure) -> Vec<(&Drawn, [[f64; 2]; 2])> {
     areas.collect()
 }
 
-/// Discs behind numbers: their middles and radii.
-fn discs(figure: &Figure) -> impl Iterator<Item = (Role, [f64; 2], f64)> {
-    figure.drawn.iter().filter_map(|drawn| match drawn.form {
-        Form::Circle { centre, radius }
-            if matches!(drawn.role, Role::OrderNumber | Role::ChildIndex) =>
-        {
-            Some((drawn.role, centre, radius))
+/// What lies behind numbers: its middle and half extents, and the radius of its corners.
+fn tags(figure: &Figure) -> impl Iterator<Item = (Role, [f64; 2], [f64; 2], f64)> {
+    figure.drawn.iter().filter_map(|drawn| match (&drawn.form, drawn.role) {
+        (&Form::Circle { centre, radius }, Role::OrderNumber) => {
+            Some((drawn.role, centre, [0.0; 2], radius))
+        }
+        (Form::Polygon(corners), Role::ChildIndex) => {
+            let bounds = Aabb::around(corners.iter().copied())?;
+            Some((drawn.role, bounds.centre(), bounds.size().map(|x| 0.5 * x), 0.0))
         }
         _ => None,
     })
@@ -55,11 +58,15 @@ fn overlaps(figure: &Figure) -> Vec<String> {
                 faults.push(format!("{told} on {:?} {:?}", b.role, b.form));
             }
         }
-        for (role, centre, radius) in discs(figure) {
-            let beyond = [0, 1].map(|e| ((centre[e] - at[e]).abs() - reach[e]).max(0.0));
+        for (role, centre, half, radius) in tags(figure) {
+            let beyond = [0, 1].map(|e| (centre[e] - at[e]).abs() - reach[e] - half[e]);
             // A number lies in the middle of its own.
             let is_own = (centre[0] - at[0]).hypot(centre[1] - at[1]) < 0.01;
-            if !is_own && beyond[0].hypot(beyond[1]) < radius - 0.01 {
+            let is_on = match radius > 0.0 {
+                true => beyond[0].max(0.0).hypot(beyond[1].max(0.0)) < radius - 0.01,
+                false => beyond[0].max(beyond[1]) < -0.01,
+            };
+            if !is_own && is_on {
                 faults.push(format!("{role:?} at {centre:?} on {told}"));
             }
         }
