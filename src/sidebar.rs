@@ -22,8 +22,8 @@ use octoscope_core::query::Query;
 const NARROW: f32 = 900.0;
 /// Windows of more than this have room for two columns of panels.
 const WIDE: f32 = 1200.0;
-/// Windows of more than this, in points of type that has grown with them, are wider than
-/// their picture is high.
+/// Windows of more than this, in points at their zoom, have room for wider panels beside a
+/// picture as high as they are.
 const SPACIOUS: f32 = 1400.0;
 /// Lectures in windows of less than this, in points, have narrower panels.
 const LECTURE_WIDE: f32 = 700.0;

@@ -38,7 +38,7 @@ way-down-target = Codes dahinter
 
 tables-none = Zeigt die benutzten Einträge, sobald ein Nachbar gesucht wird.
 tables-used = Richtung { $direction }, Kind { $child }. Regel: auf den Eintrag zeigen.
-tables-used-before = Zuletzt nachgesehen: Richtung { $direction }, Kind { $child }.
+tables-used-before = Zuletzt nachgeschlagen: Richtung { $direction }, Kind { $child }.
 tables-used-bits = Richtung { $direction }, Kind { $child }: aus den Bits gelesen, ohne Tabelle.
 tables-child = Kind
 tables-yes = ja
@@ -54,7 +54,7 @@ tables-reflect-why = Kind { $child } hat { $bits }. Die Bits aller Achsen in { $
 links-none = Zeigt die Verweise eines Blattes, sobald das erste gefunden ist.
 links-side = Seite
 links-size = Nachbar
-links-larger = größer
+links-larger = größeres Blatt
 links-equal = Blatt
 links-divided = geteilt
 links-border = Rand

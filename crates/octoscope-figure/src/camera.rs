@@ -57,7 +57,7 @@ pub struct Projected {
     pub depth: f64,
 }
 
-/// Share of a page that what is framed leaves free: the page is so much larger.
+/// Factor by which a page is larger than what is framed on it.
 pub(crate) const MARGIN: f64 = 1.12;
 /// Half of the perspective's vertical angle of view, as a tangent.
 const HALF_ANGLE: f64 = 0.27;

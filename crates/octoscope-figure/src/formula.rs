@@ -27,14 +27,14 @@ enum Piece {
     Line(Vec<[f64; 2]>),
 }
 
-/// A number in a figure, with all its digits.
+/// Where a number is written in a figure, maybe in short.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ShownNumber {
-    /// Upper left corner of what is written.
+    /// Upper left corner of its digits.
     pub min: [f64; 2],
-    /// Lower right corner.
+    /// Lower right corner of its digits.
     pub max: [f64; 2],
-    /// The number itself.
+    /// The number to its last digit.
     pub value: f64,
 }
 

@@ -6,17 +6,17 @@ use crate::{Camera, Page};
 use octoscope_core::geometry::{Aabb, Ray};
 use octoscope_core::query::Query;
 
-/// The root alone would be so much larger at most: it keeps about two thirds of its size.
+/// Largest factor by which the root may shrink: it keeps about two thirds of its size.
 const MOST: f64 = 1.55;
-/// The same where nothing of the ray would be seen otherwise: half its size.
+/// The same where nothing of the ray would be seen otherwise: it keeps half its size.
 const MOST_OF_ALL: f64 = 2.0;
 
 impl<const D: usize> Camera<D> {
     /// Moves to where the whole root is seen on `page`, with a margin, and as much as can
     /// be of what is asked: of a ray its origin if that is near enough, else the stretch
     /// before the root, or the nearest where it misses the root; then its tip. The root
-    /// keeps about two thirds of the size that it has alone. Keeps the side from which it
-    /// is seen.
+    /// keeps about two thirds of the size that it has alone, or half of it where the ray
+    /// would not be seen otherwise. Keeps the side from which it is seen.
     pub fn frame_question(&mut self, root: &Aabb<D>, ray: &Ray<D>, query: &Query<D>, page: Page) {
         let mut seen: Vec<[f64; D]> = corners(root).collect();
         self.frame_points(&seen, page);

@@ -120,8 +120,8 @@ fn meets_disc([middle, reach]: Taken, at: [f64; 2], radius: f64) -> bool {
     square(beyond) < radius * radius
 }
 
-/// Whether a line to a leaf strikes what is taken. Where its foot lies in that, or just
-/// beside it, there is no other way.
+/// Whether the half of a line that ends at a number strikes what is taken. The half at its
+/// foot is not asked, nor a line whose foot lies in it: there is no other way.
 fn is_struck([middle, reach]: Taken, [foot, rim]: [[f64; 2]; 2]) -> bool {
     let area = [-1.0, 1.0].map(|sign| std::array::from_fn(|e| middle[e] + sign * reach[e]));
     let is_at_foot = (0..2).all(|e| (area[0][e]..=area[1][e]).contains(&foot[e]));

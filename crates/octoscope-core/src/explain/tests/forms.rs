@@ -335,3 +335,13 @@ fn all_planes_without_a_number_are_told_with_all_their_rules() {
         }
     }
 }
+
+#[test]
+fn every_form_that_is_no_misprint_is_told_before_the_first_step() {
+    for variant in Variant::ALL.into_iter().filter(|variant| !variant.is_misprint()) {
+        let key = format!("start-{}", variant.id());
+        for language in Language::ALL {
+            assert!(step_texts(language).has(&key), "{key} {language:?}");
+        }
+    }
+}
