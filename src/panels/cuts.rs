@@ -2,11 +2,11 @@
 
 use crate::look::Look;
 use crate::widgets::{
-    Setting, beside_or_below, bits_of, caption, child_bits, node_note, range, table,
+    Setting, beside_or_below, bit_of, caption, child_bits, node_note, range, table,
 };
 use eframe::egui::Ui;
 use octoscope_core::event::Event;
-use octoscope_core::explain::{RichText, Span, approx};
+use octoscope_core::explain::{RichText, approx};
 use octoscope_core::geometry::{AXIS_NAMES, Axes};
 use octoscope_core::trace::{Cuts, Extent, Frame, Moment};
 use octoscope_core::tree::{Child, Tree};
@@ -109,8 +109,7 @@ fn pieces_table<const D: usize>(
         let is_known = now.is_some_and(|now| n <= now);
         let child = if is_known { piece.child.0.to_string() } else { "·".to_owned() };
         let bit = |axis: usize| {
-            let span = bits_of(piece.child).0.swap_remove(axis);
-            let text = Span { text: span.text.trim().to_owned(), ..span };
+            let text = bit_of(piece.child, axis);
             let is_lit = is_now && flips && piece.flipped.contains(axis);
             let text = RichText(if is_known { vec![text] } else { Vec::new() });
             Entry::new(text, if is_lit { Tone::Used } else { tone })

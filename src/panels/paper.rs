@@ -59,14 +59,12 @@ pub fn ui<const D: usize>(
 
 /// The misprints that a query can follow.
 fn misprints_of<const D: usize>(query: &Query<D>) -> Vec<Variant> {
-    let is_misprint = |variant: &Variant| erratum_of(*variant).is_some();
-    Variant::ALL.into_iter().filter(is_misprint).filter(|&v| query.takes(v)).collect()
+    Variant::ALL.into_iter().filter(|&v| v.is_misprint() && query.takes(v)).collect()
 }
 
 /// Those that it follows.
 fn printed_in<const D: usize>(query: &Query<D>) -> Vec<Variant> {
-    let is_misprint = |variant: &Variant| erratum_of(*variant).is_some();
-    query.variants_at_work().iter().filter(is_misprint).collect()
+    query.variants_at_work().iter().filter(|v| v.is_misprint()).collect()
 }
 
 /// Turns each of them on and off.

@@ -6,7 +6,7 @@ use eframe::egui::{
     Align, Label, Layout, Pos2, RichText, Sense, Ui, UiBuilder, WidgetInfo, accesskit::Role, vec2,
 };
 use octoscope_core::event::Event;
-use octoscope_core::explain::{Span, approx, number};
+use octoscope_core::explain::{Span, approx, shown_number};
 use octoscope_core::trace::{Moment, Trace};
 use octoscope_core::tree::{NodeId, Tree};
 use octoscope_figure::DiagramOf;
@@ -79,14 +79,11 @@ pub fn ui<const D: usize>(
 fn digits(ui: &mut Ui, look: &Look, rail: &RailFigure) {
     for (name, t) in &rail.parameters {
         let mut text = name.clone();
-        text.0
-            .push(Span {
-                text: format!(" = {}", number(*t).replace('-', "−")), ..Span::default()
-            });
+        text.0.push(Span { text: format!(" = {}", shown_number(*t)), ..Span::default() });
         rich_label(ui, look, &text, 14.0, f32::INFINITY);
     }
     for (key, t) in ["t-rail-enter", "t-rail-exit"].into_iter().zip(rail.limits) {
-        ui.label(format!("{} = {}", look.text(key), number(t).replace('-', "−")));
+        ui.label(format!("{} = {}", look.text(key), shown_number(t)));
     }
 }
 

@@ -235,8 +235,11 @@ fn tick<const D: usize>(look: &Look, event: &Event<D>) -> Tick {
     let even = |reach: f32, color| Tick { up: reach, down: reach, color };
     let computed = even(0.2, palette.quiet);
     match event {
-        Event::Leaf { .. } | Event::Found { .. } => even(0.9, palette.ink),
-        Event::Clip { .. } | Event::Sort { .. } | Event::End(_) => even(0.9, palette.ink),
+        Event::Leaf { .. }
+        | Event::Found { .. }
+        | Event::Clip { .. }
+        | Event::Sort { .. }
+        | Event::End(_) => even(0.9, palette.ink),
         Event::Touch { .. } => even(0.7, palette.rejected),
         Event::Visit { .. }
         | Event::Enter { .. }

@@ -49,10 +49,16 @@ pub fn per_axis(texts: impl IntoIterator<Item = String>) -> Coloured {
 pub fn bits_of<const D: usize>(child: Child<D>) -> Coloured {
     let bits = (0..D).map(|axis| {
         let gap = if axis == 0 { "" } else { " " };
-        let text = format!("{gap}{}", u8::from(child.is_upper(axis)));
-        Span { text, axis: Some(axis), ..Span::default() }
+        let bit = bit_of(child, axis);
+        Span { text: format!("{gap}{}", bit.text), ..bit }
     });
     Coloured(bits.collect())
+}
+
+/// One of them.
+pub fn bit_of<const D: usize>(child: Child<D>, axis: usize) -> Span {
+    let text = u8::from(child.is_upper(axis)).to_string();
+    Span { text, axis: Some(axis), ..Span::default() }
 }
 
 /// A range of parameters, its end not in it.

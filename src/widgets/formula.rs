@@ -3,7 +3,7 @@
 use super::{paint_figure, room};
 use crate::look::Look;
 use eframe::egui::{Rect, Response, RichText, Sense, Ui, WidgetInfo, accesskit::Role, vec2};
-use octoscope_core::explain::{Formula, Misprint, number, spoken_formula};
+use octoscope_core::explain::{Formula, Misprint, shown_number, spoken_formula};
 use octoscope_figure::views::formula_line;
 use octoscope_figure::{Figure, ShownNumber};
 
@@ -16,7 +16,7 @@ pub fn paint_formula(ui: &Ui, look: &Look, rect: Rect, figure: &Figure, response
         Rect::from_min_max(corner(shown.min), corner(shown.max)).contains(pointer)
     };
     if let Some(shown) = figure.numbers().iter().find(is_under) {
-        response.on_hover_text(number(shown.value).replace('-', "−"));
+        response.on_hover_text(shown_number(shown.value));
     }
 }
 

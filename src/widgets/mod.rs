@@ -28,7 +28,7 @@ pub use acted_at::acted_at;
 pub use beside::beside_or_below;
 pub use bits::bit_table;
 pub use child_bits::child_bits;
-pub use entries::{bits_of, caption, captioned, per_axis, range};
+pub use entries::{bit_of, bits_of, caption, captioned, per_axis, range};
 pub use fields::{default_button, text_field};
 pub use figure::{paint_figure, paint_larger, room};
 pub use formula::{paint_formula, printed_and_right};

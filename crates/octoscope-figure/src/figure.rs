@@ -131,8 +131,13 @@ impl Part {
     /// Share of the role's opacity that areas and lines of this part have.
     pub fn opacity(self) -> f64 {
         match self {
-            Self::Whole | Self::Fine | Self::Head | Self::Lit(_) | Self::Edge => 1.0,
-            Self::FineEdge | Self::Casing => 1.0,
+            Self::Whole
+            | Self::Fine
+            | Self::Head
+            | Self::Lit(_)
+            | Self::Edge
+            | Self::FineEdge
+            | Self::Casing => 1.0,
             Self::Face(axis) => [1.0, 0.8, 0.62][axis],
             Self::Wash => 0.4,
             Self::HiddenEdge => 0.3,

@@ -7,7 +7,7 @@ use crate::geometry::Axes;
 use crate::query::Query;
 use crate::trace::{Extent, Moment, Trace};
 use crate::traverse::{Algorithm, selection};
-use crate::tree::{Child, Code, NodeId};
+use crate::tree::{Child, Code, NodeId, joined};
 use crate::variant::Variant::{
     self, B1, B2, B2Morton, B3, B4, B5, B6, B7, B9, B10, B11, B18, B19, B21, B24a, B24b, B24c,
     B25Leftmost, B25Rightmost, B28,
@@ -244,7 +244,7 @@ impl<const D: usize> Printed<'_, D> {
 
     fn difference(&self, xor: Code<D>, level: u8) -> Option<Told> {
         let rules = self.at_work(&[B24a, B24b, B25Leftmost, B25Rightmost])?;
-        let highest = xor.iter().fold(0, |bits, code| bits | code).checked_ilog2();
+        let highest = joined(xor).checked_ilog2();
         let bit = highest.filter(|bit| bit + 1 != u32::from(level))?;
         let [right, bit, level] =
             [bit + 1, bit, level.into()].map(|number: u32| strong(&number.to_string()));

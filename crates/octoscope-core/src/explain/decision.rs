@@ -1,8 +1,9 @@
 //! Sentences on what is decided by comparing numbers.
 
+use super::number::shown_number;
 use super::rich::{on_axis, strong};
 use super::teller::Teller;
-use super::words::{Decided, chain, distinct, equation, far_planes, relation, t, typographic};
+use super::words::{Decided, chain, distinct, equation, far_planes, relation, t};
 use crate::event::Halves;
 use crate::geometry::{AXIS_NAMES, Axes};
 use crate::query::Query;
@@ -43,7 +44,7 @@ impl<const D: usize> Teller<'_, D> {
                     return words.say("clip-behind", &arguments);
                 }
                 if let Some(end) = end.filter(|&end| enter.max(0.0) >= end) {
-                    arguments.push(("end", equation("t", &typographic(end))));
+                    arguments.push(("end", equation("t", &shown_number(end))));
                     let key = if enter > 0.0 { "clip-short" } else { "clip-no-length" };
                     return words.say(key, &arguments);
                 }

@@ -8,6 +8,11 @@ pub fn number(x: f64) -> String {
     signed_number(x + 0.0)
 }
 
+/// [`number`] as it is shown, with a typographic minus.
+pub fn shown_number(x: f64) -> String {
+    number(x).replace('-', "−")
+}
+
 /// [`number`], but -0 for a zero with a sign.
 pub fn signed_number(x: f64) -> String {
     if x.is_nan() {
@@ -33,14 +38,14 @@ pub fn distinct(numbers: &[f64]) -> Vec<String> {
             return texts;
         }
     }
-    numbers.iter().map(|&x| number(x).replace('-', "−")).collect()
+    numbers.iter().map(|&x| shown_number(x)).collect()
 }
 
 /// `x` to this many significant digits, without zeros at the end.
 fn to_digits(x: f64, digits: usize) -> String {
     let rounded =
         if x.is_finite() { format!("{x:.*e}", digits - 1).parse().unwrap_or(x) } else { x };
-    number(rounded).replace('-', "−")
+    shown_number(rounded)
 }
 
 #[cfg(test)]

@@ -1,7 +1,7 @@
 //! Pieces of sentences, marked up.
 
 use super::names::step_texts;
-use super::number::{self, number, signed_number};
+use super::number::{self, shown_number, signed_number};
 use super::rich::{on_axis, shortened, strong, with_sub};
 use crate::geometry::{AXIS_NAMES, Axes};
 use crate::text::{Language, Texts};
@@ -126,7 +126,7 @@ const SHORT_COORDINATE: usize = 9;
 
 /// A coordinate with all its digits, if these are few, or in short.
 pub(super) fn coordinate(x: f64) -> String {
-    let whole = typographic(x);
+    let whole = shown_number(x);
     if whole.chars().count() <= SHORT_COORDINATE { whole } else { approx(x) }
 }
 
@@ -142,18 +142,13 @@ pub(super) fn distinct(numbers: &[f64]) -> Vec<String> {
 }
 
 fn with_digits(text: String, x: f64) -> String {
-    let whole = typographic(x);
+    let whole = shown_number(x);
     if text == whole { text } else { shortened(&text, &whole) }
 }
 
 /// `code` in binary, `width` digits at least.
 pub(super) fn binary(code: u32, width: u8) -> String {
     format!("{code:0width$b}", width = usize::from(width.max(1)))
-}
-
-/// The shortest number that reads back, but with a typographic minus.
-pub(super) fn typographic(x: f64) -> String {
-    number(x).replace('-', "−")
 }
 
 /// Name of the parameter at a plane: `plane` is 0, m or 1.

@@ -13,12 +13,18 @@ pub fn branch<const D: usize>(code: Code<D>, level: u8) -> Child<D> {
     Child::in_upper_half_where(|e| code[e] >> (level - 1) & 1 == 1)
 }
 
+/// The bits that are set along any axis.
+#[inline]
+pub fn joined<const D: usize>(code: Code<D>) -> u32 {
+    code.into_iter().fold(0, |bits, c| bits | c)
+}
+
 /// Level of the smallest cell, occupied or not, that holds both codes: one more
 /// than the number of the highest bit in which they differ on any axis.
 #[inline]
 pub fn common_level<const D: usize>(a: Code<D>, b: Code<D>) -> u8 {
-    let union = (0..D).fold(0, |bits, e| bits | a[e] ^ b[e]);
-    (u32::BITS - union.leading_zeros()) as u8
+    let differences = joined(std::array::from_fn::<u32, D, _>(|e| a[e] ^ b[e]));
+    (u32::BITS - differences.leading_zeros()) as u8
 }
 
 /// Morton code: the bits of all axes interleaved, the x bit least significant

@@ -18,7 +18,7 @@ mod sort;
 
 pub use build::{BuildError, build, build_on};
 pub use child::Child;
-pub use code::{Code, branch, common_level, morton};
+pub use code::{Code, branch, common_level, joined, morton};
 pub use domain::{Domain, DomainError, last_where};
 pub use grow::{Cell, Split, grow};
 pub use keys::{Outside, outside};

@@ -58,6 +58,7 @@ pub fn sort_by_key(threads: NonZeroUsize, items: &mut [Item]) {
         sort_block(part);
         None
     });
+    // They are as much again as the items.
     drop(blocks);
     for part in large.into_iter().flatten() {
         sort_by_key(threads, part);

@@ -1,9 +1,9 @@
 //! Codes written as rows of bits under a common row of bit numbers.
 
 use super::sheet::Sheet;
-use super::words::{on_axis, strong};
+use super::words::on_axis;
 use crate::{Anchor, Figure, Role, metrics};
-use octoscope_core::explain::{RichText, Span};
+use octoscope_core::explain::RichText;
 
 /// One row of bits.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -120,18 +120,9 @@ impl Measures {
 impl BitRow {
     /// Its name; what stands after a low line is a subscript.
     fn title(&self) -> RichText {
-        let (name, below) = self.name.split_once('_').unwrap_or((&self.name, ""));
-        let mut title = match self.axis {
-            Some(axis) => on_axis(axis, name),
-            None => strong(name),
-        };
-        if !below.is_empty() {
-            title.0.push(Span {
-                text: below.to_owned(),
-                axis: self.axis,
-                sub: true,
-                ..Span::default()
-            });
+        let mut title = RichText::with_subscripts(&self.name);
+        for span in &mut title.0 {
+            (span.axis, span.strong) = (self.axis, self.axis.is_none());
         }
         title
     }

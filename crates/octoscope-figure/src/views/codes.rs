@@ -6,7 +6,7 @@ use super::sheet::Sheet;
 use super::subject::Subject;
 use crate::{Anchor, Figure, Role};
 use octoscope_core::event::Event;
-use octoscope_core::explain::number;
+use octoscope_core::explain::shown_number;
 use octoscope_core::geometry::AXIS_NAMES;
 use octoscope_core::text::Texts;
 use octoscope_core::trace::Moment;
@@ -83,7 +83,7 @@ pub(super) fn bits_of<const D: usize>(tree: &Tree<D>, moment: &Moment<D>) -> Bit
         bits: i64::from(code[axis]),
         known_from,
         note: if of.is_some() {
-            let coordinate = number(domain.plane(axis, code[axis])).replace('-', "−");
+            let coordinate = shown_number(domain.plane(axis, code[axis]));
             format!("{} ({} = {coordinate})", code[axis], AXIS_NAMES[axis])
         } else {
             String::new()

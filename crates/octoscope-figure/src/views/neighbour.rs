@@ -9,7 +9,7 @@ use crate::{Figure, Role};
 use octoscope_core::geometry::AXIS_NAMES;
 use octoscope_core::text::Texts;
 use octoscope_core::trace::{Moment, Target};
-use octoscope_core::tree::{Tree, common_level};
+use octoscope_core::tree::{self, Tree, common_level};
 
 /// A neighbour computation.
 #[derive(Clone, Debug, PartialEq)]
@@ -118,7 +118,7 @@ pub(super) fn bits_of<const D: usize>(
     if let (Some(difference), Some(last)) = (moment.difference, tables.last_mut())
         && difference.xor.iter().filter(|&&bits| bits != 0).count() > 1
     {
-        let union = difference.xor.into_iter().fold(0, |union, bits| union | bits);
+        let union = tree::joined(difference.xor);
         let marked = union.checked_ilog2().map_or(0, |bit| 1 << bit);
         let (name, bits) = ("or".to_owned(), i64::from(union));
         let note = union.to_string();

@@ -9,7 +9,7 @@ use crate::{Figure, Role};
 use octoscope_core::geometry::AXIS_NAMES;
 use octoscope_core::text::Texts;
 use octoscope_core::trace::Moment;
-use octoscope_core::tree::{Code, Tree};
+use octoscope_core::tree::{Code, Tree, joined};
 
 /// Corner codes, their XOR, the OR of those, and the level that follows, in words
 /// as soon as it is known; `None` as long as no region is located.
@@ -38,8 +38,7 @@ pub fn region_table<const D: usize>(
 
 /// The highest bit in which places differ.
 fn highest_of<const D: usize>(xor: Code<D>) -> Option<u8> {
-    let union = xor.into_iter().fold(0, |union, bits| union | bits);
-    union.checked_ilog2().map(|bit| bit as u8)
+    joined(xor).checked_ilog2().map(|bit| bit as u8)
 }
 
 /// The codes and what is computed from them, as they are; the bit that is followed
@@ -64,8 +63,7 @@ pub(super) fn bits_of<const D: usize>(tree: &Tree<D>, moment: &Moment<D>) -> Opt
     }
     if let Some(difference) = moment.difference {
         let marked = highest_of(difference.xor).map_or(0, |bit| 1 << bit);
-        let union = difference.xor.into_iter().fold(0, |union, bits| union | bits);
-        let row = bit_row("or".to_owned(), None, union);
+        let row = bit_row("or".to_owned(), None, joined(difference.xor));
         rows.push(BitRow { rule_above: true, marked, ..row });
     }
     let width = tree.domain().root_level() + 1;

@@ -4,7 +4,7 @@ use super::exercise::{Exercise, NodeAnswer};
 use super::sheet::Sheet;
 use super::words::{joined, on_axis, strong, tuple};
 use crate::{Anchor, Figure, Role, metrics};
-use octoscope_core::explain::{RichText, Span, approx, number};
+use octoscope_core::explain::{RichText, Span, approx, shown_number};
 use octoscope_core::geometry::AXIS_NAMES;
 use octoscope_core::text::Texts;
 use octoscope_core::tree::{NodeId, Tree, branch};
@@ -104,7 +104,8 @@ impl<const D: usize> Page<'_, D> {
         let width = self.width - left;
         let domain = self.tree.domain();
         let interval = |axis: usize| {
-            let [min, max] = [0, domain.grid_size()].map(|code| number(domain.plane(axis, code)));
+            let [min, max] =
+                [0, domain.grid_size()].map(|code| shown_number(domain.plane(axis, code)));
             format!("{min} ≤ {} < {max}", AXIS_NAMES[axis])
         };
         let box_text = joined((0..D).flat_map(|axis| {
@@ -345,5 +346,5 @@ fn short(t: f64) -> String {
 fn typographic(x: f64) -> String {
     // Sums of twentieths have a last bit too many.
     let rounded = (x * 1e9).round() / 1e9;
-    number(rounded).replace('-', "−")
+    shown_number(rounded)
 }

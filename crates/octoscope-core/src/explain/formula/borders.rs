@@ -6,7 +6,7 @@ use super::term::{Fence, Formula, Sign, row};
 use super::writer::Writer;
 use crate::geometry::Axes;
 use crate::traverse::Variant;
-use crate::tree::Code;
+use crate::tree::{self, Code};
 
 impl<const D: usize> Writer<'_, D> {
     /// The codes beyond a side.
@@ -191,7 +191,7 @@ impl<const D: usize> Writer<'_, D> {
     pub(super) fn climb(&self, level: u8) -> Vec<Statement> {
         let Some(difference) = self.before.difference else { return Vec::new() };
         let k = self.notation.level();
-        let joined = difference.xor.into_iter().fold(0, |all, c| all | c);
+        let joined = tree::joined(difference.xor);
         let (and, delta) = (self.notation.and(), self.notation.difference());
         // In print the rightmost digit decides, whatever the level.
         let by = if self.has(Variant::B25Rightmost) { 0 } else { level - 1 };
