@@ -229,7 +229,7 @@ impl Palette {
 /// Place `share`, 0 … 1, on the ramp cividis [Nuñez, Anderton, Renslow 2018]:
 /// even in lightness, the same to colour-blind eyes. Dark themes begin a good third along
 /// it, so that nothing sinks into the background; all end before its lightest part, which
-/// would look like the current node.
+/// would look like the current node, to colour-blind eyes first.
 pub fn ramp(theme: Theme, share: f64) -> Colour {
     const STOPS: [u32; 10] = [
         0x00224e, 0x123570, 0x3b496c, 0x575d6d, 0x707173, 0x8a8678, 0xa59c74, 0xc3b369, 0xe1cc55,
@@ -237,7 +237,7 @@ pub fn ramp(theme: Theme, share: f64) -> Colour {
     ];
     let share = if share.is_finite() { share.clamp(0.0, 1.0) } else { 0.0 };
     let share = match theme {
-        Theme::Light | Theme::Print | Theme::Projector => 0.7 * share,
+        Theme::Light | Theme::Print | Theme::Projector => 0.68 * share,
         Theme::Dark => 0.36 + 0.4 * share,
     };
     let place = share * (STOPS.len() - 1) as f64;
