@@ -1,0 +1,66 @@
+//! What a request draws, and what it says it cannot.
+
+use super::*;
+use crate::open::open_built_in;
+use octoscope_core::event::End;
+use octoscope_core::query::Query;
+use octoscope_core::traverse::Method;
+use std::sync::Arc;
+
+#[test]
+fn a_figure_of_a_misprint_shows_what_would_be_right_where_a_frame_would_not_do() {
+    let mut any = open_built_in("rings", &Progress::default()).unwrap();
+    let AnyDocument::Plane(document) = &mut any else { panic!("not a quadtree") };
+    assert!(document.tree.n_leaves() > 2000, "{}", document.tree.n_leaves());
+    let method: Method = "parametric@B-1".parse().unwrap();
+    document.scenario.query = Query::default().along_the_ray_by(method);
+    document.trace_whole_within(&Progress::default()).unwrap();
+    let last = document.trace.events.len();
+    let svg = in_space(last).svg(&any, last, &Progress::default()).unwrap();
+    assert!(svg.contains("expected"), "{}", svg.len());
+    let cancelled = Progress::default();
+    cancelled.cancel();
+    assert!(in_space(last).svg(&any, last, &cancelled).is_err());
+}
+
+fn in_space(step: usize) -> Request {
+    Request {
+        view: FigureView::Space,
+        order: Order::default(),
+        steps: one(step),
+        moments: Moments::default(),
+        exercise: (None, Fields::Empty),
+        eye: None,
+        show: None,
+        language: Language::English,
+        notation: Notation::default(),
+    }
+}
+
+#[test]
+fn a_figure_that_cannot_tell_what_is_right_says_so() {
+    let any = open_built_in("quadtree-82", &Progress::default()).unwrap();
+    let AnyDocument::Plane(mut document) = any else { panic!("not a quadtree") };
+    let english = texts(Language::English);
+    let mut left_out = |method: &str, is_cut: bool| {
+        let query = Query::default().along_the_ray_by(method.parse().unwrap());
+        document.scenario.query = query;
+        document.trace_whole_within(&Progress::default()).unwrap();
+        if is_cut {
+            let mut trace = (*document.trace).clone();
+            trace.outcome.end = End::Cut;
+            document.trace = Arc::new(trace);
+        }
+        in_space(0).left_out(&document, &english)
+    };
+    assert_eq!(left_out("parametric@B-1", false), None);
+    assert_eq!(left_out("parametric", true), None);
+    let told = left_out("parametric@B-1", true).unwrap();
+    assert!(told.contains("not marked"), "{told}");
+}
+
+#[test]
+fn a_shell_reads_the_words_back() {
+    let words = ["a", "b c", "it's", "", "ä.svg", "--ray=-0.1,2"].map(str::to_owned);
+    assert_eq!(shell_line(&words), "a 'b c' 'it'\\''s' '' 'ä.svg' --ray=-0.1,2");
+}
