@@ -194,7 +194,7 @@ mod tests {
                 let ratio = contrast(border, palette.panel);
                 assert!(ratio >= 3.0, "{theme:?} {ratio:.2}");
             }
-            let selected = contrast(palette.accent, palette.hairline.over(palette.field));
+            let selected = contrast(palette.accent, palette.lit.over(palette.field));
             assert!(selected >= 3.0, "what is selected in {theme:?}: {selected:.2}");
         }
     }

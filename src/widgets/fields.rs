@@ -9,7 +9,7 @@ pub fn text_field(ui: &mut Ui, look: &Look, field: TextEdit<'_>) -> Response {
         let selection = &mut ui.visuals_mut().selection;
         selection.stroke = Stroke::new(1.5, look.palette.accent);
         // Selected letters are in the colour of the border.
-        selection.bg_fill = look.palette.hairline;
+        selection.bg_fill = look.palette.lit;
         ui.add(field)
     });
     shown.inner
