@@ -116,7 +116,7 @@ fn another_point_region_and_cell_are_found_as_well() {
 fn the_key_leads_to_where_a_detour_begins_or_says_why_nothing_is_wrong() {
     let mut desk = Desk::new();
     desk.press(Key::W);
-    assert!(desk.says("No rule is followed as printed here"));
+    assert!(desk.says("Every rule is followed in its right form"));
 
     desk.open_scenario(&counterexample(Variant::B9));
     desk.press(Key::Home);
