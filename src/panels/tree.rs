@@ -112,7 +112,8 @@ fn node_response(
     }
     // Tab stops only where the algorithm is or was, and where it chooses.
     let sense = if node.matters { Sense::click() } else { Sense::CLICK };
-    Some(ui.interact(place, canvas.id.with(node.node), sense))
+    // A number alone would be that of the hint of the canvas.
+    Some(ui.interact(place, canvas.id.with(("node", node.node)), sense))
 }
 
 fn paint_focus(painter: &Painter, look: &Look, frame: PageInWindow, node: &DiagramNode) {

@@ -167,6 +167,22 @@ fn no_source_is_too_long_to_read() {
 }
 
 #[test]
+fn ids_that_are_made_by_hand_have_a_name() {
+    // A number alone is that of a hint of the same control.
+    let mut n_ids = 0;
+    for (path, text) in sources(&["rs"]).into_iter().filter(|(path, _)| path.starts_with("src/")) {
+        for of in [".id.with(", "_id.with(", "_id().with("] {
+            for made in text.split(of).skip(1) {
+                let has_name = made.trim_start_matches('(').starts_with('"');
+                assert!(has_name, "{path} makes an id of {of}{}", made.lines().next().unwrap());
+                n_ids += 1;
+            }
+        }
+    }
+    assert!(n_ids > 3, "{n_ids}");
+}
+
+#[test]
 fn every_place_of_a_rule_exists() {
     let paths: Vec<String> = sources(&["rs"]).into_iter().map(|(path, _)| path).collect();
     for rule in RULES {

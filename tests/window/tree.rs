@@ -127,6 +127,20 @@ fn the_hover_text_says_what_a_click_does_and_why_a_node_is_left_out() {
 }
 
 #[test]
+fn the_pointer_goes_from_the_hint_of_a_node_to_that_of_the_diagram() {
+    let mut desk = desk();
+    let canvas = desk.get_by_role_and_label(Role::Canvas, "Tree view").rect();
+    let places = [desk.node("Root"), canvas.left_bottom() + vec2(60.0, -30.0)];
+    for (place, said) in places.into_iter().zip(["Click: to step ", "Ctrl and the wheel to zoom"]) {
+        desk.hover_at(place);
+        for _ in 0..60 {
+            desk.step();
+        }
+        assert!(desk.says(said), "{said}: {:?}", desk.texts());
+    }
+}
+
+#[test]
 fn the_keyboard_alone_reaches_a_node_and_goes_to_its_step() {
     let mut desk = desk();
     let wanted = "Child 1, level 2, codes 0, 4";
