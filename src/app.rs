@@ -80,6 +80,8 @@ pub struct App {
     degenerate: Option<Degenerate>,
     /// Maps of rays, for the panel that shows them.
     maps: Maps,
+    /// Whether a dialog lay over everything else in the last frame.
+    was_covered: bool,
     /// Which keys were taken after the last frame.
     taken: Taken,
     /// Layers on the graphics adapter; `None` without one.
@@ -112,10 +114,11 @@ impl App {
         view.dialog = view.untold.take().map(Dialog::Error);
         let mut app = Self::with_document(first_scene(), view, layers(creation));
         theme::install_fonts(&creation.egui_ctx);
-        if let Some(path) = start {
-            app.open(&creation.egui_ctx, path);
-        } else if let Some(last) = creation.storage.and_then(save::remembered) {
-            app.restore(&creation.egui_ctx, last);
+        let last = creation.storage.and_then(save::remembered);
+        match (start, last) {
+            (Some(path), last) => app.start_on(&creation.egui_ctx, path, last),
+            (None, Some(last)) => app.restore(&creation.egui_ctx, last),
+            (None, None) => {}
         }
         app
     }
@@ -157,6 +160,7 @@ impl App {
             n_searches: 0,
             degenerate: None,
             maps: Maps::default(),
+            was_covered: false,
             taken: Taken::default(),
             layers,
         };
@@ -225,11 +229,15 @@ impl App {
         }
     }
 
-    /// Shows what the scenario wants to be shown; without a wish, what was shown before.
+    /// Shows what the scenario wants to be shown; without a wish what was shown before, but
+    /// whole.
     fn show_as_kept(&mut self) {
         match with_document!(&self.document, d => kept_show(&d.opened().view)) {
             Ok(Some(show)) => *self.show_of_document_mut() = show,
-            Ok(None) => {}
+            Ok(None) => {
+                let show = self.show_of_document_mut();
+                *show = show.whole();
+            }
             Err(error) => self.notice.say(complaint::told(&self.look.texts, &error)),
         }
     }

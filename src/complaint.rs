@@ -128,7 +128,7 @@ fn of_building(texts: &Texts, error: &BuildError) -> String {
         | BuildError::NoCapacity
         | BuildError::PixelCount { .. }
         | BuildError::ImageInSpace
-        | BuildError::Cancelled => {
+        | BuildError::Cancelled(_) => {
             texts.format("error-building", &[("details", error.to_string().into())])
         }
     }

@@ -1,14 +1,40 @@
 //! Work on another thread, with progress and cancel.
 
+use eframe::egui::Context;
 use octoscope_core::progress::Progress;
+use octoscope_core::text::Texts;
 use std::sync::Arc;
 use std::sync::mpsc::{Receiver, RecvTimeoutError, channel};
 use std::time::{Duration, Instant};
 
+/// What is done, to be said in the language of the moment.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Title {
+    /// Nothing is said of it.
+    Silent,
+    /// The text of a key.
+    Of(&'static str),
+    /// The same with a name in it.
+    Named(&'static str, String),
+}
+
+impl Title {
+    /// What is done, in the user's words.
+    pub fn told(&self, texts: &Texts) -> String {
+        match self {
+            Self::Silent => String::new(),
+            Self::Of(key) => texts.get(key),
+            Self::Named(key, name) => texts.format(key, &[("name", name.clone().into())]),
+        }
+    }
+}
+
 /// A computation that has been started.
 pub struct Job<T> {
-    /// What is done, in the user's words.
-    pub title: String,
+    /// What is done.
+    pub title: Title,
+    /// The window that waits for it.
+    pub context: Context,
     /// How far it is; cancels it.
     pub progress: Arc<Progress>,
     started: Instant,
@@ -33,15 +59,20 @@ impl<T: Send + 'static> Job<T> {
 
     /// Starts `work` on another thread and wakes the window when it is done.
     pub fn start(
-        title: String,
-        context: &eframe::egui::Context,
+        title: Title,
+        context: &Context,
         work: impl FnOnce(&Progress) -> T + Send + 'static,
     ) -> Self {
         let progress = Arc::new(Progress::default());
         let (sender, receiver) = channel();
-        let job =
-            Self { title, progress: Arc::clone(&progress), started: Instant::now(), receiver };
         let context = context.clone();
+        let job = Self {
+            title,
+            context: context.clone(),
+            progress: Arc::clone(&progress),
+            started: Instant::now(),
+            receiver,
+        };
         std::thread::spawn(move || {
             // Nobody may be waiting any more: then the result is not wanted.
             let _ = sender.send(work(&progress));

@@ -3,6 +3,7 @@
 use super::App;
 use super::exporting::{Made, image};
 use crate::export::Request;
+use crate::job::Title;
 use crate::with_document;
 use eframe::egui::Context;
 use octoscope_core::progress::Progress;
@@ -31,6 +32,6 @@ impl App {
                 Copying::Table => Made::Table(request.text(&document)?),
             })
         };
-        self.make(context, self.look.text("job-copy"), work);
+        self.make(context, Title::Of("job-copy"), work);
     }
 }

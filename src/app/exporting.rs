@@ -7,7 +7,7 @@ use crate::document::AnyDocument;
 use crate::export::{Origin, Request};
 use crate::export_dialog::{self, Answer, PREVIEW, Shown};
 use crate::figures::views_of;
-use crate::job::{Job, Poll};
+use crate::job::{Job, Poll, Title};
 use crate::panels::dialogs;
 use crate::panels::show::Of;
 use crate::text::texts;
@@ -129,7 +129,7 @@ impl App {
     pub(super) fn make(
         &mut self,
         context: &Context,
-        title: String,
+        title: Title,
         work: impl FnOnce(&Progress) -> anyhow::Result<Made> + Send + 'static,
     ) {
         if self.exporting.making.is_some() {
@@ -149,7 +149,7 @@ impl App {
         self.view.export.set_file(&path.to_string_lossy());
         let request = export_dialog::request(&self.document, &self.view);
         let (name, mut document, path) = (file_name(path), self.document.clone(), path.to_owned());
-        let title = self.look.texts.format("job-export", &[("name", name.as_str().into())]);
+        let title = Title::Named("job-export", name.clone());
         let language = self.view.language;
         let work = move |progress: &Progress| {
             // The window may keep less of a long run, or nothing of it yet.
@@ -218,7 +218,9 @@ impl App {
                 context.copy_text(text);
                 self.notice.say(self.look.text("status-copied-table"));
             }
-            Err(error) if error.root_cause().is::<Cancelled>() => {}
+            Err(error) if error.root_cause().is::<Cancelled>() => {
+                self.notice.say(self.look.text("status-cancelled"));
+            }
             Err(error) if self.view.dialog == Some(Dialog::Export) => {
                 self.exporting.refused = Some(complaint::told(&self.look.texts, &error));
             }
@@ -253,7 +255,7 @@ impl App {
             let (document, request, step) = wanted;
             request.preview(&document, step, most, progress)
         };
-        preview.making = Some(Job::start(String::new(), context, work));
+        preview.making = Some(Job::start(Title::Silent, context, work));
     }
 
     /// Waits until the picture in the dialog is made.

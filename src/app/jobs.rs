@@ -3,7 +3,7 @@
 use super::App;
 use super::telling::{file_name, rules_told};
 use crate::document::AnyDocument;
-use crate::job::{Job, Poll};
+use crate::job::{Job, Poll, Title};
 use crate::open::{open, open_built_in, open_scenario};
 use crate::save::Last;
 use crate::view::PanelKind;
@@ -18,6 +18,8 @@ use std::path::{Path, PathBuf};
 /// What a job is to do.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Task {
+    /// Open what the window is started with.
+    Start,
     /// Open what is shown instead of the present document.
     Open,
     /// The same, and it is said which rules it follows.
@@ -33,14 +35,25 @@ pub(super) enum Task {
 impl App {
     /// Opens a file on another thread.
     pub fn open(&mut self, context: &Context, path: PathBuf) {
-        let title = self.look.texts.format("job-open", &[("name", file_name(&path).into())]);
+        self.begin_to_open(context, path, Task::Open);
+    }
+
+    /// Opens the file that the window is started with; what was open last comes back if
+    /// that fails.
+    pub(super) fn start_on(&mut self, context: &Context, path: PathBuf, last: Option<Last>) {
+        self.unrestored = last;
+        self.begin_to_open(context, path, Task::Start);
+    }
+
+    fn begin_to_open(&mut self, context: &Context, path: PathBuf, task: Task) {
+        let title = Title::Named("job-open", file_name(&path));
         let work = move |progress: &Progress| open(&path, progress);
-        self.job = Some((Job::start(title, context, work), Task::Open));
+        self.job = Some((Job::start(title, context, work), task));
     }
 
     /// Opens what was open last, on another thread as well.
     pub(super) fn restore(&mut self, context: &Context, last: Last) {
-        let title = self.look.text("job-restore");
+        let title = Title::Of("job-restore");
         self.unrestored = Some(last.clone());
         let work = move |progress: &Progress| {
             let Last { scenario, unchanged, folder, path } = last;
@@ -55,14 +68,14 @@ impl App {
     }
 
     pub(super) fn open_scene(&mut self, context: &Context, id: &'static str) {
-        let title = self.look.texts.format("job-open", &[("name", id.into())]);
+        let title = Title::Named("job-open", id.to_owned());
         let work = move |progress: &Progress| open_built_in(id, progress);
         self.job = Some((Job::start(title, context, work), Task::Open));
     }
 
     /// Opens the counterexample of a misprint.
     pub(super) fn open_counterexample(&mut self, context: &Context, variant: Variant) {
-        let title = self.look.texts.format("job-open", &[("name", variant.id().into())]);
+        let title = Title::Named("job-open", variant.id().to_owned());
         let work = move |progress: &Progress| {
             open_scenario(counterexample(variant), Path::new(""), progress)
         };
@@ -73,7 +86,7 @@ impl App {
     pub(super) fn find_other_question(&mut self, context: &Context) {
         self.n_searches += 1;
         let (seed, mut document) = (self.n_searches, self.document.clone());
-        let (title, none) = (self.look.text("job-other"), self.look.text("paper-no-other"));
+        let (title, none) = (Title::Of("job-other"), self.look.text("paper-no-other"));
         let work = move |progress: &Progress| {
             let found = with_document!(&mut document, d => {
                 let asked = (d.scenario.ray, d.scenario.query);
@@ -98,7 +111,7 @@ impl App {
         if !needs || self.job.is_some() {
             return;
         }
-        let title = self.look.text("job-build");
+        let title = Title::Of("job-build");
         let document = self.document.clone();
         let work = move |progress: &Progress| {
             Ok(match document {
@@ -123,8 +136,9 @@ impl App {
         if let Some(job) = &self.judging {
             self.conclude_judging(job.wait());
         }
-        if let Some((job, task)) = &self.job {
-            self.conclude(job.wait(), *task);
+        // Where it fails, what was open last may come after it.
+        while let Some((job, _)) = &self.job {
+            self.conclude(job.wait());
         }
         if let Some(job) = &self.tracing {
             self.conclude_tracing(job.wait());
@@ -136,21 +150,21 @@ impl App {
     }
 
     pub(super) fn poll_job(&mut self) {
-        if let Some((job, task)) = &self.job {
-            self.conclude(job.poll(), *task);
+        if let Some((job, _)) = &self.job {
+            self.conclude(job.poll());
         }
     }
 
     /// Takes what a job has come to.
-    pub(super) fn conclude(&mut self, poll: Poll<anyhow::Result<AnyDocument>>, task: Task) {
+    fn conclude(&mut self, poll: Poll<anyhow::Result<AnyDocument>>) {
         let result = match poll {
             Poll::Running => return,
             Poll::Done(result) => result,
             Poll::Broken => Err(anyhow!(self.look.text("job-broken"))),
         };
-        self.job = None;
+        let Some((job, task)) = self.job.take() else { return };
         match (result, task) {
-            (Ok(document), Task::Open | Task::Counterexample | Task::Restore) => {
+            (Ok(document), Task::Start | Task::Open | Task::Counterexample | Task::Restore) => {
                 self.take_opened(document, task);
             }
             (Ok(rebuilt), Task::Rebuild) => {
@@ -167,10 +181,24 @@ impl App {
                 if task == Task::Rebuild {
                     with_document!(&mut self.document, document => document.keep_tree());
                 }
-                if !error.root_cause().is::<Cancelled>() {
+                if error.root_cause().is::<Cancelled>() {
+                    self.notice.say(self.look.text("status-cancelled"));
+                } else {
                     self.tell_failure(&error, task);
                 }
+                if matches!(task, Task::Start | Task::Open) {
+                    self.restore_instead(&job.context);
+                }
             }
+        }
+    }
+
+    /// Opens what was open last, if that was given up for what cannot be opened.
+    fn restore_instead(&mut self, context: &Context) {
+        if !self.is_changed()
+            && let Some(last) = self.unrestored.take()
+        {
+            self.restore(context, last);
         }
     }
 
@@ -178,7 +206,7 @@ impl App {
     fn take_opened(&mut self, document: AnyDocument, task: Task) {
         let changed = self.is_changed().then(|| self.titled());
         // A start is not undone, but for what was done meanwhile.
-        if task != Task::Restore || changed.is_some() {
+        if !matches!(task, Task::Start | Task::Restore) || changed.is_some() {
             self.settle_now();
             self.history.record(self.shown());
         }
@@ -213,7 +241,9 @@ impl App {
                 let arguments = [("why", why.into())];
                 self.notice.say(self.look.texts.format("status-not-restored", &arguments));
             }
-            Task::Open | Task::Counterexample | Task::Rebuild | Task::Aim => self.complain(error),
+            Task::Start | Task::Open | Task::Counterexample | Task::Rebuild | Task::Aim => {
+                self.complain(error);
+            }
         }
     }
 }

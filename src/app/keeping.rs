@@ -2,7 +2,7 @@
 
 use super::App;
 use super::jobs::Task;
-use crate::job::{Job, Poll};
+use crate::job::{Job, Poll, Title};
 use crate::kept_show::keep_show;
 use crate::save::{self, Kept, Last};
 use crate::with_document;
@@ -48,7 +48,7 @@ impl App {
     /// Begins to print what is open.
     pub fn begin_to_keep(&mut self, context: &Context) {
         let last = self.last();
-        self.keeping.job = Some(Job::start(String::new(), context, |_| Kept::of(&last())));
+        self.keeping.job = Some(Job::start(Title::Silent, context, |_| Kept::of(&last())));
     }
 
     /// Waits for what is being printed, and keeps it in `storage`.

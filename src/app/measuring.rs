@@ -5,7 +5,7 @@ use super::exporting::Made;
 use super::telling::file_name;
 use crate::bench::run;
 use crate::comparison::is_quick;
-use crate::job::{Job, Poll};
+use crate::job::{Job, Poll, Title};
 use crate::lab::{self, SIZE_OF_FILES, Tab, figure};
 use crate::lab_dialog::{self, Answer, Shown, State};
 use crate::view::Dialog;
@@ -140,7 +140,7 @@ impl App {
     fn measure(&mut self, context: &Context) {
         let Some(plan) = self.view.lab.plan() else { return };
         let work = move |progress: &Progress| run(&plan, progress);
-        self.measuring.job = Some(Job::start(self.look.text("lab-running"), context, work));
+        self.measuring.job = Some(Job::start(Title::Of("lab-running"), context, work));
     }
 
     fn poll_measuring(&mut self, context: &Context) {
@@ -206,7 +206,7 @@ impl App {
         let title = format!("{}: {}", self.look.text("lab-title"), self.look.text(choice.tab.id()));
         let (results, theme) = (self.measuring.results.clone(), self.view.theme);
         let (name, path) = (file_name(path), path.to_owned());
-        let job = self.look.texts.format("job-export", &[("name", name.as_str().into())]);
+        let job = Title::Named("job-export", name.clone());
         // It is shown again after the dialog about the path.
         self.view.dialog = Some(Dialog::Lab);
         self.make(context, job, move |progress| {

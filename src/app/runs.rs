@@ -2,7 +2,7 @@
 
 use super::App;
 use crate::document::AnyDocument;
-use crate::job::{Job, Poll};
+use crate::job::{Job, Poll, Title};
 use crate::with_document;
 use eframe::egui::Context;
 use octoscope_core::progress::{Cancelled, Progress};
@@ -21,7 +21,7 @@ impl App {
             with_document!(&mut document, d => d.trace_anew(progress))?;
             Ok(document)
         };
-        self.tracing = Some(Job::start(self.look.text("job-trace"), context, work));
+        self.tracing = Some(Job::start(Title::Of("job-trace"), context, work));
     }
 
     /// Cancels the trace that is being made, if there is one.
@@ -75,7 +75,7 @@ impl App {
             with_document!(&mut document, d => d.judge(progress))?;
             Ok(document)
         };
-        self.judging = Some(Job::start(String::new(), context, work));
+        self.judging = Some(Job::start(Title::Silent, context, work));
         // What is not quite as quick is awaited, so that nothing flickers.
         self.poll_judging();
     }

@@ -4,7 +4,7 @@ use super::App;
 use super::telling::file_name;
 use crate::document::AnyDocument;
 use crate::files::{self, Chosen, Purpose};
-use crate::job::{Job, Poll};
+use crate::job::{Job, Poll, Title};
 use crate::kept_show::keep_show;
 use crate::view::{Dialog, Typed};
 use crate::{complaint, save, with_document};
@@ -88,8 +88,7 @@ impl App {
             keep_show(&mut kept, &show);
             save::scenario(&of_job, kept, &to).map(|()| now)
         };
-        let name = file_name(&path);
-        let title = self.look.texts.format("status-saving", &[("name", name.into())]);
+        let title = Title::Named("status-saving", file_name(&path));
         let job = Job::start(title, context, work);
         let context = context.clone();
         self.saving.now = Some(Begun { job, document, path, context, is_told: false });
@@ -102,7 +101,7 @@ impl App {
         match begun.job.poll() {
             Poll::Running => {
                 if begun.job.is_shown() && !begun.is_told {
-                    self.notice.say(begun.job.title.clone());
+                    self.notice.say(begun.job.title.told(&self.look.texts));
                     begun.is_told = true;
                 }
                 self.saving.now = Some(begun);
@@ -125,7 +124,7 @@ impl App {
     /// `result` is what was saved, or why it was not; `None` if nobody knows.
     fn conclude_saving(&mut self, result: Option<anyhow::Result<AnyScenario>>, begun: Begun) {
         let Begun { document, path, context, job, .. } = begun;
-        if self.notice.text() == job.title {
+        if self.notice.text() == job.title.told(&self.look.texts) {
             self.notice.clear();
         }
         match result {

@@ -4,9 +4,9 @@ use super::{Answer, Shown, State};
 use crate::bench::{MOST_DEPTH, MOST_RAYS, MOST_REPEATS};
 use crate::lab::Choice;
 use crate::look::Look;
-use crate::widgets::{MOST_SEED, default_button, ranged_field, tick};
+use crate::widgets::{MOST_SEED, default_button, progress_bar, ranged_field, tick};
 use eframe::egui::emath::Numeric;
-use eframe::egui::{Grid, Label, ProgressBar, RichText, ScrollArea, Ui};
+use eframe::egui::{Grid, Label, RichText, ScrollArea, Ui, vec2};
 use octoscope_core::explain::algorithm_name;
 use octoscope_core::measure::{SCENES, Way};
 use octoscope_core::traverse::Algorithm;
@@ -34,9 +34,9 @@ pub(super) fn ui(ui: &mut Ui, look: &Look, shown: &mut Shown, height: f32) -> Op
             }
         }
         State::Running(fraction) => {
-            let bar = ProgressBar::new(fraction.unwrap_or(0.0) as f32).show_percentage();
-            let bar = ui.add(bar.desired_width(200.0));
-            bar.on_hover_text(look.text("lab-running"));
+            let size = vec2(240.0, ui.spacing().interact_size.y);
+            let bar = ui.allocate_ui(size, |ui| progress_bar(ui, fraction.unwrap_or(0.0)));
+            bar.response.on_hover_text(look.text("lab-running"));
             if ui.button(look.text("lab-stop")).clicked() {
                 answer = Some(Answer::Stop);
             }

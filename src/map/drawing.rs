@@ -2,7 +2,7 @@
 
 use super::asked::Asked;
 use super::measure::rows;
-use crate::job::{Job, Poll};
+use crate::job::{Job, Poll, Title};
 use eframe::egui::Context;
 use octoscope_core::progress::{Cancelled, Progress};
 use std::any::Any;
@@ -88,7 +88,7 @@ impl<const D: usize> Drawing<D> {
         let next = if is_shown { asked.clone() } else { asked.coarser(COARSE) };
         let made = next.clone();
         let work = move |progress: &Progress| raster(&made, progress);
-        self.job = Some((next, Job::start(String::new(), context, work)));
+        self.job = Some((next, Job::start(Title::Silent, context, work)));
     }
 
     /// Whether what is asked could not be made.

@@ -5,13 +5,14 @@ mod find;
 use crate::command::{COMMANDS, Command, Menu, Row};
 use crate::files::Purpose;
 use crate::finder::Target;
+use crate::job::Title;
 use crate::look::Look;
 use crate::shortcut;
 use crate::view::{Dialog, Typed};
-use crate::widgets::{default_button, text_field};
+use crate::widgets::{default_button, progress_bar, text_field};
 use eframe::egui::{
-    Align2, Area, Context, Frame, Grid, Id, Key, Label, Modal, Order, ProgressBar, RichText,
-    ScrollArea, Spinner, TextEdit, Ui,
+    Align2, Area, Context, Frame, Grid, Id, Key, Label, Modal, Order, RichText, ScrollArea,
+    Spinner, TextEdit, Ui,
     text::{CCursor, CCursorRange},
     text_edit::TextEditState,
     vec2,
@@ -145,18 +146,16 @@ fn path(ui: &mut Ui, look: &Look, typed: &mut Typed) -> bool {
 }
 
 /// Shows how far the work is; true if it is to be cancelled.
-pub fn progress(context: &Context, look: &Look, title: &str, fraction: Option<f64>) -> bool {
+pub fn progress(context: &Context, look: &Look, title: &Title, fraction: Option<f64>) -> bool {
     // Above dialogs, which keep the mouse from what lies below them.
     let area = Area::new(Id::unique("progress")).order(Order::Tooltip);
     let area = area.anchor(Align2::CENTER_TOP, vec2(0.0, 64.0));
     let shown = area.show(context, |ui| {
         Frame::popup(ui.style()).inner_margin(14.0).show(ui, |ui| {
             ui.set_width(320.0);
-            ui.label(RichText::new(title).strong());
+            ui.label(RichText::new(title.told(&look.texts)).strong());
             match fraction {
-                Some(fraction) => {
-                    ui.add(ProgressBar::new(fraction as f32).show_percentage());
-                }
+                Some(fraction) => progress_bar(ui, fraction),
                 None => {
                     ui.add(Spinner::new());
                 }

@@ -2,7 +2,7 @@
 
 use super::tree_layers::{self, Appearance};
 use crate::document::Document;
-use crate::job::{Job, Poll};
+use crate::job::{Job, Poll, Title};
 use crate::render::{Layer, Speed};
 use eframe::egui::Context;
 use octoscope_core::progress::{Cancelled, Progress};
@@ -108,7 +108,7 @@ impl Leaves {
                 self.layers = work(&Progress::default()).ok();
             } else {
                 // A job of another tree is cancelled.
-                self.making = Some((Job::start(String::new(), context, work), key));
+                self.making = Some((Job::start(Title::Silent, context, work), key));
                 self.poll();
             }
         }

@@ -4,6 +4,7 @@ use crate::desk::{Desk, Storage, sample};
 use eframe::egui::{Key, Modifiers};
 use octoscope::document::AnyDocument;
 use octoscope::files::{Chosen, Purpose};
+use octoscope::view::Dialog;
 use std::fs;
 use std::path::Path;
 use tempfile::tempdir;
@@ -96,6 +97,32 @@ fn what_is_given_up_is_opened_by_the_next_start() {
     desk.run();
     assert_eq!(desk.state().view.dialog, None);
     assert_eq!(desk.left(), left);
+}
+
+#[test]
+fn a_start_on_a_file_that_does_not_open_brings_what_was_open_last() {
+    let mut before = Desk::started_on(&Storage::default(), "scene:points-3d");
+    before.press(Key::R);
+    let left = before.left();
+    let mut desk = Desk::started_on(&left, "typo.octo");
+    assert!(matches!(desk.state().view.dialog, Some(Dialog::Error(_))));
+    assert!(desk.says("typo.octo"), "{:?}", desk.texts());
+    desk.press(Key::Escape);
+    assert_eq!(desk.space().scenario, before.space().scenario);
+    assert!(desk.state().is_changed());
+    let scenario = |left| octoscope::save::remembered(left).map(|last| last.scenario);
+    assert_eq!(scenario(&desk.left()), scenario(&left));
+}
+
+#[test]
+fn a_start_on_a_file_is_not_undone() {
+    let mut desk = Desk::started_on(&Storage::default(), "scene:points-3d");
+    desk.press_with(Modifiers::COMMAND, Key::Z);
+    assert_eq!(desk.space().tree.n_leaves(), 323);
+    // What is opened after it is.
+    desk.open(sample("lecture.octo"));
+    desk.press_with(Modifiers::COMMAND, Key::Z);
+    assert_eq!(desk.space().tree.n_leaves(), 323);
 }
 
 #[test]

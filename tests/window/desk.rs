@@ -69,11 +69,23 @@ impl Desk {
 
     /// The window as it starts, after `meet` and then a few frames.
     pub fn starting_with(storage: &Storage, meet: impl FnOnce(&mut App)) -> Self {
+        Self::starting_on(storage, None, meet)
+    }
+
+    /// The window as it is started with a file, once that is there or refused.
+    pub fn started_on(storage: &Storage, path: &str) -> Self {
+        let mut desk = Self::starting_on(storage, Some(path.into()), |_| ());
+        desk.state_mut().finish_work();
+        desk.run();
+        desk
+    }
+
+    fn starting_on(storage: &Storage, path: Option<PathBuf>, meet: impl FnOnce(&mut App)) -> Self {
         let storage: &'static Storage = Box::leak(Box::new(storage.clone()));
         let builder = Harness::builder().with_size([1280.0, 800.0]).with_step_dt(1.0 / 60.0);
         Self(builder.with_max_steps(60).build_eframe(|creation| {
             creation.storage = Some(storage);
-            let mut app = App::new(creation, None);
+            let mut app = App::new(creation, path);
             meet(&mut app);
             app
         }))

@@ -5,6 +5,7 @@ use eframe::egui::{Key, Modifiers, accesskit::Role};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
 use octoscope::export::print_shown;
+use octoscope_core::scenario::built_in;
 use octoscope_figure::{Levels, Rest, Show, Slice};
 
 const CTRL_SHIFT: Modifiers = Modifiers::COMMAND.plus(Modifiers::SHIFT);
@@ -104,6 +105,21 @@ fn what_is_shown_is_saved_with_the_scenario() {
     assert_eq!(plane(&desk), shown);
     desk.press(Key::U);
     assert_ne!(plane(&desk), shown);
+}
+
+#[test]
+fn a_scene_that_is_opened_is_whole() {
+    let mut desk = Desk::new();
+    desk.open_scenario(&built_in("points-3d").unwrap());
+    desk.press(Key::K);
+    desk.press(Key::A);
+    desk.press(Key::D);
+    let cut = space(&desk);
+    assert!(cut.slice.is_some() && cut.explosion > 0.0 && cut.codes);
+    desk.open_scenario(&built_in("sphere-grid").unwrap());
+    assert_eq!(space(&desk), Show { slice: None, explosion: 0.0, ..cut });
+    desk.press_with(Modifiers::COMMAND, Key::Z);
+    assert_eq!(space(&desk), cut);
 }
 
 #[test]

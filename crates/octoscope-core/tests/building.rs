@@ -2,7 +2,7 @@
 
 use octoscope_core::event::End;
 use octoscope_core::geometry::Aabb;
-use octoscope_core::progress::Progress;
+use octoscope_core::progress::{Cancelled, Progress};
 use octoscope_core::random::Random;
 use octoscope_core::scenario::{AnyScenario, BUILT_IN, Scenario, built_in};
 use octoscope_core::scene::{Content, Image, Sphere, leaf_colours, made, pixels_of};
@@ -235,7 +235,7 @@ fn any_number_of_threads_says_what_is_wrong_and_can_be_stopped() {
         assert_eq!(outside, Err(BuildError::Outside { count: 2, first: 40_123 }));
         progress.cancel();
         let cancelled = build_on(threads, &full, Domain::unit(10), &kept, &progress);
-        assert!(cancelled == Err(BuildError::Cancelled));
+        assert!(cancelled == Err(BuildError::Cancelled(Cancelled)));
     }
 }
 

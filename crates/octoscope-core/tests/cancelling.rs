@@ -1,7 +1,7 @@
 //! Building trees that nobody wants any more.
 
 use octoscope_core::geometry::Aabb;
-use octoscope_core::progress::Progress;
+use octoscope_core::progress::{Cancelled, Progress};
 use octoscope_core::scene::{Content, Sphere, made};
 use octoscope_core::tree::{BuildError, Domain, Merge, Recipe, build_on};
 use std::num::NonZeroUsize;
@@ -29,7 +29,7 @@ fn building_can_be_cancelled_while_it_is_under_way() {
                 progress.cancel();
                 worker.join().unwrap()
             });
-            assert_eq!(tree, Err(BuildError::Cancelled));
+            assert_eq!(tree, Err(BuildError::Cancelled(Cancelled)));
         }
     }
 }

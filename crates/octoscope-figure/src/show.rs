@@ -117,6 +117,12 @@ impl Show {
         Self { empty_leaves: D == 2, ..Self::default() }
     }
 
+    /// The same of the whole tree: nothing is cut off, left out by its level or moved apart.
+    #[must_use]
+    pub fn whole(self) -> Self {
+        Self { levels: Levels::ALL, slice: None, explosion: 0.0, ..self }
+    }
+
     /// The nodes off the path that are shown, the root not among them unless it is
     /// a leaf. O(nodes).
     pub fn nodes<'a, const D: usize>(

@@ -26,7 +26,9 @@ pub use formula::{
 };
 pub use latex::latex;
 pub use listing::{Line, Listing, branch, label, listing};
-pub use names::{algorithm_name, counter_name, end_name, query_name, step_texts};
+pub use names::{
+    algorithm_authors, algorithm_name, counter_name, end_name, query_name, step_texts,
+};
 pub use number::{approx, distinct, number, shown_number, signed_number};
 pub use rich::{RichText, Span};
 pub use sentence::{sentence, sentences};

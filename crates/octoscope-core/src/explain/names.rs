@@ -22,6 +22,23 @@ pub fn step_texts(language: Language) -> &'static Texts {
     }
 }
 
+/// Who has published an algorithm, between commas; nobody for what is told everywhere.
+pub fn algorithm_authors(algorithm: Algorithm) -> &'static str {
+    match algorithm {
+        Algorithm::Parametric | Algorithm::ParametricTable => "Revelles, Ureña, Lastra",
+        Algorithm::Esvo => "Laine, Karras",
+        Algorithm::Hero => "Agate, Grimsdale, Lister",
+        Algorithm::Gargantini => "Gargantini, Atkinson",
+        Algorithm::Bsp => "Sung, Shirley",
+        Algorithm::Codes => "Frisken, Perry",
+        Algorithm::Samet => "Samet",
+        Algorithm::SametCorner | Algorithm::SametNet => "Samet, Endl, Sommer",
+        Algorithm::Glassner => "Glassner",
+        Algorithm::Dda | Algorithm::DdaOctree => "Amanatides, Woo",
+        Algorithm::AllChildren | Algorithm::Exhaustive => "",
+    }
+}
+
 /// Name of an algorithm.
 pub fn algorithm_name(algorithm: Algorithm, language: Language) -> String {
     step_texts(language).get(&format!("algorithm-{}", algorithm.id()))

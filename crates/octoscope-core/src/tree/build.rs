@@ -71,18 +71,12 @@ pub enum BuildError {
     TooManyNodes,
     /// Nobody wants the tree any more.
     #[error("building the tree was cancelled")]
-    Cancelled,
+    Cancelled(#[from] Cancelled),
 }
 
 impl From<Outside> for BuildError {
     fn from(Outside { count, first }: Outside) -> Self {
         Self::Outside { count, first }
-    }
-}
-
-impl From<Cancelled> for BuildError {
-    fn from(_: Cancelled) -> Self {
-        Self::Cancelled
     }
 }
 
@@ -336,6 +330,6 @@ mod tests {
         progress.cancel();
         let content = Content::Cells(vec![[0, 0]]);
         let tree = build(&content, Domain::unit(6), &Recipe::default(), &progress);
-        assert_eq!(tree, Err(BuildError::Cancelled));
+        assert_eq!(tree, Err(BuildError::Cancelled(Cancelled)));
     }
 }
