@@ -5,10 +5,10 @@ mod settings;
 
 use crate::lab::{Choice, ENDINGS, Ending, Tab, figure_in};
 use crate::look::Look;
-use crate::widgets::{self, paint_larger, segments};
+use crate::widgets::{self, Listed, drop_down, paint_larger, segments};
 use eframe::egui::{
-    Align, Button, ComboBox, Context, Frame, Id, Layout, Modal, RichText, ScrollArea, Sense, Ui,
-    WidgetInfo, accesskit::Role,
+    Align, Button, Context, Frame, Id, Layout, Modal, RichText, ScrollArea, Sense, Ui, WidgetInfo,
+    accesskit::Role,
 };
 use octoscope_core::measure::{Quantity, Results, Watched};
 use octoscope_figure::views::lab::scene_name;
@@ -110,7 +110,7 @@ fn tabs(ui: &mut Ui, look: &Look, choice: &mut Choice, results: &Results) {
             ui.label(look.text("lab-against"));
             let sizes =
                 Quantity::SIZES.map(|size| look.text(&format!("lab-quantity-{}", size.id())));
-            list(ui, "lab size", &look.text("lab-against"), &mut choice.size, &sizes);
+            list(ui, look, ("lab size", "lab-against"), &mut choice.size, &sizes);
             scenes(ui, look, choice, results);
         }
         Tab::Table => {
@@ -138,27 +138,26 @@ fn scenes(ui: &mut Ui, look: &Look, choice: &mut Choice, results: &Results) {
     let scenes: Vec<String> =
         results.scenes().into_iter().map(|scene| scene_name(scene, &look.texts)).collect();
     if scenes.len() > 1 {
-        list(ui, "lab scene", &look.text("lab-scene"), &mut choice.scene, &scenes);
+        list(ui, look, ("lab scene", "lab-scene"), &mut choice.scene, &scenes);
     }
 }
 
 /// Which of the costs.
 fn costs(ui: &mut Ui, look: &Look, choice: &mut Choice) {
     let costs = Quantity::COSTS.map(|cost| look.text(&format!("lab-quantity-{}", cost.id())));
-    list(ui, "lab cost", &look.text("lab-quantity"), &mut choice.cost, &costs);
+    list(ui, look, ("lab cost", "lab-quantity"), &mut choice.cost, &costs);
 }
 
 /// A list from which one entry is chosen by its number.
-fn list(ui: &mut Ui, id: &str, name: &str, chosen: &mut usize, entries: &[String]) {
+fn list(ui: &mut Ui, look: &Look, (id, key): (&str, &str), chosen: &mut usize, entries: &[String]) {
+    let name = look.text(key);
     let shown = entries.get(*chosen).or(entries.first()).cloned().unwrap_or_default();
-    let list = ComboBox::from_id_salt(id).width(170.0).height(360.0).selected_text(&shown);
-    let response = list.show_ui(ui, |ui| {
-        for (number, entry) in entries.iter().enumerate() {
-            ui.selectable_value(chosen, number, entry);
-        }
-    });
     let spoken = format!("{name}: {shown}");
-    response.response.widget_info(|| WidgetInfo::labeled(Role::ComboBox, true, spoken.as_str()));
+    let lines = entries.iter().cloned().enumerate();
+    let lines: Vec<_> = lines.map(|(number, entry)| Listed::Entry(number, entry)).collect();
+    let (list, taken) = drop_down(ui, look, id, 170.0, (Some(*chosen), shown), &lines);
+    list.widget_info(|| WidgetInfo::labeled(Role::ComboBox, true, spoken.as_str()));
+    *chosen = taken.unwrap_or(*chosen);
 }
 
 fn content(ui: &mut Ui, look: &Look, shown: &Shown, height: f32) {

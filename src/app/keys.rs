@@ -14,7 +14,8 @@ pub(super) struct Taken {
     all: bool,
     /// Escape, by what lies over the picture: it closes that first.
     escape: bool,
-    /// Those by which a control is operated or left, as it is focused.
+    /// Those by which a control is operated or left, as it is focused, or as it has opened
+    /// a list or a menu.
     by_control: bool,
 }
 
@@ -24,7 +25,8 @@ impl App {
         Taken {
             all: context.text_edit_focused() || self.view.dialog.is_some(),
             escape: Popup::is_any_open(context) || self.view.blank || !self.notice.is_empty(),
-            by_control: context.memory(|memory| memory.focused().is_some()),
+            by_control: context.memory(|memory| memory.focused().is_some())
+                || Popup::is_any_open(context),
         }
     }
 

@@ -17,6 +17,7 @@ const SENTENCE_AND_NOTICE: f32 = 72.0;
 impl App {
     /// Shows all panels.
     pub(super) fn show(&mut self, ui: &mut Ui, commands: &mut Vec<Command>) {
+        self.take_hints_away(ui);
         let step = self.view.playback.step;
         let bar = |fill| Frame::new().fill(fill).inner_margin(Margin::symmetric(12, 6));
         let palette = self.look.palette;
@@ -35,6 +36,7 @@ impl App {
         let bottom = Frame::new().fill(palette.background).inner_margin(margin);
         Panel::bottom(("sentence", hall)).frame(bottom).show(ui, |ui| {
             ui.spacing_mut().item_spacing.y = 3.0;
+            let bar = ui.max_rect().expand2(margin.left_top()).y_range();
             let said = is_said_here.then_some(&self.notice);
             let slot = notice_line::slot_height(ui, &self.look, said, ui.available_width());
             let height = if hall { SENTENCE_IN_HALL } else { SENTENCE_AND_NOTICE - slot };
@@ -57,7 +59,7 @@ impl App {
             let row = vec2(ui.available_width(), timeline::HEIGHT);
             ui.allocate_ui_with_layout(row, Layout::left_to_right(Align::Center), |ui| {
                 if hall {
-                    menu::folded(ui, &self.look, |c| self.entry(c), commands);
+                    menu::folded(ui, &self.look, bar, |c| self.entry(c), commands);
                 }
                 with_document!(&mut self.document, d => {
                     let marked = timeline::Marked {
@@ -65,9 +67,9 @@ impl App {
                         rounded: &d.rounded,
                         lit: self.view.hover.lit(&d.tree),
                     };
-                    let pointed = timeline::ui(
-                        ui, &self.look, &d.trace, marked, &mut self.view.playback, commands,
-                    );
+                    let playback = &mut self.view.playback;
+                    let pointed =
+                        timeline::ui(ui, &self.look, &d.trace, marked, playback, bar, commands);
                     pointed.into_iter().for_each(|node| self.view.hover.offer(node));
                 });
             });
@@ -86,6 +88,17 @@ impl App {
             Some(Wish::Step(step)) => self.go_to(step),
         }
         self.show_dialogs(ui, commands);
+    }
+
+    /// Takes away the hint that is shown, once a dialog comes over what it is about: for
+    /// one frame there is nothing below it that could have one, and none comes back.
+    fn take_hints_away(&mut self, ui: &mut Ui) {
+        let is_covered = self.view.dialog.is_some();
+        if is_covered && !self.was_covered {
+            ui.visuals_mut().disabled_alpha = 1.0;
+            ui.disable();
+        }
+        self.was_covered = is_covered;
     }
 
     fn entry(&self, command: Command) -> Entry {

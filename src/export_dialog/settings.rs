@@ -5,14 +5,15 @@ use crate::export::{Choice, ExerciseChoice, Extent, Format, MomentChoice, StepCh
 use crate::figures::Moments;
 use crate::look::Look;
 use crate::panels::show;
-use crate::widgets::{MOST_SEED, ranged_field, segments, text_field};
-use eframe::egui::{
-    CollapsingHeader, ComboBox, Grid, Layout, RichText, TextEdit, Ui, accesskit::Role, vec2,
-};
+use crate::widgets::{Listed, MOST_SEED, drop_down, ranged_field, segments, text_field};
+use eframe::egui::{CollapsingHeader, Grid, Layout, RichText, TextEdit, Ui, accesskit::Role, vec2};
 use octoscope_core::explain::Notation;
 use octoscope_core::text::Language;
 use octoscope_figure::views::FigureView;
 use octoscope_figure::{Background, Theme, TikzForm, Unit};
+
+/// Width of lists, in points.
+const LIST: f32 = 260.0;
 
 /// Shows and takes all choices but that of the file.
 pub(super) fn settings(ui: &mut Ui, look: &Look, shown: &mut Shown) {
@@ -21,28 +22,22 @@ pub(super) fn settings(ui: &mut Ui, look: &Look, shown: &mut Shown) {
     Grid::new("export").num_columns(2).spacing([12.0, 8.0]).show(ui, |ui| {
         let label = ui.label(name("dialog-export-view")).id;
         let named = |view: FigureView| name(&format!("figure-{}", view.id()));
-        let list = ComboBox::from_id_salt("view").width(260.0).height(400.0);
-        let mut chosen = choice.view;
-        let list = list.selected_text(named(chosen)).show_ui(ui, |ui| {
-            for &view in *views {
-                ui.selectable_value(&mut chosen, view, named(view));
-            }
-        });
-        list.response.labelled_by(label);
-        if chosen != choice.view {
-            choice.set_view(chosen);
+        let lines: Vec<_> = views.iter().map(|&view| Listed::Entry(view, named(view))).collect();
+        let shown = (Some(choice.view), named(choice.view));
+        let (list, chosen) = drop_down(ui, look, "view", LIST, shown, &lines);
+        list.labelled_by(label);
+        if let Some(view) = chosen {
+            choice.set_view(view);
         }
         ui.end_row();
         if choice.view == FigureView::Formula {
             let label = ui.label(name("export-notation")).id;
             let named = |notation: Notation| name(&format!("notation-{notation}"));
-            let list = ComboBox::from_id_salt("notation").width(260.0);
-            let list = list.selected_text(named(**notation)).show_ui(ui, |ui| {
-                for one in Notation::ALL {
-                    ui.selectable_value(*notation, one, named(one));
-                }
-            });
-            list.response.labelled_by(label);
+            let lines = Notation::ALL.map(|one| Listed::Entry(one, named(one)));
+            let shown = (Some(**notation), named(**notation));
+            let (list, chosen) = drop_down(ui, look, "notation", LIST, shown, &lines);
+            list.labelled_by(label);
+            **notation = chosen.unwrap_or(**notation);
             ui.end_row();
         }
         if choice.view == FigureView::Worksheet {

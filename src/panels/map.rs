@@ -8,11 +8,10 @@ use crate::look::Look;
 use crate::map::{Asked, Colouring, Drawing, Raster, Rays, colours};
 use crate::theme::color32;
 use crate::view::{MapView, RaysOf};
-use crate::widgets::{caption, segments};
+use crate::widgets::{Listed, caption, drop_down, segments};
 use eframe::egui::{
-    Color32, ColorImage, ComboBox, EventFilter, Id, Key, Modifiers, Pos2, ProgressBar, Rect,
-    Response, Sense, Stroke, StrokeKind, TextureHandle, TextureOptions, Ui, WidgetInfo,
-    accesskit::Role, pos2, vec2,
+    Color32, ColorImage, EventFilter, Id, Key, Modifiers, Pos2, ProgressBar, Rect, Response, Sense,
+    Stroke, StrokeKind, TextureHandle, TextureOptions, Ui, WidgetInfo, accesskit::Role, pos2, vec2,
 };
 use octoscope_core::family::Family;
 use octoscope_core::geometry::{Aabb, Ray};
@@ -97,18 +96,14 @@ fn choice<const D: usize>(ui: &mut Ui, look: &Look, view: &mut MapView) {
         segments(ui, &mut view.rays, &choices);
     }
     let label = look.text("map-colouring");
-    let shown = ComboBox::from_id_salt("map-colouring")
-        .selected_text(look.text(view.colouring.id()))
-        .width(ui.available_width() - 8.0);
-    let combo = shown.show_ui(ui, |ui| {
-        for colouring in Colouring::ALL {
-            ui.selectable_value(&mut view.colouring, colouring, look.text(colouring.id()));
-        }
-    });
+    let lines = Colouring::ALL.map(|one| Listed::Entry(one, look.text(one.id())));
     let value = look.text(view.colouring.id());
     let name = format!("{label}: {value}");
-    combo.response.widget_info(|| WidgetInfo::labeled(Role::ComboBox, true, name.as_str()));
-    combo.response.on_hover_text(label);
+    let (width, shown) = (ui.available_width() - 8.0, (Some(view.colouring), value));
+    let (list, chosen) = drop_down(ui, look, "map-colouring", width, shown, &lines);
+    list.widget_info(|| WidgetInfo::labeled(Role::ComboBox, true, name.as_str()));
+    list.on_hover_text(label);
+    view.colouring = chosen.unwrap_or(view.colouring);
 }
 
 fn asked<const D: usize>(

@@ -3,11 +3,11 @@
 use crate::command::{COMMANDS, Command, Menu};
 use crate::look::Look;
 use crate::shortcut;
-use crate::widgets::tick;
-use eframe::egui::containers::menu::MenuButton;
+use crate::widgets::{hint_above, menu_style_with_ring, tick};
+use eframe::egui::containers::menu::{MenuButton, MenuConfig};
 use eframe::egui::{
-    Align, Atom, Atoms, Button, Layout, MenuBar, RichText, ScrollArea, Sense, Shape, Stroke, Ui,
-    WidgetInfo, accesskit::Role, vec2,
+    Align, Atom, Atoms, Button, Layout, MenuBar, Rangef, RichText, ScrollArea, Sense, Shape,
+    Stroke, Ui, WidgetInfo, accesskit::Role, vec2,
 };
 use octoscope_core::text::Language;
 
@@ -34,7 +34,7 @@ pub fn ui(
     entry: impl Fn(Command) -> Entry,
     commands: &mut Vec<Command>,
 ) {
-    MenuBar::new().ui(ui, |ui| {
+    MenuBar::new().style(menu_style_with_ring).config(config()).ui(ui, |ui| {
         menus(ui, look, &entry, commands);
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             if theme_button(ui, look) {
@@ -62,16 +62,19 @@ pub fn ui(
 }
 
 /// The same menus in one, below a button of three lines: a lecture has no room for more.
+/// The hint of the button lies above `bar`.
 pub fn folded(
     ui: &mut Ui,
     look: &Look,
+    bar: Rangef,
     entry: impl Fn(Command) -> Entry,
     commands: &mut Vec<Command>,
 ) {
     let name = look.text("menu-all");
     let button = Button::new("").frame(false).min_size(vec2(34.0, 34.0));
-    let (response, _) =
-        MenuButton::from_button(button).ui(ui, |ui| menus(ui, look, &entry, commands));
+    let (response, _) = MenuButton::from_button(button)
+        .config(config())
+        .ui(ui, |ui| menus(ui, look, &entry, commands));
     response.widget_info(|| WidgetInfo::labeled(Role::Button, true, name.as_str()));
     let lit = response.hovered() || response.has_focus();
     let color = if lit { look.palette.accent } else { look.palette.ink };
@@ -80,7 +83,12 @@ pub fn folded(
         let line = [middle + vec2(-9.0, y), middle + vec2(9.0, y)];
         ui.painter().line_segment(line, Stroke::new(2.0, color));
     }
-    response.on_hover_text(name);
+    hint_above(ui, response, bar, &name);
+}
+
+/// How menus look: as the toolkit has them, but a focused row has its ring.
+fn config() -> MenuConfig {
+    MenuConfig::new().style(menu_style_with_ring)
 }
 
 /// All menus, side by side or one below the other.

@@ -2,10 +2,12 @@
 
 use crate::document::Document;
 use crate::look::Look;
-use crate::widgets::{explained_segments, heading, number_field, segments, tick};
+use crate::widgets::{
+    Listed, drop_down, explained_segments, heading, number_field, segments, tick,
+};
 use eframe::egui::containers::menu::{MenuButton, MenuConfig};
-use eframe::egui::{Align, ComboBox, Grid, Layout, PopupCloseBehavior, RichText, Ui};
-use octoscope_core::explain::algorithm_name;
+use eframe::egui::{Align, Grid, Layout, PopupCloseBehavior, RichText, Ui};
+use octoscope_core::explain::{algorithm_authors, algorithm_name};
 use octoscope_core::geometry::AXIS_NAMES;
 use octoscope_core::locate::{Direction, NeighbourMethod, Reach};
 use octoscope_core::paper::{erratum_of, misprint_title, paper_texts};
@@ -122,21 +124,19 @@ fn ray_query<const D: usize>(
 ) {
     let name = |algorithm: Algorithm| algorithm_name(algorithm, look.texts.language());
     let label = look.text("query-algorithm");
-    // High enough for all of them at once.
-    let combo = ComboBox::from_id_salt("algorithm").height(560.0);
-    let combo = combo.width(ui.available_width()).truncate();
-    let shown = combo.selected_text(name(*algorithm)).show_ui(ui, |ui| {
-        ui.spacing_mut().item_spacing.y = 0.0;
-        ui.spacing_mut().interact_size.y = 21.0;
-        ui.spacing_mut().button_padding.y = 1.0;
-        for (key, group) in groups() {
-            ui.label(RichText::new(look.text(key)).size(12.0).color(look.palette.quiet));
-            for choice in group {
-                ui.selectable_value(algorithm, choice, name(choice));
-            }
-        }
-    });
-    shown.response.on_hover_text(label);
+    let lines: Vec<_> = groups()
+        .into_iter()
+        .flat_map(|(key, group)| {
+            let entries = group.into_iter().map(|choice| {
+                Listed::Explained(choice, name(choice), algorithm_authors(choice).to_owned())
+            });
+            std::iter::once(Listed::Title(look.text(key))).chain(entries)
+        })
+        .collect();
+    let (width, shown) = (ui.available_width(), (Some(*algorithm), name(*algorithm)));
+    let (list, chosen) = drop_down(ui, look, "algorithm", width, shown, &lines);
+    list.on_hover_text(label);
+    *algorithm = chosen.unwrap_or(*algorithm);
     let choices =
         [(Arithmetic::Doubles, "arithmetic-doubles"), (Arithmetic::Exact, "arithmetic-exact")];
     // What tests every leaf by itself does so exactly, whatever is chosen for the others.

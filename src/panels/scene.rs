@@ -2,8 +2,8 @@
 
 use crate::document::Document;
 use crate::look::Look;
-use crate::widgets::{heading, slider_field};
-use eframe::egui::{ComboBox, Grid, Ui};
+use crate::widgets::{Listed, drop_down, heading, slider_field};
+use eframe::egui::{Grid, Ui};
 use octoscope_core::scenario::{BUILT_IN, Source};
 use octoscope_core::scene::Content;
 use octoscope_core::tree::MAX_ROOT_LEVEL;
@@ -19,22 +19,20 @@ pub fn ui<const D: usize>(
     let counts = [("leaves", document.tree.n_leaves().into()), ("items", items.into())];
     let counts = look.texts.format(content_key(&document.content), &counts);
     heading(ui, look, &look.text("panel-scene"), &counts);
-    let mut chosen = None;
+    let name = |id: &str| look.text(&format!("scene-{id}"));
+    let present = match &document.opened().source {
+        Source::BuiltIn { name, .. } => BUILT_IN.iter().map(|scene| scene.id).find(|id| id == name),
+        Source::File { .. } | Source::Inline(_) => None,
+    };
     let source = match &document.opened().source {
-        Source::BuiltIn { name, .. } => look.text(&format!("scene-{name}")),
+        Source::BuiltIn { name: id, .. } => name(id),
         Source::File { path, .. } => path.clone(),
         Source::Inline(_) => look.text("scene-inline"),
     };
-    let combo = ComboBox::from_id_salt("scene").width(ui.available_width()).truncate();
-    let combo = combo.selected_text(&source).show_ui(ui, |ui| {
-        for scene in BUILT_IN {
-            let name = look.text(&format!("scene-{}", scene.id));
-            if ui.selectable_label(source == name, &name).clicked() {
-                chosen = Some(scene.id);
-            }
-        }
-    });
-    combo.response.on_hover_text(look.text("scene-source"));
+    let lines = BUILT_IN.map(|scene| Listed::Entry(scene.id, name(scene.id)));
+    let width = ui.available_width();
+    let (list, chosen) = drop_down(ui, look, "scene", width, (present, source), &lines);
+    list.on_hover_text(look.text("scene-source"));
     let recipe = &mut document.scenario.recipe;
     Grid::new("recipe").num_columns(2).spacing([8.0, 4.0]).show(ui, |ui| {
         let depth = look.text("scene-depth");

@@ -4,10 +4,10 @@ use crate::command::Command;
 use crate::look::Look;
 use crate::playback::Playback;
 use crate::shortcut;
-use crate::widgets::{acted_at, step_slider};
+use crate::widgets::{acted_at, hint_above, step_slider};
 use eframe::egui::{
-    Color32, FontId, Painter, Pos2, Rect, Response, RichText, Sense, Shape, Stroke, Ui, WidgetInfo,
-    accesskit::Role, lerp, pos2, remap_clamp, vec2,
+    Color32, FontId, Painter, Pos2, Rangef, Rect, Response, RichText, Sense, Shape, Stroke, Ui,
+    WidgetInfo, accesskit::Role, lerp, pos2, remap_clamp, vec2,
 };
 use octoscope_core::event::Event;
 use octoscope_core::trace::Trace;
@@ -28,13 +28,15 @@ pub struct Marked<'a> {
 }
 
 /// Buttons and ruler, from left to right in a row of [`HEIGHT`]; dragging the ruler moves
-/// the playhead. Returns the node of the event that is pointed at.
+/// the playhead. Hints lie above `bar`, in which the sentence is, too. Returns the node of
+/// the event that is pointed at.
 pub fn ui<const D: usize>(
     ui: &mut Ui,
     look: &Look,
     trace: &Trace<D>,
     marked: Marked<'_>,
     playback: &mut Playback,
+    bar: Rangef,
     commands: &mut Vec<Command>,
 ) -> Option<NodeId> {
     let length = trace.events.len();
@@ -46,34 +48,37 @@ pub fn ui<const D: usize>(
         (Icon::Forward, Command::StepForward),
         (Icon::Last, Command::Last),
     ] {
-        if button(ui, look, icon, command).clicked() {
+        if button(ui, look, icon, command, bar).clicked() {
             commands.push(command);
         }
     }
     // In a hall the ruler needs the room; the keys are there, too.
     if !look.is_for_hall() {
-        speed(ui, look, playback, commands);
+        speed(ui, look, playback, bar, commands);
     }
     let more = if trace.is_cut() { " …" } else { "" };
     let count = format!("{} / {length}{more}", playback.step);
     let font = FontId::new(16.0, look.strong_family());
     let galley = ui.painter().layout_no_wrap(count.clone(), font, look.palette.ink);
     let width = ui.available_width() - galley.size().x.max(84.0) - 16.0;
-    let pointed = ruler(ui, look, trace, marked, playback, width.max(60.0));
+    let pointed = ruler(ui, look, trace, marked, playback, bar, width.max(60.0));
     let label = ui.label(RichText::new(count).size(16.0).strong());
     if trace.is_cut() {
-        label.on_hover_text(look.text("timeline-cut"));
+        hint_above(ui, label, bar, &look.text("timeline-cut"));
     }
     pointed
 }
 
 /// How fast it plays, between what makes it slower and faster.
-fn speed(ui: &mut Ui, look: &Look, playback: &Playback, commands: &mut Vec<Command>) {
-    let slower = ui.small_button("−").on_hover_text(look.text("command-slower"));
+fn speed(ui: &mut Ui, look: &Look, playback: &Playback, bar: Rangef, commands: &mut Vec<Command>) {
+    let slower = ui.small_button("−");
+    let slower = hint_above(ui, slower, bar, &look.text("command-slower"));
     slower.widget_info(|| WidgetInfo::labeled(Role::Button, true, look.text("command-slower")));
     let speed = format!("{} ×", playback.speed / Playback::default().speed);
-    ui.label(RichText::new(speed).size(14.0)).on_hover_text(look.text("timeline-speed"));
-    let faster = ui.small_button("+").on_hover_text(look.text("command-faster"));
+    let speed = ui.label(RichText::new(speed).size(14.0));
+    hint_above(ui, speed, bar, &look.text("timeline-speed"));
+    let faster = ui.small_button("+");
+    let faster = hint_above(ui, faster, bar, &look.text("command-faster"));
     faster.widget_info(|| WidgetInfo::labeled(Role::Button, true, look.text("command-faster")));
     if slower.clicked() {
         commands.push(Command::Slower);
@@ -89,6 +94,7 @@ fn ruler<const D: usize>(
     trace: &Trace<D>,
     marked: Marked<'_>,
     playback: &mut Playback,
+    bar: Rangef,
     width: f32,
 ) -> Option<NodeId> {
     let Marked { first_wrong, rounded, lit } = marked;
@@ -123,7 +129,7 @@ fn ruler<const D: usize>(
     painter.circle_filled(pos2(x, track.top()), 5.5, look.palette.ray);
     if let Some(step) = first_wrong {
         let x = lerp(track.x_range(), step as f32 / length.max(1) as f32);
-        if cross(ui, look, step, pos2(x, track.bottom() - 1.0)).clicked() {
+        if cross(ui, look, step, pos2(x, track.bottom() - 1.0), bar).clicked() {
             playback.playing = false;
             playback.go_to(step, length);
         }
@@ -136,12 +142,12 @@ fn ruler<const D: usize>(
     if !rounded.is_empty() {
         why = format!("{why}\n{}", look.text("timeline-rounded"));
     }
-    response.on_hover_text(why);
+    hint_above(ui, response, bar, &why);
     pointed
 }
 
 /// A cross below the tick of the first wrong step.
-fn cross(ui: &Ui, look: &Look, step: usize, centre: Pos2) -> Response {
+fn cross(ui: &Ui, look: &Look, step: usize, centre: Pos2, bar: Rangef) -> Response {
     let rect = Rect::from_center_size(centre, vec2(14.0, 14.0));
     let response = ui.interact(rect, ui.scope_id().with("first-wrong"), Sense::click());
     let name = look.texts.format("timeline-wrong", &[("step", step.into())]);
@@ -153,7 +159,7 @@ fn cross(ui: &Ui, look: &Look, step: usize, centre: Pos2) -> Response {
         let stroke = Stroke::new(wide, look.palette.rejected);
         painter.line_segment([centre - arm, centre + arm], stroke);
     }
-    response.on_hover_text(name)
+    hint_above(ui, response, bar, &name)
 }
 
 /// Dots above the events about a node.
@@ -281,7 +287,7 @@ enum Icon {
 }
 
 /// Button with a drawn icon; its name and key are its tooltip.
-fn button(ui: &mut Ui, look: &Look, icon: Icon, command: Command) -> Response {
+fn button(ui: &mut Ui, look: &Look, icon: Icon, command: Command, bar: Rangef) -> Response {
     let (rect, response) = ui.allocate_exact_size(vec2(34.0, 34.0), Sense::click());
     let row = command.row();
     let name = look.text(row.id);
@@ -299,7 +305,8 @@ fn button(ui: &mut Ui, look: &Look, icon: Icon, command: Command) -> Response {
         ui.painter().circle_stroke(rect.center(), 15.0, Stroke::new(1.5, look.palette.ink));
     }
     paint_icon(ui.painter(), icon, rect.shrink(10.0), look.palette.ink);
-    response.on_hover_text(format!("{name} ({})", shortcut::all_shown(look, row.keys)))
+    let hint = format!("{name} ({})", shortcut::all_shown(look, row.keys));
+    hint_above(ui, response, bar, &hint)
 }
 
 fn paint_icon(painter: &Painter, icon: Icon, rect: Rect, color: Color32) {

@@ -3,14 +3,19 @@
 use crate::desk::{Desk, spoken};
 use crate::states;
 use eframe::egui::{
-    Event, Key, Modifiers, PointerButton,
+    Event, Key, Modifiers, PointerButton, Popup, Rect,
     accesskit::{Live, Role},
+    epaint::{ClippedShape, Shape},
 };
 use egui_kittest::kittest::{NodeT, Queryable};
 use octoscope::command::Menu;
 use octoscope::text::texts;
+use octoscope::theme;
 use octoscope::view::Preset;
+use octoscope_core::query::Query;
+use octoscope_core::scenario::{BUILT_IN, built_in};
 use octoscope_core::text::Language;
+use octoscope_core::traverse::Algorithm;
 use std::collections::HashSet;
 
 const PRESETS: [Key; 6] = [Key::Num1, Key::Num2, Key::Num3, Key::Num4, Key::Num5, Key::Num6];
@@ -173,6 +178,87 @@ fn another_depth_builds_another_tree_and_is_undone() {
     desk.state_mut().finish_work();
     desk.run();
     assert_eq!(desk.plane().tree.n_leaves(), leaves);
+}
+
+#[test]
+fn a_tree_that_is_given_up_leaves_all_as_it_was_and_a_quiet_word() {
+    let mut desk = Desk::new();
+    desk.open_scenario(&built_in("sphere-grid").unwrap());
+    let before = desk.space().scenario;
+    // Billions of nodes: it has no end before it is given up.
+    desk.get_by_role_and_label(Role::Slider, "depth").set_value_accesskit(18.0);
+    desk.step();
+    assert_ne!(desk.space().scenario, before);
+    desk.state().give_up_opening();
+    desk.state_mut().finish_work();
+    desk.run();
+    assert_eq!(desk.space().scenario, before);
+    assert_eq!(desk.state().view.dialog, None);
+    assert!(desk.says("Cancelled"), "{:?}", desk.texts());
+}
+
+#[test]
+fn a_list_is_chosen_from_by_keyboard_alone() {
+    let mut desk = Desk::new();
+    desk.get_all_by_role(Role::ComboBox).next().unwrap().focus();
+    desk.run();
+    desk.press(Key::Enter);
+    assert!(BUILT_IN.iter().all(|scene| desk.says(&english(&format!("scene-{}", scene.id)))));
+    // From the present entry on.
+    desk.press(Key::ArrowDown);
+    desk.press(Key::ArrowDown);
+    desk.press(Key::Enter);
+    assert!(!Popup::is_any_open(&desk.ctx));
+    desk.state_mut().finish_work();
+    desk.run();
+    assert!(desk.says(&english(&format!("scene-{}", BUILT_IN[2].id))));
+    assert_eq!(desk.step_number(), 0);
+    assert!(desk.get_all_by_role(Role::ComboBox).next().unwrap().is_focused());
+}
+
+#[test]
+fn arrows_in_a_list_do_not_step() {
+    let mut desk = Desk::new();
+    let place = desk.get_all_by_role(Role::ComboBox).last().unwrap().rect().center();
+    desk.point_at(place);
+    desk.click_at(place, 1);
+    assert!(Popup::is_any_open(&desk.ctx));
+    for _ in 0..3 {
+        desk.press(Key::ArrowDown);
+    }
+    assert_eq!(desk.step_number(), 0);
+    desk.press(Key::Enter);
+    assert!(!Popup::is_any_open(&desk.ctx));
+    let Query::Ray { algorithm, .. } = desk.plane().scenario.query else { panic!("no ray") };
+    assert_ne!(algorithm, Algorithm::default());
+}
+
+/// Whether something is framed in the colour of what is chosen.
+fn has_ring(desk: &Desk, rect: Rect) -> bool {
+    let view = &desk.state().view;
+    let accent = theme::look(view.language, view.theme).palette.accent;
+    desk.output().shapes.iter().any(|ClippedShape { shape, .. }| match shape {
+        Shape::Rect(drawn) => {
+            let is_near = drawn.rect.expand(2.0).contains_rect(rect)
+                && rect.expand(4.0).contains_rect(drawn.rect);
+            is_near && drawn.stroke.color == accent && drawn.stroke.width >= 1.5
+        }
+        _ => false,
+    })
+}
+
+#[test]
+fn what_the_keys_go_to_has_a_ring() {
+    let mut desk = Desk::new();
+    for (role, name) in
+        [(Role::Button, "File"), (Role::Button, "exact"), (Role::SpinButton, "capacity")]
+    {
+        let rect = desk.get_by_role_and_label(role, name).rect();
+        assert!(!has_ring(&desk, rect), "{name}");
+        desk.get_by_role_and_label(role, name).focus();
+        desk.run();
+        assert!(has_ring(&desk, rect), "{name}");
+    }
 }
 
 #[test]
