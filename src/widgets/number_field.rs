@@ -1,6 +1,6 @@
 //! A number that can be dragged and typed.
 
-use super::typed_field::{Typing, typed_field};
+use super::typed_field::{Typed, Typing, typed_field};
 use crate::look::Look;
 use eframe::egui::{
     Color32, DragValue, FontId, Layout, Response, Ui, WidgetInfo,
@@ -34,7 +34,7 @@ pub fn number_field(
     let mut edited = *value;
     let size = vec2(ui.available_width().min(110.0), 24.0);
     let layout = Layout::centered_and_justified(ui.layout().main_dir());
-    let response = ui
+    let Typed { response, restored } = ui
         .allocate_ui_with_layout(size, layout, |ui| {
             ui.visuals_mut().override_text_color = Some(color);
             ui.spacing_mut().button_padding.x = PADDING / 2.0;
@@ -45,23 +45,25 @@ pub fn number_field(
                 value: *value,
                 shown: &|x| if x == *value { short.clone() } else { number(x) },
                 read: &parse,
-                wrong: &|typed| wrong(look, typed, *value),
+                wrong: &|typed, holds| wrong(look, typed, holds),
             };
             let field = DragValue::new(&mut edited).speed(drag_speed).max_decimals(6);
-            let response = typed_field(ui, look, field.clip_text(true), &typing);
-            if response.clicked() {
+            let typed = typed_field(ui, look, field.clip_text(true), &typing);
+            if typed.response.clicked() {
                 // The toolkit selects as much as it has shown, which may be less.
                 let all = CCursorRange::two(CCursor::new(0), CCursor::new(usize::MAX));
-                let mut state = TextEditState::load(ui.ctx(), response.id).unwrap_or_default();
+                let mut state =
+                    TextEditState::load(ui.ctx(), typed.response.id).unwrap_or_default();
                 state.cursor.set_char_range(Some(all));
-                state.store(ui.ctx(), response.id);
+                state.store(ui.ctx(), typed.response.id);
             }
-            response
+            typed
         })
         .inner;
     if response.changed() && edited.is_finite() {
         *value = edited;
     }
+    *value = restored.unwrap_or(*value);
     response.widget_info(|| {
         let mut info = WidgetInfo::labeled(Role::SpinButton, true, name);
         info.value = Some(*value);

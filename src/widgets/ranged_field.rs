@@ -1,7 +1,7 @@
 //! A number of a known range that can be dragged and typed.
 
 use super::number_field::{number, parse};
-use super::typed_field::{Typing, typed_field};
+use super::typed_field::{Typed, Typing, typed_field};
 use crate::look::Look;
 use eframe::egui::accesskit::Role;
 use eframe::egui::emath::Numeric;
@@ -40,9 +40,9 @@ pub(super) fn field_in_range<N: Numeric>(
         let is_wanted = |x: &f64| (least..=most).contains(x) && (!N::INTEGRAL || x.fract() == 0.0);
         parse(text).filter(is_wanted)
     };
-    let wrong = |typed: &str| {
+    let wrong = |typed: &str, holds: f64| {
         let key = if N::INTEGRAL { "whole-refused" } else { "range-refused" };
-        let texts = [("typed", typed.trim().to_owned().into()), ("value", number(now).into())];
+        let texts = [("typed", typed.trim().to_owned().into()), ("value", number(holds).into())];
         let ends = [("least", number(least).into()), ("most", number(most).into())];
         look.texts.format(key, &[texts, ends].concat())
     };
@@ -50,7 +50,10 @@ pub(super) fn field_in_range<N: Numeric>(
     let typing = Typing { value: now, shown: &|x| number(x), read: &read, wrong: &wrong };
     let field = DragValue::new(value).range(range[0]..=range[1]).speed(drag_speed);
     let field = field.clamp_existing_to_range(clamping == SliderClamping::Always);
-    let response = typed_field(ui, look, field.max_decimals(decimals), &typing);
+    let Typed { response, restored } = typed_field(ui, look, field.max_decimals(decimals), &typing);
+    if let Some(restored) = restored {
+        *value = N::from_f64(restored);
+    }
     let value = value.to_f64();
     response.widget_info(|| {
         let mut info = WidgetInfo::labeled(Role::SpinButton, true, name);

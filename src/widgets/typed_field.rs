@@ -2,7 +2,8 @@
 
 use crate::look::Look;
 use eframe::egui::{
-    Context, DragValue, Id, Key, Modifiers, Response, Stroke, Ui, accesskit::Invalid,
+    Context, DragValue, Id, Key, Modifiers, Popup, PopupKind, Rect, RectAlign, Response, Stroke,
+    Ui, accesskit::Invalid,
 };
 use std::cell::RefCell;
 
@@ -14,8 +15,8 @@ pub struct Typing<'a> {
     pub shown: &'a dyn Fn(f64) -> String,
     /// What a text says; `None` if it is no number that is wanted here.
     pub read: &'a dyn Fn(&str) -> Option<f64>,
-    /// What is wrong with a text, and what to do.
-    pub wrong: &'a dyn Fn(&str) -> String,
+    /// What is wrong with a text while a number holds in its place, and what to do.
+    pub wrong: &'a dyn Fn(&str, f64) -> String,
 }
 
 /// What was typed into a field and is no number.
@@ -30,17 +31,23 @@ struct Kept {
     is_given_up: bool,
 }
 
+/// What a field has come to.
+pub struct Typed {
+    /// The field.
+    pub response: Response,
+    /// The number that is to hold again, because what was typed after it was given up or
+    /// is no number.
+    pub restored: Option<f64>,
+}
+
 /// Shows `field`, which may be dragged and typed into. What is typed and left there
 /// without being a number stays in it, marked, and the field says what is wrong where
 /// it is pointed at or edited: until it is mended, or given up by Escape, or the number
-/// changes. The number itself stays as it was.
-pub fn typed_field(
-    ui: &mut Ui,
-    look: &Look,
-    field: DragValue<'_>,
-    typing: &Typing<'_>,
-) -> Response {
-    let of_field = ui.next_auto_id().with("typed");
+/// changes. The number itself is then what it was before it was edited.
+pub fn typed_field(ui: &mut Ui, look: &Look, field: DragValue<'_>, typing: &Typing<'_>) -> Typed {
+    let field_id = ui.next_auto_id();
+    let of_field = field_id.with("typed");
+    let before = before_editing(ui, field_id, typing.value);
     let bits = typing.value.to_bits();
     let kept: Kept = ui.data(|data| data.get_temp(of_field)).unwrap_or_default();
     let mut kept = if kept.value == bits { kept } else { Kept::default() };
@@ -62,8 +69,12 @@ pub fn typed_field(
             read
         });
     let style = ui.style().clone();
+    let visuals = ui.visuals_mut();
+    // The border of an edited field; selected letters are in its colour, too.
+    visuals.selection.stroke = Stroke::new(1.5, look.palette.accent);
+    visuals.selection.bg_fill = look.palette.hairline;
     if refused.is_some() {
-        let (stroke, visuals) = (Stroke::new(1.5, look.palette.rejected), ui.visuals_mut());
+        let stroke = Stroke::new(1.5, look.palette.rejected);
         visuals.override_text_color = Some(look.palette.rejected);
         visuals.selection.stroke = stroke;
         let widgets = &mut visuals.widgets;
@@ -76,7 +87,7 @@ pub fn typed_field(
     if let Some(now) = last_read.into_inner() {
         kept = now;
     }
-    let mut said = None;
+    let (mut said, mut restored) = (None, None);
     if response.lost_focus() {
         if kept.is_given_up || ui.input(|input| input.key_pressed(Key::Escape)) {
             if kept.text.is_some() && !kept.is_given_up {
@@ -84,14 +95,18 @@ pub fn typed_field(
                 ui.input_mut(|input| input.consume_key(Modifiers::NONE, Key::Escape));
                 said = Some(String::new());
             }
-            kept = Kept { value: bits, is_given_up: true, ..Kept::default() };
+            restored = before;
+            let value = before.map_or(bits, f64::to_bits);
+            kept = Kept { value, is_given_up: true, ..Kept::default() };
         } else if let Some(text) = &kept.text {
             kept.was_left = true;
+            restored = before;
+            kept.value = before.map_or(kept.value, f64::to_bits);
             if ui.input(|input| input.key_pressed(Key::Enter)) {
                 // It is edited on, and says below itself what is wrong.
                 response.request_focus();
             } else {
-                said = Some((typing.wrong)(text));
+                said = Some((typing.wrong)(text, f64::from_bits(kept.value)));
             }
         }
     }
@@ -99,7 +114,9 @@ pub fn typed_field(
         ui.data_mut(|data| data.insert_temp(Id::unique(REFUSED), message));
     }
     kept.is_given_up &= !response.has_focus();
-    let wrong = kept.text.as_deref().filter(|_| kept.was_left).map(typing.wrong);
+    let holds = f64::from_bits(kept.value);
+    let wrong = kept.text.as_deref().filter(|_| kept.was_left);
+    let wrong = wrong.map(|text| (typing.wrong)(text, holds));
     if refused != kept.text.clone().filter(|_| kept.was_left) {
         ui.ctx().request_repaint();
     }
@@ -110,10 +127,43 @@ pub fn typed_field(
             node.set_description(wrong.clone());
         });
         if response.has_focus() || response.hovered() {
-            response.show_tooltip_text(wrong);
+            say_beside(ui, &response, &wrong);
         }
     }
-    response
+    Typed { response, restored }
+}
+
+/// The number that a field had when its editing began, while it is edited and when that
+/// ends.
+fn before_editing(ui: &Ui, field: Id, value: f64) -> Option<f64> {
+    let memory = field.with("before");
+    let kept: Option<f64> = ui.data(|data| data.get_temp(memory));
+    if ui.memory(|memory| memory.has_focus(field)) {
+        let before = kept.unwrap_or(value);
+        ui.data_mut(|data| data.insert_temp(memory, before));
+        return Some(before);
+    }
+    ui.data_mut(|data| data.remove::<f64>(memory));
+    kept
+}
+
+/// Says something beside the column that a field stands in, so that no field is covered,
+/// and clicks go through it.
+fn say_beside(ui: &Ui, response: &Response, text: &str) {
+    const WIDTH: f32 = 260.0;
+    let column = ui.clip_rect().x_range();
+    let anchor = Rect::from_x_y_ranges(column, response.rect.y_range());
+    Popup::from_response(response)
+        .kind(PopupKind::Tooltip)
+        .anchor(anchor)
+        .align(RectAlign::RIGHT_START)
+        .align_alternatives(&[RectAlign::LEFT_START])
+        .gap(6.0)
+        .interactable(false)
+        .show(|ui| {
+            ui.set_max_width(WIDTH);
+            ui.label(text);
+        });
 }
 
 /// What is wrong with what was typed into a field and just left there; empty if that was
