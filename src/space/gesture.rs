@@ -1,6 +1,6 @@
 //! What the mouse does in the space view.
 //!
-//! Handles of the ray are dragged, its shaft moves it whole. Elsewhere a drag
+//! Handles of the ray are dragged, the head of its arrow turns it, its shaft moves it whole. Elsewhere a drag
 //! pans the plane or orbits space, with Shift or in a region query it draws a
 //! box; the wheel zooms to the pointer. A double click locates the point, a
 //! click picks what the present query asks for.
@@ -8,6 +8,7 @@
 use super::ask::{ask_point, ask_region, click};
 use super::grasp::Grasp;
 use super::pick::{leaf_at, side_at};
+use crate::document::Document;
 use crate::look::Look;
 use crate::short_number::rounded;
 use crate::widgets::acted_at;
@@ -18,7 +19,7 @@ use octoscope_core::geometry::Ray;
 use octoscope_core::locate::Direction;
 use octoscope_core::query::Query;
 use octoscope_core::tree::NodeId;
-use octoscope_figure::far_end;
+use octoscope_figure::{arrow_end, far_end};
 
 /// Points within which a handle, the shaft or a side is hit.
 const REACH: f32 = 14.0;
@@ -30,6 +31,8 @@ pub(super) const SIDE_REACH: f32 = 8.0;
 enum Grip {
     Origin,
     Tip,
+    /// The head of the arrow.
+    Head,
     Shaft,
     Camera,
     Region(Pos2),
@@ -92,16 +95,16 @@ pub fn handle<const D: usize>(
     {
         match grip_at(ui, grasp, at) {
             Grip::Camera | Grip::Region(_) => click(grasp, at),
-            Grip::Origin | Grip::Tip | Grip::Shaft => {}
+            Grip::Origin | Grip::Tip | Grip::Head | Grip::Shaft => {}
         }
     }
     if let Some(at) = response.hover_pos() {
         let over = grip.unwrap_or_else(|| grip_at(ui, grasp, at));
         ui.set_cursor_icon(match (over, grip) {
-            (Grip::Origin | Grip::Tip | Grip::Shaft, None) => CursorIcon::Grab,
-            (Grip::Origin | Grip::Tip | Grip::Shaft, Some(_)) => CursorIcon::Grabbing,
             (Grip::Region(_), _) => CursorIcon::Crosshair,
             (Grip::Camera, _) => CursorIcon::Default,
+            (Grip::Origin | Grip::Tip | Grip::Head | Grip::Shaft, None) => CursorIcon::Grab,
+            (Grip::Origin | Grip::Tip | Grip::Head | Grip::Shaft, Some(_)) => CursorIcon::Grabbing,
         });
         let is_free = grip.is_none() && matches!(over, Grip::Camera | Grip::Region(_));
         let is_free = is_free && has_moved(ui, response, at);
@@ -175,14 +178,24 @@ fn grip_at<const D: usize>(ui: &Ui, grasp: &Grasp<'_, D>, at: Pos2) -> Grip {
     Grip::Camera
 }
 
-/// The part of the ray at `at`: the nearer handle, else the shaft.
+/// Where the arrow of the ray ends.
+fn head<const D: usize>(document: &Document<D>) -> [f64; D] {
+    let end = match document.scenario.query {
+        Query::Ray { options, .. } => options.end(),
+        Query::Point { .. } | Query::Region { .. } | Query::Neighbour { .. } => None,
+    };
+    arrow_end(&document.tree, &document.scenario.ray, end)
+}
+
+/// The part of the ray at `at`: the nearest handle, else the shaft.
 fn ray_grip_at<const D: usize>(grasp: &Grasp<'_, D>, at: Pos2) -> Option<Grip> {
     let Grasp { frame, camera, document } = grasp;
     let ray = document.scenario.ray;
     let ends = [ray.origin(), ray.at(1.0)];
     let tip = camera.tip_handle(frame.page, ends).map(|tip| (Grip::Tip, frame.on_screen(tip)));
     let origin = frame.place(camera, ends[0]).map(|origin| (Grip::Origin, origin));
-    let handles = [tip, origin].into_iter().flatten();
+    let head = frame.place(camera, head(document)).map(|head| (Grip::Head, head));
+    let handles = [tip, origin, head].into_iter().flatten();
     let distances = handles.map(|(grip, place)| (grip, place.distance(at)));
     let nearest = distances.min_by(|a, b| a.1.total_cmp(&b.1));
     if let Some((grip, _)) = nearest.filter(|(_, distance)| *distance < REACH) {
@@ -193,16 +206,22 @@ fn ray_grip_at<const D: usize>(grasp: &Grasp<'_, D>, at: Pos2) -> Option<Grip> {
     (distance_to_segment(at, from, to) < SHAFT_REACH).then_some(Grip::Shaft)
 }
 
-/// Point of the ray's line as far from the eye as a grip on it: its tip if that
-/// is in sight, else the point nearest to the middle of the tree.
+/// Point of the ray's line as far from the eye as a grip on it: its tip or head if that
+/// is held and in sight, else the point nearest to the middle of the tree.
 fn depth_of<const D: usize>(grasp: &Grasp<'_, D>, grip: Grip) -> [f64; D] {
     let Grasp { frame, camera, document } = grasp;
     let ray = document.scenario.ray;
     let [width, height] = [frame.page.width, frame.page.height];
     let in_sight = |at: [f64; 2]| (0.0..=width).contains(&at[0]) && (0.0..=height).contains(&at[1]);
-    let tip = camera.project(frame.page, ray.at(1.0)).filter(|tip| in_sight(tip.at));
-    if grip == Grip::Tip && tip.is_some() {
-        return ray.at(1.0);
+    let held = match grip {
+        Grip::Tip => Some(ray.at(1.0)),
+        Grip::Head => Some(head(document)),
+        Grip::Origin | Grip::Shaft | Grip::Camera | Grip::Region(_) => None,
+    };
+    let is_in_sight =
+        |end: &[f64; D]| camera.project(frame.page, *end).is_some_and(|end| in_sight(end.at));
+    if let Some(end) = held.filter(is_in_sight) {
+        return end;
     }
     // Squares of very large or small components would be no numbers.
     let largest = ray.direction().into_iter().fold(0.0, |m: f64, d| m.max(d.abs()));
@@ -234,6 +253,11 @@ fn drag<const D: usize>(
             let through = depth_of(grasp, grip);
             Some((ray.origin(), frame.world(camera, at, through)))
         }
+        Grip::Head => {
+            let through = depth_of(grasp, grip);
+            turn_to(grasp, frame.world(camera, at, through));
+            None
+        }
         Grip::Shaft => {
             let by = moved(depth_of(grasp, grip));
             let shifted = |p: [f64; D]| std::array::from_fn(|e| p[e] + by[e]);
@@ -251,7 +275,7 @@ fn drag<const D: usize>(
         let direction = match grip {
             // Moved as a whole it keeps its direction to the last bit.
             Grip::Shaft => ray.direction(),
-            Grip::Origin | Grip::Tip | Grip::Camera | Grip::Region(_) => {
+            Grip::Origin | Grip::Tip | Grip::Head | Grip::Camera | Grip::Region(_) => {
                 std::array::from_fn(|e| rounded(tip[e] - origin[e], resolution))
             }
         };
@@ -259,6 +283,21 @@ fn drag<const D: usize>(
         if let Ok(ray) = Ray::new(origin, direction) {
             grasp.document.scenario.ray = ray;
         }
+    }
+}
+
+/// Turns the ray towards a point; its direction keeps its length.
+fn turn_to<const D: usize>(grasp: &mut Grasp<'_, D>, point: [f64; D]) {
+    let ray = grasp.document.scenario.ray;
+    let towards: [f64; D] = std::array::from_fn(|e| point[e] - ray.origin()[e]);
+    // Squares of very large or small components would be no numbers.
+    let [length, far] = [ray.direction(), towards].map(|way| way.into_iter().fold(0.0, f64::hypot));
+    let resolution = grasp.camera.unit(grasp.frame.page);
+    let direction = towards.map(|x| rounded(x, resolution) * (length / far));
+    let direction = direction.map(|x| rounded(x, resolution * (length / far)));
+    // Towards its origin it cannot be turned.
+    if let Ok(turned) = Ray::new(ray.origin(), direction) {
+        grasp.document.scenario.ray = turned;
     }
 }
 

@@ -10,6 +10,7 @@ use octoscope_core::geometry::Ray;
 use octoscope_core::query::{Arithmetic, Query};
 use octoscope_core::text::Language;
 use octoscope_core::tree::NodeId;
+use octoscope_figure::far_end;
 
 fn leaves(desk: &Desk) -> Vec<NodeId> {
     desk.plane().trace.leaves().map(|(leaf, _)| leaf).collect()
@@ -25,6 +26,27 @@ fn dragging_the_tip_turns_the_ray_and_traces_anew() {
     assert_eq!(turned.origin(), ray.origin());
     assert_ne!(turned.direction(), ray.direction());
     assert_ne!(leaves(&desk), before);
+}
+
+#[test]
+fn dragging_the_head_of_the_arrow_turns_the_ray() {
+    for length in [1e-9, 0.05, 1.0] {
+        let mut desk = Desk::new();
+        set_direction(&mut desk, [length, 0.62 * length]);
+        let ray = desk.plane().scenario.ray;
+        let head = desk.place(far_end(&desk.plane().tree, &ray));
+        let to = head + vec2(-30.0, 90.0);
+        desk.drag([head, to], Modifiers::NONE);
+        let turned = desk.plane().scenario.ray;
+        assert_eq!(turned.origin(), ray.origin());
+        let [before, after] = [ray, turned].map(|ray| ray.direction()[0].hypot(ray.direction()[1]));
+        assert!((after / before - 1.0).abs() < 0.02, "{before} {after}");
+        // It goes where the head was dropped.
+        let [from, on] = [0.0, 0.9 / after].map(|t| desk.place(turned.at(t)));
+        let (way, wanted) = ((on - from).normalized(), (to - from).normalized());
+        assert!(way.dot(wanted) > 0.999, "{way} {wanted}");
+        assert!(way.dot((head - from).normalized()) < 0.999, "{length} turns nothing");
+    }
 }
 
 #[test]
@@ -138,6 +160,7 @@ fn what_is_no_number_stays_in_its_field_until_it_is_mended_or_given_up() {
     // Confirmed by Enter it is edited on.
     desk.press(Key::Backspace);
     assert_eq!((desk.plane().scenario.ray.origin()[1], said(&desk)), (0.5, 0));
+    desk.press(Key::Enter);
 
     desk.type_into("origin y", "up");
     desk.press(Key::Tab);
@@ -154,6 +177,39 @@ fn what_is_no_number_stays_in_its_field_until_it_is_mended_or_given_up() {
     document.scenario.ray = Ray::new(before, [1.0, 0.5]).unwrap();
     desk.run();
     assert_eq!(shown(&desk), octoscope_core::explain::number(before[1]));
+}
+
+#[test]
+fn what_is_refused_or_given_up_gives_back_the_number_that_was_there_before() {
+    for end in [Key::Tab, Key::Escape] {
+        let mut desk = Desk::new();
+        let before = desk.plane().scenario.ray;
+        desk.click(Role::SpinButton, "origin y");
+        for typed in "1e400".chars() {
+            desk.event(eframe::egui::Event::Text(typed.to_string()));
+            desk.run();
+        }
+        // Everything follows what is typed as long as it is a number.
+        assert_eq!(desk.plane().scenario.ray.origin()[1], 1e40);
+        desk.press(end);
+        assert_eq!(desk.plane().scenario.ray, before, "{end:?}");
+        let holds = octoscope_core::explain::number(before.origin()[1]);
+        let is_said = desk.says(&format!("Until then {holds} holds"));
+        assert_eq!(is_said, end == Key::Tab, "{:?}", desk.texts());
+    }
+}
+
+#[test]
+fn what_is_wrong_in_a_field_is_said_beside_all_fields() {
+    let mut desk = Desk::new();
+    for name in ["origin x", "direction y", "depth"] {
+        desk.type_into(name, "up");
+        let said = desk.get_by_label_contains("“up” is no").rect();
+        for field in desk.get_all_by_role(Role::SpinButton) {
+            assert!(!field.rect().intersects(said), "{name}: {said} over {}", field.rect());
+        }
+        desk.press(Key::Escape);
+    }
 }
 
 #[test]

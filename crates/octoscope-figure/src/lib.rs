@@ -62,7 +62,7 @@ pub use gif::{Gif, GifError};
 pub use handle::HANDLE_DISTANCE;
 pub use inside::scenario_inside;
 pub use mark::{Mark, Shape};
-pub use marks::{cross_out, far_end, marks, node_mark};
+pub use marks::{arrow_end, cross_out, far_end, marks, node_mark};
 pub use options::{Background, FileOptions, Scale, Unit};
 pub use paint::Paint;
 pub use palette::{Colour, Palette, Theme, contrast, ramp};

@@ -5,8 +5,8 @@ mod mirrored;
 mod ray;
 mod sides;
 
-pub use ray::far_end;
 pub(crate) use ray::{STRETCH, interval, nearest, stretch};
+pub use ray::{arrow_end, far_end};
 
 use crate::space::BETWEEN;
 use crate::ways::ways;

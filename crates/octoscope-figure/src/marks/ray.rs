@@ -14,8 +14,8 @@ impl<const D: usize> Scene<'_, D> {
         };
         let (from, to) = (self.ray.origin(), self.ray.at(1.0));
         let far = far_parameter(self.tree, self.ray);
-        let end = options.end().unwrap_or(far).clamp(0.0, far);
-        let [end, far] = [end, far].map(|t| self.ray.at(t));
+        let end = arrow_end(self.tree, self.ray, options.end());
+        let far = self.ray.at(far);
         marks.push(Mark::new(Shape::Arrow([from, end]), Role::Ray));
         if end != far {
             marks.push(Mark::new(Shape::Segment([end, far]), Role::RayBeyond));
@@ -23,6 +23,13 @@ impl<const D: usize> Scene<'_, D> {
         marks.push(Mark::new(Shape::Point(from), Role::RayOrigin));
         marks.push(Mark::new(Shape::Tip([from, to]), Role::RayTip));
     }
+}
+
+/// Where the arrow of a ray ends that is asked about up to the parameter `end`, if that is
+/// not beyond its far end.
+pub fn arrow_end<const D: usize>(tree: &Tree<D>, ray: &Ray<D>, end: Option<f64>) -> [f64; D] {
+    let far = far_parameter(tree, ray);
+    ray.at(end.unwrap_or(far).clamp(0.0, far))
 }
 
 /// Where the arrow of a ray without an end of its own ends: a little beyond the root and
