@@ -14,7 +14,8 @@ impl App {
     /// Shows the light and the notes, where they are on. Keys that are pressed in
     /// the notes go to `commands`.
     pub(super) fn show_hall(&mut self, context: &Context, commands: &mut Vec<Command>) {
-        if self.view.spotlight {
+        // A dialog dims the rest itself, and is to be read.
+        if self.view.spotlight && self.view.dialog.is_none() {
             spotlight::paint(context, &self.look);
         }
         let Some(since) = self.view.notes_since else { return };
@@ -26,7 +27,7 @@ impl App {
                 sentence(&d.tree, d.traced_ray(), &d.trace, step, self.view.language)
             };
             let next = (step < n_steps).then(|| told(step + 1));
-            Notes { now: told(step), next, step: [step, n_steps], secs }
+            Notes { now: told(step), next, step: [step, n_steps], secs, is_blank: self.view.blank }
         });
         let window = ViewportBuilder::default()
             .with_title(self.look.text("notes-title"))

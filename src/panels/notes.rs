@@ -16,6 +16,8 @@ pub struct Notes {
     pub step: [usize; 2],
     /// Time since the clock was started, in seconds.
     pub secs: f64,
+    /// Whether the students see nothing.
+    pub is_blank: bool,
 }
 
 /// Shows the notes; true if the clock is to start anew.
@@ -28,6 +30,9 @@ pub fn ui(ui: &mut Ui, look: &Look, notes: &Notes) -> bool {
         ui.label(Words::new(clock(notes.secs)).size(22.0).monospace());
         restart = ui.button(look.text("notes-restart")).clicked();
     });
+    if notes.is_blank {
+        ui.label(Words::new(look.text("notes-blank")).strong().color(look.palette.rejected));
+    }
     ui.separator();
     let width = ui.available_width();
     rich_label(ui, look, &notes.now, 24.0, width);
