@@ -11,7 +11,7 @@ use crate::panels::show::Of;
 use crate::widgets::{default_button, text_field};
 use eframe::egui::{
     Align, Context, Frame, Id, Image, Key, Label, Layout, Modal, RichText, ScrollArea, Spinner,
-    TextEdit, TextureHandle, Ui, vec2,
+    TextEdit, TextStyle, TextureHandle, Ui, vec2,
 };
 use octoscope_core::explain::Notation;
 use octoscope_core::text::Language;
@@ -188,7 +188,7 @@ fn buttons(ui: &mut Ui, look: &Look, shown: &mut Shown) -> Option<Answer> {
         ui.label(note.color(look.palette.quiet).size(13.0));
     }
     ui.add_space(4.0);
-    ui.horizontal(|ui| {
+    ui.horizontal_wrapped(|ui| {
         let copies: &[_] = if shown.choice.format.is_of_text() {
             &[("export-copy-table", Answer::CopyText)]
         } else {
@@ -202,11 +202,20 @@ fn buttons(ui: &mut Ui, look: &Look, shown: &mut Shown) -> Option<Answer> {
                 answer = Some(asked);
             }
         }
-        ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-            if ui.button(look.text("dialog-close")).clicked() {
-                answer = Some(Answer::Close);
-            }
-        });
+        // At the right where there is room, else in the next row.
+        let close = look.text("dialog-close");
+        let font = TextStyle::Button.resolve(ui.style());
+        let letters = ui.painter().layout_no_wrap(close.clone(), font, look.palette.ink).size().x;
+        let needed = letters + 2.0 * ui.spacing().button_padding.x + 4.0;
+        let is_closed = if ui.available_size_before_wrap().x < needed {
+            ui.button(close).clicked()
+        } else {
+            let at_right = Layout::right_to_left(Align::Center);
+            ui.with_layout(at_right, |ui| ui.button(close).clicked()).inner
+        };
+        if is_closed {
+            answer = Some(Answer::Close);
+        }
     });
     answer
 }

@@ -48,6 +48,28 @@ fn choices_of_a_table_stand_apart_in_every_size_of_type() {
     }
 }
 
+#[test]
+fn the_buttons_of_the_dialog_stand_apart_in_every_size_of_type() {
+    let keys = ["export-do", "export-copy-image", "export-copy-svg", "dialog-close"];
+    for (language, scale) in [1.0, 1.6, 2.4].into_iter().flat_map(|s| Language::ALL.map(|l| (l, s)))
+    {
+        let mut desk = Desk::new();
+        (desk.state_mut().view.language, desk.state_mut().view.scale) = (language, scale);
+        desk.state_mut().view.dialog = Some(Dialog::Export);
+        desk.run_steps(4);
+        let window = desk.ctx.content_rect();
+        let names = keys.map(|key| texts(language).get(key));
+        let rects = names.map(|name| desk.get_by_role_and_label(Role::Button, &name).rect());
+        for (n, rect) in rects.iter().enumerate() {
+            assert!(window.contains_rect(*rect), "{language:?} {scale}: {} is cut", keys[n]);
+            for other in n + 1..keys.len() {
+                let is_apart = !rect.shrink(0.5).intersects(rects[other]);
+                assert!(is_apart, "{language:?} {scale}: {} on {}", keys[n], keys[other]);
+            }
+        }
+    }
+}
+
 /// What is chosen at first, in a format.
 pub fn choice(format: Format) -> Choice {
     let mut choice = Choice::default();
