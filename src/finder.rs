@@ -2,11 +2,12 @@
 
 use crate::command::{COMMANDS, Command};
 use crate::text::texts;
-use octoscope_core::explain::algorithm_name;
+use octoscope_core::explain::{algorithm_authors, algorithm_name};
 use octoscope_core::paper::{ERRATA, Erratum, misprint_title, paper_texts};
 use octoscope_core::scenario::BUILT_IN;
 use octoscope_core::text::{Language, Texts};
 use octoscope_core::traverse::{Algorithm, Variant};
+use octoscope_figure::Theme;
 
 /// Something that can be found.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -15,6 +16,8 @@ pub enum Target {
     Command(Command),
     /// A built-in scene, by its identifier.
     Scene(&'static str),
+    /// Colours.
+    Theme(Theme),
     /// An algorithm of the ray.
     Algorithm(Algorithm),
     /// An error of the paper.
@@ -30,7 +33,8 @@ pub struct Hit {
     pub target: Target,
     /// Its name.
     pub name: String,
-    /// Its name in the other language, where only that one matches.
+    /// What matches instead: a name in the other language, people who have found it, or
+    /// what it is looked for as well.
     pub other: Option<String>,
 }
 
@@ -46,13 +50,14 @@ impl Target {
             let readings = erratum.variants.iter().copied().filter(move |v| !named(v));
             std::iter::once(Self::Erratum(erratum)).chain(readings.map(Self::Reading))
         });
-        commands.chain(algorithms).chain(scenes).chain(errata)
+        let themes = Theme::ALL.into_iter().map(Self::Theme);
+        commands.chain(themes).chain(algorithms).chain(scenes).chain(errata)
     }
 
     /// Key of the heading under which it is listed.
     pub fn kind(self) -> &'static str {
         match self {
-            Self::Command(_) => "find-command",
+            Self::Command(_) | Self::Theme(_) => "find-command",
             Self::Scene(_) => "find-scene",
             Self::Algorithm(_) => "find-algorithm",
             Self::Erratum(_) | Self::Reading(_) => "find-erratum",
@@ -62,7 +67,7 @@ impl Target {
     /// The identifier that files and the command line know, if there is one.
     fn id(self) -> &'static str {
         match self {
-            Self::Command(_) => "",
+            Self::Command(_) | Self::Theme(_) => "",
             Self::Scene(id) => id,
             Self::Algorithm(algorithm) => algorithm.id(),
             Self::Erratum(erratum) => erratum.id,
@@ -74,6 +79,10 @@ impl Target {
         match self {
             Self::Command(command) => texts.get(command.row().id),
             Self::Scene(id) => texts.get(&format!("scene-{id}")),
+            Self::Theme(theme) => {
+                let theme = texts.get(&format!("theme-{}", theme.id()));
+                texts.format("find-theme", &[("theme", theme.into())])
+            }
             Self::Algorithm(algorithm) => algorithm_name(algorithm, texts.language()),
             Self::Erratum(erratum) => {
                 format!("{} · {}", erratum.id, paper.get(&erratum.key("title")))
@@ -86,8 +95,23 @@ impl Target {
     }
 }
 
-/// How much further down what only another language knows is listed.
-const FOREIGN: u8 = 10;
+impl Target {
+    /// Other words by which it is looked for, between commas.
+    fn also(self, texts: &Texts) -> String {
+        let key = match self {
+            Self::Command(command) => format!("also-{}", command.row().id),
+            Self::Theme(theme) => format!("also-theme-{}", theme.id()),
+            Self::Algorithm(algorithm) => return algorithm_authors(algorithm).to_owned(),
+            Self::Scene(_) | Self::Erratum(_) | Self::Reading(_) => return String::new(),
+        };
+        if texts.has(&key) { texts.get(&key) } else { String::new() }
+    }
+}
+
+/// How much further down is listed what has no such name but is looked for by it, and what
+/// only another language knows.
+const ALSO: u8 = 6;
+const FOREIGN: u8 = 12;
 
 /// What matches all words of `wanted` by its name in either language or by its
 /// identifier, best first; everything if nothing is wanted. Names are in `language`.
@@ -98,19 +122,24 @@ pub fn find(wanted: &str, language: Language) -> Vec<Hit> {
     let mut hits: Vec<(u8, Hit)> = Vec::new();
     for target in Target::all() {
         let mut best = closeness(&folded(target.id()), &words).map(|rank| rank + 1);
-        let (mut shown, mut other) = (String::new(), None);
+        let mut shown = String::new();
+        let mut others: Vec<(u8, String)> = Vec::new();
         for (each, texts, paper) in &all_texts {
             let name = target.name(texts, paper);
             let rank = closeness(&folded(&name), &words);
+            let foreign = if *each == language { 0 } else { FOREIGN };
+            if let Some((rank, found)) = by_other_words(&name, &target.also(texts), &words) {
+                others.push((rank + ALSO + foreign, found));
+            }
             if *each == language {
                 best = [best, rank].into_iter().flatten().min();
                 shown = name;
             } else {
-                other = rank.map(|rank| (rank + FOREIGN, name)).or(other);
+                others.extend(rank.map(|rank| (rank + foreign, name)));
             }
         }
-        // The other language is asked only where this one does not know it.
-        let other = other.filter(|_| best.is_none());
+        // Other words are asked only where its own name is not what is wanted.
+        let other = others.into_iter().min_by_key(|(rank, _)| *rank).filter(|_| best.is_none());
         let rank = best.or(other.as_ref().map(|(rank, _)| *rank));
         if let Some(rank) = rank {
             let other = other.map(|(_, name)| name);
@@ -120,6 +149,15 @@ pub fn find(wanted: &str, language: Language) -> Vec<Hit> {
     // Stable: equals stay in the order of the menus.
     hits.sort_by_key(|(rank, _)| *rank);
     hits.into_iter().map(|(_, hit)| hit).collect()
+}
+
+/// How well the words are found in a name and what else it is looked for by, and those of
+/// these that have one of the words.
+fn by_other_words(name: &str, also: &str, words: &[&str]) -> Option<(u8, String)> {
+    let has_one = |part: &&str| words.iter().any(|word| folded(part).contains(word));
+    let found: Vec<&str> = also.split(", ").filter(has_one).collect();
+    let rank = closeness(&folded(&format!("{also}, {name}")), words)?;
+    (!found.is_empty()).then(|| (rank, found.join(", ")))
 }
 
 /// How well the words are found in a name, 0 is best; `None` if one is missing.
@@ -147,6 +185,7 @@ fn folded(text: &str) -> String {
             'ä' => folded.push('a'),
             'ö' => folded.push('o'),
             'ü' => folded.push('u'),
+            'ñ' => folded.push('n'),
             'ß' => folded.push_str("ss"),
             other => folded.push(other),
         }
@@ -175,6 +214,40 @@ mod tests {
         check("b-2-morton", Target::Reading(Variant::B2Morton));
         check("24b", Target::Reading(Variant::B24b));
         check("b-24a", Target::Reading(Variant::B24a));
+    }
+
+    #[test]
+    fn people_and_other_words_find_what_they_stand_for() {
+        let lecture = Target::Command(Command::Preset(5));
+        for word in ["vortrag", "präsentation", "presentation", "lecture", "vorlesung"] {
+            check(word, lecture);
+        }
+        check("revelles", Target::Algorithm(Algorithm::Parametric));
+        check("lastra table", Target::Algorithm(Algorithm::ParametricTable));
+        check("urena tabelle", Target::Algorithm(Algorithm::ParametricTable));
+        check("frisken", Target::Algorithm(Algorithm::Codes));
+        check("amanatides", Target::Algorithm(Algorithm::Dda));
+        check("projector", Target::Theme(Theme::Projector));
+        check("projektor", Target::Theme(Theme::Projector));
+        check("dark", Target::Theme(Theme::Dark));
+        check("dunkel", Target::Theme(Theme::Dark));
+        let found = |wanted, language| find(wanted, language)[0].other.clone();
+        let people = Some("Ureña".to_owned());
+        assert_eq!(found("ureña", Language::English), people);
+        assert_eq!(found("vortrag", Language::English).as_deref(), Some("Vortrag"));
+    }
+
+    #[test]
+    fn other_words_belong_to_something_in_both_languages() {
+        let source = include_str!("../assets/texts/en/window.ftl");
+        let keys = source.lines().filter_map(|line| line.strip_prefix("also-"));
+        let keys: Vec<&str> = keys.filter_map(|line| line.split_once(" = ")).map(|l| l.0).collect();
+        assert!(keys.len() > 5, "{keys:?}");
+        for key in keys {
+            let is_command = COMMANDS.iter().any(|row| row.id == key);
+            let is_theme = Theme::ALL.into_iter().any(|one| key == format!("theme-{}", one.id()));
+            assert!(is_command || is_theme, "{key}");
+        }
     }
 
     #[test]

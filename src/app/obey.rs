@@ -136,6 +136,7 @@ impl App {
             Target::Command(command) if self.is_enabled(command) => self.obey(context, command),
             Target::Command(_) => self.notice.say(self.look.text("find-disabled")),
             Target::Scene(id) => self.open_scene(context, id),
+            Target::Theme(theme) => self.view.theme = theme,
             Target::Algorithm(algorithm) => self.run(algorithm),
             Target::Reading(variant) => self.open_counterexample(context, variant),
             Target::Erratum(erratum) => match erratum.variants.first() {

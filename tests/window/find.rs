@@ -1,12 +1,14 @@
 //! The search over everything that has a name, by keyboard alone.
 
 use crate::desk::Desk;
+use eframe::egui::accesskit::Role;
 use eframe::egui::{Event, Key, Modifiers, MouseWheelSource, MouseWheelUnit, TouchPhase, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
 use octoscope::view::Dialog;
 use octoscope_core::query::Query;
 use octoscope_core::traverse::{Algorithm, Variant};
+use octoscope_figure::Theme;
 
 fn search(desk: &mut Desk, words: &str) {
     desk.press_with(Modifiers::COMMAND, Key::K);
@@ -95,6 +97,29 @@ fn the_lab_of_an_erratum_is_seen_from_its_top() {
     desk.state_mut().finish_work();
     desk.run();
     assert_eq!(top(&desk), first);
+}
+
+#[test]
+fn a_theme_is_chosen_by_its_name() {
+    let mut desk = Desk::new();
+    for (wanted, theme) in [("projector", Theme::Projector), ("dunkel", Theme::Dark)] {
+        search(&mut desk, wanted);
+        desk.press(Key::Enter);
+        assert_eq!(desk.state().view.theme, theme);
+    }
+}
+
+#[test]
+fn a_dialog_takes_the_hint_away_that_is_shown_below_it() {
+    let mut desk = Desk::new();
+    let ruler = desk.get_by_role_and_label(Role::Slider, "Step of the trace").rect();
+    desk.point_at(ruler.center());
+    for _ in 0..60 {
+        desk.step();
+    }
+    assert!(desk.says("A tick for every step"));
+    search(&mut desk, "ray");
+    assert!(!desk.says("A tick for every step"));
 }
 
 #[test]

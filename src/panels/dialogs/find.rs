@@ -52,7 +52,11 @@ pub fn ui(ui: &mut Ui, look: &Look, search: &mut Search) -> Option<Target> {
 fn row<'a>(ui: &Ui, look: &Look, hit: &Hit, chosen: bool) -> Button<'a> {
     let key = match hit.target {
         Target::Command(command) => command.row().keys.first(),
-        Target::Scene(_) | Target::Algorithm(_) | Target::Erratum(_) | Target::Reading(_) => None,
+        Target::Scene(_)
+        | Target::Theme(_)
+        | Target::Algorithm(_)
+        | Target::Erratum(_)
+        | Target::Reading(_) => None,
     };
     let side = match (&hit.other, key) {
         (Some(other), _) => other.clone(),
