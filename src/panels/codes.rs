@@ -32,7 +32,11 @@ pub fn ui<const D: usize>(
 ) {
     let codes = code_table(&look.texts, tree, moment, event, variants);
     bit_table(ui, look, &codes.table, Spacing::Wide, &look.text("panel-codes"));
-    let known = format!("{}; {}", codes.morton, child_rule::<D>(&look.texts));
+    let known = if codes.of.is_empty() {
+        codes.morton
+    } else {
+        format!("{}; {}", codes.morton, child_rule::<D>(&look.texts))
+    };
     ui.label(RichText::new(known).size(13.0).color(look.palette.quiet));
     if let Some(child) = codes.child {
         ui.label(RichText::new(Rich::from(child).unbroken().plain()).size(14.0));

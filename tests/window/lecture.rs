@@ -4,7 +4,7 @@ use crate::desk::{Desk, spoken};
 use crate::drawn::At;
 use crate::states::{Question, SCENES};
 use eframe::egui::epaint::{ClippedShape, Shape, TextShape};
-use eframe::egui::{Rect, accesskit::Role};
+use eframe::egui::{Key, Rect, accesskit::Role};
 use egui_kittest::kittest::{NodeT, Queryable};
 use egui_kittest::{Harness, Node};
 use octoscope::text::texts;
@@ -136,6 +136,21 @@ fn everything_in_a_lecture_is_read_from_the_back_row_at_once() {
     }
     assert!(n_texts > 1000, "{n_texts}");
     assert!(faults.is_empty(), "{} of {n_texts}\n{}", faults.len(), faults.join("\n"));
+}
+
+#[test]
+fn the_question_of_a_lecture_shows_all_numbers_of_the_ray() {
+    for (language, scene) in [(Language::German, "quadtree-82"), (Language::English, "points-3d")] {
+        let mut desk = lecture(scene, language);
+        desk.press(Key::Q);
+        // What fades out at the lower edge of the column is not read.
+        let edge = named(&desk, "sentence").unwrap().top() - 50.0;
+        for key in ["ray-origin", "ray-direction"] {
+            let name = format!("{} y", texts(language).get(key));
+            let field = desk.get_by_role_and_label(Role::SpinButton, &name).rect();
+            assert!(field.bottom() <= edge, "{scene}: {name} at {field}, the edge at {edge}");
+        }
+    }
 }
 
 /// A lecture on a counterexample, where one goes wrong as printed.

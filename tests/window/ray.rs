@@ -3,8 +3,10 @@
 use crate::desk::Desk;
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Key, Modifiers, Pos2, vec2};
+use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT, Queryable};
 use octoscope::document::AnyDocument;
+use octoscope::text::texts;
 use octoscope_core::gallery::{Degenerate, snap};
 use octoscope_core::geometry::Ray;
 use octoscope_core::query::{Arithmetic, Query};
@@ -209,6 +211,22 @@ fn what_is_wrong_in_a_field_is_said_beside_all_fields() {
             assert!(!field.rect().intersects(said), "{name}: {said} over {}", field.rect());
         }
         desk.press(Key::Escape);
+    }
+}
+
+#[test]
+fn the_numbers_of_the_ray_have_fields_of_one_width() {
+    for (language, size) in
+        [Language::English, Language::German].into_iter().zip([[1280.0, 800.0], [1024.0, 768.0]])
+    {
+        let mut desk = Desk::of(Harness::builder(), size);
+        desk.state_mut().view.language = language;
+        desk.run();
+        let of_ray = ["ray-origin", "ray-direction"].map(|key| texts(language).get(key));
+        let widths = of_ray.map(|name| {
+            desk.get_by_role_and_label(Role::SpinButton, &format!("{name} x")).rect().width()
+        });
+        assert!((widths[0] - widths[1]).abs() < 1.0, "{language:?}: {widths:?}");
     }
 }
 
