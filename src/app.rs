@@ -62,6 +62,9 @@ pub struct App {
     job: Option<(Job<anyhow::Result<AnyDocument>>, Task)>,
     /// What was open last, as long as it is not there.
     unrestored: Option<Last>,
+    /// What the window is started on, while changes that no file has come before it: they
+    /// are brought back by undo.
+    started_on: Option<PathBuf>,
     /// The trace that is being made of a long run.
     tracing: Option<Job<Result<AnyDocument, Cancelled>>>,
     /// What is being found out about the run.
@@ -116,6 +119,10 @@ impl App {
         theme::install_fonts(&creation.egui_ctx);
         let last = creation.storage.and_then(save::remembered);
         match (start, last) {
+            (Some(path), Some(last)) if last.unchanged.is_some() => {
+                app.restore(&creation.egui_ctx, last);
+                app.started_on = Some(path);
+            }
             (Some(path), last) => app.start_on(&creation.egui_ctx, path, last),
             (None, Some(last)) => app.restore(&creation.egui_ctx, last),
             (None, None) => {}
@@ -148,6 +155,7 @@ impl App {
             view,
             job: None,
             unrestored: None,
+            started_on: None,
             tracing: None,
             judging: None,
             exporting: Exporting::default(),

@@ -163,6 +163,15 @@ impl App {
             Poll::Broken => Err(anyhow!(self.look.text("job-broken"))),
         };
         let Some((job, task)) = self.job.take() else { return };
+        self.take_result(result, task, &job.context);
+        if task == Task::Restore
+            && let Some(path) = self.started_on.take()
+        {
+            self.open(&job.context, path);
+        }
+    }
+
+    fn take_result(&mut self, result: anyhow::Result<AnyDocument>, task: Task, context: &Context) {
         match (result, task) {
             (Ok(document), Task::Start | Task::Open | Task::Counterexample | Task::Restore) => {
                 self.take_opened(document, task);
@@ -187,7 +196,7 @@ impl App {
                     self.tell_failure(&error, task);
                 }
                 if matches!(task, Task::Start | Task::Open) {
-                    self.restore_instead(&job.context);
+                    self.restore_instead(context);
                 }
             }
         }

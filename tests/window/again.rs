@@ -101,17 +101,32 @@ fn what_is_given_up_is_opened_by_the_next_start() {
 
 #[test]
 fn a_start_on_a_file_that_does_not_open_brings_what_was_open_last() {
+    for is_changed in [false, true] {
+        let mut before = Desk::started_on(&Storage::default(), "scene:points-3d");
+        if is_changed {
+            before.press(Key::R);
+        }
+        let left = before.left();
+        let mut desk = Desk::started_on(&left, "typo.octo");
+        assert!(matches!(desk.state().view.dialog, Some(Dialog::Error(_))));
+        assert!(desk.says("typo.octo"), "{:?}", desk.texts());
+        desk.press(Key::Escape);
+        assert_eq!(desk.space().scenario, before.space().scenario);
+        assert_eq!(desk.state().is_changed(), is_changed);
+        let scenario = |left| octoscope::save::remembered(left).map(|last| last.scenario);
+        assert_eq!(scenario(&desk.left()), scenario(&left));
+    }
+}
+
+#[test]
+fn a_start_on_a_file_keeps_what_no_file_has() {
     let mut before = Desk::started_on(&Storage::default(), "scene:points-3d");
     before.press(Key::R);
-    let left = before.left();
-    let mut desk = Desk::started_on(&left, "typo.octo");
-    assert!(matches!(desk.state().view.dialog, Some(Dialog::Error(_))));
-    assert!(desk.says("typo.octo"), "{:?}", desk.texts());
-    desk.press(Key::Escape);
+    let mut desk = Desk::started_on(&before.left(), "scene:quadtree-82");
+    assert_eq!(desk.plane().tree.n_leaves(), 97);
+    assert!(desk.says("Ctrl+Z brings it back"), "{:?}", desk.texts());
+    desk.press_with(Modifiers::COMMAND, Key::Z);
     assert_eq!(desk.space().scenario, before.space().scenario);
-    assert!(desk.state().is_changed());
-    let scenario = |left| octoscope::save::remembered(left).map(|last| last.scenario);
-    assert_eq!(scenario(&desk.left()), scenario(&left));
 }
 
 #[test]
