@@ -85,7 +85,7 @@ impl Axis {
             return angle;
         }
         let power = 10.0_f64.powf(least.log10().floor());
-        let round = [1.0, 2.0, 5.0].map(|factor| factor * power);
+        let round = [1.0, 2.0, 2.5, 5.0].map(|factor| factor * power);
         round.into_iter().find(|step| *step >= least).unwrap_or(10.0 * power)
     }
 }
