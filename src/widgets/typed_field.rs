@@ -1,5 +1,6 @@
 //! A field for a number that keeps what was typed until it is one.
 
+use super::fields::border_while_edited;
 use crate::look::Look;
 use eframe::egui::{
     Context, DragValue, Id, Key, Modifiers, Popup, PopupKind, Rect, RectAlign, Response, Stroke,
@@ -69,18 +70,17 @@ pub fn typed_field(ui: &mut Ui, look: &Look, field: DragValue<'_>, typing: &Typi
             read
         });
     let style = ui.style().clone();
-    let visuals = ui.visuals_mut();
-    // The border of an edited field; selected letters are in its colour, too.
-    visuals.selection.stroke = Stroke::new(1.5, look.palette.accent);
-    visuals.selection.bg_fill = look.palette.hairline;
     if refused.is_some() {
-        let stroke = Stroke::new(1.5, look.palette.rejected);
-        visuals.override_text_color = Some(look.palette.rejected);
-        visuals.selection.stroke = stroke;
+        let color = look.palette.rejected;
+        border_while_edited(ui, look, color);
+        let visuals = ui.visuals_mut();
+        visuals.override_text_color = Some(color);
         let widgets = &mut visuals.widgets;
         for state in [&mut widgets.inactive, &mut widgets.hovered, &mut widgets.active] {
-            state.bg_stroke = stroke;
+            state.bg_stroke = Stroke::new(1.5, color);
         }
+    } else {
+        border_while_edited(ui, look, look.palette.accent);
     }
     let response = ui.add(field);
     ui.set_style(style);
