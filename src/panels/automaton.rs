@@ -4,26 +4,25 @@ use crate::look::Look;
 use crate::widgets::{Setting, paint_figure, room, table};
 use eframe::egui::{Align, Layout, RichText, Sense, Ui, WidgetInfo, accesskit::Role};
 use octoscope_core::event::Event;
+use octoscope_core::query::Query;
 use octoscope_core::trace::Moment;
-use octoscope_core::traverse::Variants;
 use octoscope_figure::views::Automaton;
 
 /// The mirror mask, and what it means.
-pub fn note<const D: usize>(look: &Look, moment: &Moment<D>, variants: Variants) -> String {
-    Automaton::of(moment, None, variants).note(&look.texts)
+pub fn note<const D: usize>(look: &Look, moment: &Moment<D>, query: &Query<D>) -> String {
+    Automaton::of(moment, None, query).note(&look.texts)
 }
 
 /// States as corners of a square or cube, the lit transition, and the tables
-/// with the used row and column lit. `event` is what has just happened, by rules of
-/// which `variants` are in another form.
+/// with the used row and column lit. `event` is what has just happened in `query`.
 pub fn ui<const D: usize>(
     ui: &mut Ui,
     look: &Look,
     moment: &Moment<D>,
     event: Option<&Event<D>>,
-    variants: Variants,
+    query: &Query<D>,
 ) {
-    let automaton = Automaton::of(moment, event, variants);
+    let automaton = Automaton::of(moment, event, query);
     // The table beside it needs the same room whatever is lit.
     let [beside_it, least, most] =
         if D == 2 { [152.0, 96.0, 120.0] } else { [176.0, 150.0, 184.0] };

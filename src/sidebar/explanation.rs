@@ -98,9 +98,7 @@ fn note<const D: usize>(
             codes::note(look, &document.tree, moment, document.trace.query.variants_at_work())
         }
         PanelKind::Rail => t_rail::note(look, &document.tree, moment),
-        PanelKind::Automaton => {
-            automaton::note(look, moment, document.trace.query.variants_at_work())
-        }
+        PanelKind::Automaton => automaton::note(look, moment, &document.trace.query),
         PanelKind::Stack => stack::note(moment),
         PanelKind::WayDown => way_down::note(look, moment),
         PanelKind::Grid => grid::note(look, moment),
@@ -158,7 +156,7 @@ fn body<const D: usize>(
             pointed.node.into_iter().for_each(|node| view.hover.offer(node));
         }
         PanelKind::Automaton => {
-            automaton::ui(ui, look, moment, event, trace.query.variants_at_work());
+            automaton::ui(ui, look, moment, event, &trace.query);
         }
         PanelKind::Listing => {
             let listing = listing_of(&trace.query, view.language);

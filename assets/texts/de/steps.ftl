@@ -104,7 +104,7 @@ step-end-one = { $child } wird durch die { $axes }-Ebene verlassen: { $exits }. 
 step-end-many = { $child } wird durch die Ebenen von { $axes } zugleich verlassen: { $exits }. In { $done } ist das schon die obere Hälfte, also verlässt der Strahl auch den Elternknoten.
 child = Kind { $state }
 state = Zustand { $state }
-up = Der Knoten ist erledigt: zurück hinauf zu { $node }.
+up = Das Kind ist erledigt: zurück hinauf zu { $node }.
 up-behind = Der Knoten wird bei { $exit } ≤ 0 verlassen; er liegt also hinter dem Startpunkt und wird übersprungen: zurück hinauf zu { $node }.
 up-none = Die Wurzel ist erledigt.
 

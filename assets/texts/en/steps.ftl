@@ -95,7 +95,7 @@ step-end-one = { $child } is left through the { $axes } plane: { $exits }. In { 
 step-end-many = { $child } is left through the { $axes } planes at once: { $exits }. In { $done } that is the upper half already, so the ray leaves the parent, too.
 child = Child { $state }
 state = State { $state }
-up = The node is done: back up to { $node }.
+up = The child is done: back up to { $node }.
 up-behind = The node is left at { $exit } ≤ 0, so it lies behind the origin and is skipped: back up to { $node }.
 up-none = The root is done.
 

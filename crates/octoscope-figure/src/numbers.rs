@@ -102,11 +102,7 @@ fn rank(order: usize) -> usize {
 /// would be a thicket.
 fn places_of(number: &Number, is_last: bool) -> impl Iterator<Item = Stand> + use<> {
     let is_sought = rank(number.order) == 0 || is_last;
-    let rows = match (number.leaf, is_sought) {
-        (_, true) => 3,
-        (Some(_), false) => 2,
-        (None, false) => 0,
-    };
+    let rows = if number.leaf.is_some() || is_sought { 3 } else { 0 };
     beside(number).into_iter().chain(aside(number, rows))
 }
 

@@ -8,9 +8,10 @@ use crate::{Anchor, Figure, Role, Style, Theme};
 use octoscope_core::event::Event;
 use octoscope_core::explain::sentence;
 use octoscope_core::geometry::{AXIS_NAMES, Axes};
+use octoscope_core::query::Query;
 use octoscope_core::text::Texts;
 use octoscope_core::trace::Moment;
-use octoscope_core::traverse::{Variant, Variants, entry_axes, transition};
+use octoscope_core::traverse::{Algorithm, Variant, Variants, entry_axes, transition};
 use octoscope_core::tree::Child;
 
 /// State of the automaton at a moment.
@@ -20,6 +21,8 @@ pub struct Automaton<const D: usize> {
     mask: Axes<D>,
     /// Rules in another form than the right one.
     variants: Variants,
+    /// Whether a mid plane that is met just when the node is entered is not passed yet.
+    is_strict: bool,
     /// The state that it is in, or leaves.
     pub state: Option<Child<D>>,
     /// The planes through which it leaves its state and the next one, if this is
@@ -30,8 +33,11 @@ pub struct Automaton<const D: usize> {
 }
 
 impl<const D: usize> Automaton<D> {
-    /// State after `event`, the last one before `moment`.
-    pub fn of(moment: &Moment<D>, event: Option<&Event<D>>, variants: Variants) -> Self {
+    /// State after `event`, the last one before `moment`, of `query`.
+    pub fn of(moment: &Moment<D>, event: Option<&Event<D>>, query: &Query<D>) -> Self {
+        let variants = query.variants_at_work();
+        let is_strict = variants.has(Variant::OneByOne)
+            || matches!(query, Query::Ray { algorithm: Algorithm::ParametricTable, .. });
         let mask = moment.clip.map_or(Axes::NONE, |clip| clip.mirror);
         let (state, step) = if let Some(&Event::Step { state, axes, next, .. }) = event {
             (Some(state), Some((axes, next)))
@@ -42,7 +48,7 @@ impl<const D: usize> Automaton<D> {
             Some(Event::First { entry_axis, .. }) => *entry_axis,
             Some(_) | None => None,
         };
-        Self { mask, variants, state, step, entered }
+        Self { mask, variants, is_strict, state, step, entered }
     }
 
     /// What the mirror mask means, and how states are read.
@@ -106,7 +112,7 @@ impl<const D: usize> Automaton<D> {
                 let bit = if printed { 1 << other } else { Axes::<D>::one(other).0 };
                 let rule = joined([
                     parameter(other, "m"),
-                    " < ".into(),
+                    if self.is_strict { " < " } else { " ≤ " }.into(),
                     parameter(axis, "0"),
                     format!(" → {bit}").into(),
                 ]);
@@ -181,8 +187,7 @@ impl<const D: usize> Automaton<D> {
 pub(super) fn view<const D: usize>(subject: &Subject<D>, width: f64) -> Figure {
     const GAP: f64 = 20.0;
     let texts = subject.texts;
-    let variants = subject.query().variants_at_work();
-    let automaton = Automaton::of(subject.moment, subject.event(), variants);
+    let automaton = Automaton::of(subject.moment, subject.event(), subject.query());
     let setting = Setting { least: 20.0, ..Setting::default() };
     let exits = automaton.exit_table(texts);
     let [table_width, table_height] = exits.size(setting);
@@ -268,14 +273,13 @@ fn tone(in_row: bool, used: bool) -> Tone {
 mod tests {
     use super::*;
     use crate::{Form, Part};
-    use octoscope_core::traverse::Variants;
 
     /// Heads of the lit arrows when a state is left through a plane.
     fn lit<const D: usize>(state: u8, axis: usize) -> Vec<Role> {
         let state = Child::<D>(state);
         let (axes, next) = (Axes::one(axis), transition(state, axis));
         let event = Event::Step { state, exits: [0.0; D], axes, next };
-        let automaton = Automaton::of(&Moment::default(), Some(&event), Variants::NONE);
+        let automaton = Automaton::of(&Moment::default(), Some(&event), &Query::default());
         let figure = automaton.diagram(120.0);
         let extent = figure.extent().unwrap();
         assert!(extent.min[0] >= 0.0 && extent.min[1] >= 0.0, "{extent:?}");
@@ -286,6 +290,17 @@ mod tests {
             .filter(|drawn| drawn.part == Part::Head && matches!(drawn.form, Form::Polygon(_)));
         let lit = heads.filter(|drawn| matches!(drawn.role, Role::TransitionTaken(_)));
         lit.map(|drawn| drawn.role).collect()
+    }
+
+    #[test]
+    fn the_entry_table_compares_as_the_algorithm_does() {
+        let rule = |algorithm| {
+            let query = Query::<3>::default().with_algorithm(algorithm);
+            let automaton = Automaton::of(&Moment::default(), None, &query);
+            automaton.entry_table().rows[0][1].text.plain()
+        };
+        assert_eq!(rule(Algorithm::Parametric), "t_ym ≤ t_x0 → 2");
+        assert_eq!(rule(Algorithm::ParametricTable), "t_ym < t_x0 → 2");
     }
 
     #[test]
