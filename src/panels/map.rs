@@ -22,7 +22,7 @@ use octoscope_figure::{Camera, Page, Theme};
 use std::sync::Arc;
 
 /// Height of the map against its width.
-const HEIGHT: f32 = 0.7;
+const HEIGHT: f32 = 0.64;
 
 /// What the map is about.
 pub struct Subject<'a, const D: usize> {
