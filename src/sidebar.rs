@@ -13,7 +13,7 @@ use crate::view::{PanelKind, Preset, View};
 use crate::wish::Wish;
 use eframe::egui::{
     CentralPanel, Color32, Frame, Margin, Mesh, Panel, Rangef, Rect, ScrollArea, Ui, UiBuilder,
-    pos2,
+    pos2, vec2,
 };
 use formulas::Place;
 use octoscope_core::query::Query;
@@ -30,6 +30,8 @@ const LECTURE_WIDE: f32 = 700.0;
 /// The space view keeps at least this, in points; less in a narrow window.
 const LEAST_VIEW: f32 = 320.0;
 const LEAST_NARROW_VIEW: f32 = 240.0;
+/// Width of what scrolls a column.
+const BAR: f32 = 8.0;
 /// Width of the question's side, margins included.
 const QUESTION: f32 = 280.0;
 
@@ -62,8 +64,7 @@ pub fn ui<const D: usize>(
         });
     }
     let panels = view.panels(&document.scenario.query);
-    let column = ui.available_height() - margin.sum().y;
-    let place = Place::of(view, &document.trace, &panels, column);
+    let mut place = Place::BelowPicture;
     // In a narrow window there is one side for both; what was asked for comes first.
     let question_first = narrow && shown;
     let question_below = narrow && !lecture && view.question.is_none();
@@ -75,6 +76,8 @@ pub fn ui<const D: usize>(
         let least_view = if narrow { LEAST_NARROW_VIEW } else { LEAST_VIEW };
         let most = (ui.available_width() - least_view).clamp(260.0, 760.0);
         right.size_range(Rangef::new(260.0, most)).show(ui, |ui| {
+            let column = ui.available_size() - vec2(BAR, 0.0);
+            place = Place::of(look, view, &document.trace, &panels, column);
             if let Place::BelowPanel(_) = place {
                 formulas::ui(ui, look, document, view, place);
             }
@@ -134,7 +137,6 @@ fn width(preset: Preset, panels: &[PanelKind], room: f32) -> f32 {
 /// where it goes on below. It never widens the room, so that widths stay the same from
 /// step to step.
 fn scrolled(ui: &mut Ui, look: &Look, add: impl FnOnce(&mut Ui)) {
-    const BAR: f32 = 8.0;
     let rect = ui.available_rect_before_wrap();
     let mut inside = ui.new_child(UiBuilder::new().id_salt("scrolled").max_rect(rect));
     let shown = ScrollArea::vertical().auto_shrink(false).show(&mut inside, |ui| {

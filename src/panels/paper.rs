@@ -2,7 +2,7 @@
 
 mod hall;
 
-pub use hall::why;
+pub use hall::{most_height, why};
 
 use crate::document::Found;
 use crate::look::Look;

@@ -32,7 +32,7 @@ pub fn ui<const D: usize>(
     // Nothing moves from step to step, and no type changes.
     let largest = if look.is_for_hall() || width >= NARROW { LARGEST } else { 18.0 };
     let of_all = size_of_walk(ui, look, document, language, room).min(largest);
-    let size = fitting_size(ui, look, &sentence, room).min(of_all);
+    let size = fitting_size(ui, look, &sentence, room, of_all);
     let mut response = rich_label(ui, look, &sentence, size, width);
     let digits = digits(&sentence);
     if !digits.is_empty() {
@@ -91,8 +91,9 @@ fn size_of_walk<const D: usize>(
     let all = all.take(STEPS).enumerate().map(|(step, text)| whole(look, step, text));
     let mut all: Vec<(usize, RichText)> = all.map(|text| (n_letters(&text), text)).collect();
     all.sort_by_key(|(n_letters, _)| Reverse(*n_letters));
+    // No type is tried that was too large for a sentence before.
     let longest = all.iter().take(LONGEST);
-    let size = longest.map(|(_, text)| fitting_size(ui, look, text, room)).fold(LARGEST, f32::min);
+    let size = longest.fold(LARGEST, |size, (_, text)| fitting_size(ui, look, text, room, size));
     let kept = SizeOfWalk { trace: Arc::clone(trace), language, room, zoom, size };
     ui.data_mut(|data| data.insert_temp(id, kept));
     size

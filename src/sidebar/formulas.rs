@@ -4,7 +4,7 @@ use crate::document::Document;
 use crate::look::Look;
 use crate::panels::{formula, neighbour, paper, t_rail};
 use crate::view::{PanelKind, Preset, View};
-use eframe::egui::{Frame, Margin, Panel, Ui};
+use eframe::egui::{Frame, Margin, Panel, Ui, Vec2};
 use octoscope_core::explain::{RichText, formulas};
 use octoscope_core::trace::Trace;
 use octoscope_figure::views::FormulaRows;
@@ -22,25 +22,31 @@ pub enum Place {
 const MARGIN: f32 = 6.0;
 
 impl Place {
-    /// Where they are beside `panels` in a column of this height: in a lecture below its
+    /// Where they are beside `panels` in a column of this size: in a lecture below its
     /// panel, if they have room there in every step.
     pub fn of<const D: usize>(
+        look: &Look,
         view: &View,
         trace: &Trace<D>,
         panels: &[PanelKind],
-        column: f32,
+        column: Vec2,
     ) -> Self {
         let [panel] = panels else { return Self::BelowPicture };
         let is_alone = view.preset == Preset::Lecture && !view.question_shown;
-        let most = most_height(*panel, trace).filter(|_| is_alone);
-        let room = most.map(|most| column - most - 2.0 * MARGIN);
+        let most = most_height(look, *panel, trace, column.x).filter(|_| is_alone);
+        let room = most.map(|most| column.y - most - 2.0 * MARGIN);
         room.and_then(formula::height_below_panel).map_or(Self::BelowPicture, Self::BelowPanel)
     }
 }
 
 /// Height of a panel of a lecture with its heading, in points, in the step of the walk in
-/// which it is highest; `None` where that is not known.
-fn most_height<const D: usize>(panel: PanelKind, trace: &Trace<D>) -> Option<f32> {
+/// which it is highest, in a column of this width; `None` where that is not known.
+fn most_height<const D: usize>(
+    look: &Look,
+    panel: PanelKind,
+    trace: &Trace<D>,
+    width: f32,
+) -> Option<f32> {
     use PanelKind::{
         Automaton, Children, Codes, Compare, Counters, Cuts, Grid, Halves, Links, Listing, Map,
         Neighbour, Paper, Rail, Region, Stack, Tables, Tree, Variables, WayDown, WhyNot,
@@ -59,7 +65,7 @@ fn most_height<const D: usize>(panel: PanelKind, trace: &Trace<D>) -> Option<f32
         Links => 18.0 + 36.0 * n_axes,
         Halves => 133.0,
         Grid => 30.0 + 26.0 * n_axes,
-        Paper => 159.0,
+        Paper => paper::most_height(look, &trace.query, width),
         Automaton | Listing | Variables | Stack | Counters | Compare | Tree | WhyNot | Map => {
             return None;
         }

@@ -20,15 +20,22 @@ pub fn paint_formula(ui: &Ui, look: &Look, rect: Rect, figure: &Figure, response
     }
 }
 
-/// A rule as it is printed and as it is right, side by side where there is room.
-pub fn printed_and_right(ui: &mut Ui, look: &Look, misprint: &Misprint) {
-    const GAP: f32 = 16.0;
-    let both = [("paper-printed", &misprint.printed), ("paper-right", &misprint.right)];
-    let width = ui.available_width();
+/// Distance of two rules that stand side by side.
+const GAP: f32 = 16.0;
+
+/// Two rules as they are set.
+enum BothSet {
+    SideBySide([Figure; 2]),
+    OneBelowTheOther([Figure; 2]),
+}
+
+/// A rule as it is printed and as it is right, in a room of this width.
+fn set_both(look: &Look, misprint: &Misprint, width: f32) -> BothSet {
     let set = |most: f32| {
-        both.map(|(_, formula)| formula_line(formula, f64::from(most), f64::from(look.least_type)))
+        [&misprint.printed, &misprint.right]
+            .map(|formula| formula_line(formula, f64::from(most), f64::from(look.least_type)))
     };
-    let half = 0.5 * (width - GAP);
+    let half = half(width);
     let natural = set(f32::INFINITY);
     let side_by_side = set(half);
     // Rather one below the other than in smaller type, or broken; in a hall, which has little
@@ -36,26 +43,47 @@ pub fn printed_and_right(ui: &mut Ui, look: &Look, misprint: &Misprint) {
     let most = if look.is_for_hall() { 1.5 * half } else { half };
     let is_wide = natural.iter().any(|figure| figure.page.width as f32 > most)
         || side_by_side.iter().any(|figure| figure.drawn.len() > 1);
-    let figures = if is_wide { set(width) } else { side_by_side };
-    let one = |ui: &mut Ui, n: usize| {
-        let (key, formula) = both[n];
+    if is_wide { BothSet::OneBelowTheOther(set(width)) } else { BothSet::SideBySide(side_by_side) }
+}
+
+fn half(width: f32) -> f32 {
+    0.5 * (width - GAP)
+}
+
+/// Height of the formulas of a rule as it is printed and as it is right, with as much for
+/// each caption above them, in a room of this width.
+pub fn height_of_both(look: &Look, misprint: &Misprint, width: f32, caption: f32) -> f32 {
+    let height = |figure: &Figure| caption + figure.page.height as f32;
+    match set_both(look, misprint, width) {
+        BothSet::SideBySide(both) => both.iter().map(height).fold(0.0, f32::max),
+        BothSet::OneBelowTheOther(both) => both.iter().map(height).sum(),
+    }
+}
+
+/// A rule as it is printed and as it is right, side by side where there is room.
+pub fn printed_and_right(ui: &mut Ui, look: &Look, misprint: &Misprint) {
+    let both = [("paper-printed", &misprint.printed), ("paper-right", &misprint.right)];
+    let width = ui.available_width();
+    let one = |ui: &mut Ui, (key, formula): (&str, &Formula), figure: &Figure| {
         ui.vertical(|ui| {
             ui.label(RichText::new(look.text(key)).size(13.0).color(look.palette.quiet));
-            line(ui, look, formula, &figures[n]);
+            line(ui, look, formula, figure);
         });
     };
-    if is_wide {
-        one(ui, 0);
-        one(ui, 1);
-    } else {
-        ui.horizontal_top(|ui| {
-            ui.spacing_mut().item_spacing.x = GAP;
-            let left = ui.cursor().left();
-            one(ui, 0);
-            let used = ui.cursor().left() - left - GAP;
-            ui.add_space((half - used).max(0.0));
-            one(ui, 1);
-        });
+    match set_both(look, misprint, width) {
+        BothSet::OneBelowTheOther(figures) => {
+            both.into_iter().zip(&figures).for_each(|(rule, figure)| one(ui, rule, figure));
+        }
+        BothSet::SideBySide([printed, right]) => {
+            ui.horizontal_top(|ui| {
+                ui.spacing_mut().item_spacing.x = GAP;
+                let left = ui.cursor().left();
+                one(ui, both[0], &printed);
+                let used = ui.cursor().left() - left - GAP;
+                ui.add_space((half(width) - used).max(0.0));
+                one(ui, both[1], &right);
+            });
+        }
     }
 }
 

@@ -36,7 +36,7 @@ pub use drop_down::{Listed, drop_down};
 pub use entries::{bit_of, bits_of, caption, captioned, per_axis, range};
 pub use fields::{default_button, text_field};
 pub use figure::{paint_figure, paint_larger, room};
-pub use formula::{paint_formula, printed_and_right};
+pub use formula::{height_of_both, paint_formula, printed_and_right};
 pub use heading::heading;
 pub use hint_above::hint_above;
 pub use menu_style::menu_style_with_ring;

@@ -33,14 +33,21 @@ pub fn rich_job(text: &RichText, look: &Look, size: f32, width: f32) -> LayoutJo
     job
 }
 
-/// Height of the largest type of a sentence in which `text` fits into a room, in points; of
-/// the smallest where it fits in none.
-pub fn fitting_size(ui: &Ui, look: &Look, text: &RichText, [width, most]: [f32; 2]) -> f32 {
+/// Height of the largest type of a sentence, none larger than `largest`, in which `text` fits
+/// into a room, in points; of the smallest where it fits in none.
+pub fn fitting_size(
+    ui: &Ui,
+    look: &Look,
+    text: &RichText,
+    [width, most]: [f32; 2],
+    largest: f32,
+) -> f32 {
     const SIZES: [f32; 7] = [22.0, 20.0, 18.0, 17.0, 16.0, 15.0, SMALLEST];
     const SMALLEST: f32 = 14.0;
     let height = |size| {
         let job = rich_job(text, look, size, width);
         ui.painter().layout_job(job).size().y
     };
-    SIZES.into_iter().find(|&size| height(size) <= most).unwrap_or(SMALLEST)
+    let mut sizes = SIZES.into_iter().filter(|&size| size <= largest);
+    sizes.find(|&size| height(size) <= most).unwrap_or(SMALLEST)
 }

@@ -4,13 +4,31 @@
 use super::{both_rules, misprints_of, printed_in, switches, told_of};
 use crate::document::Found;
 use crate::look::Look;
+use crate::widgets::height_of_both;
 use crate::wish::Wish;
 use eframe::egui::text::{LayoutJob, TextFormat};
 use eframe::egui::{FontId, Label, RichText, Sense, Ui};
-use octoscope_core::explain::RichText as Words;
+use octoscope_core::explain::{RichText as Words, misprint_formula};
 use octoscope_core::paper::{Verdict, erratum_of, misprint_title, paper_texts};
 use octoscope_core::query::Query;
 use octoscope_core::traverse::Variant;
+
+/// Distance of lines.
+const GAP: f32 = 2.0;
+
+/// Height of what is said of the misprints of a query in a room of this width, in points.
+pub fn most_height<const D: usize>(look: &Look, query: &Query<D>, width: f32) -> f32 {
+    // Of rules in words, and of the names of several misprints.
+    const WORDS: f32 = 159.0;
+    // Of a name on two lines, of a caption, and of a verdict.
+    const NAME: f32 = 33.0;
+    const CAPTION: f32 = 16.0;
+    const VERDICT: f32 = 19.0;
+    let [printed] = printed_in(query)[..] else { return WORDS };
+    let Some(misprint) = misprint_formula(printed) else { return WORDS };
+    let rules = height_of_both(look, &misprint, width, CAPTION + 2.0 * GAP);
+    (NAME + GAP + rules + VERDICT).max(WORDS)
+}
 
 /// The misprints that are followed, each with a switch that turns it off; without one, the
 /// switches of all that could be. A click on the verdict goes to the step that it names.
@@ -20,7 +38,7 @@ pub fn ui<const D: usize>(
     query: &mut Query<D>,
     verdict: &Found<Verdict>,
 ) -> Option<Wish> {
-    ui.spacing_mut().item_spacing.y = 2.0;
+    ui.spacing_mut().item_spacing.y = GAP;
     let printed = printed_in(query);
     if printed.is_empty() {
         let own = misprints_of(query);
