@@ -132,7 +132,7 @@ fn the_key_leads_to_where_a_detour_begins_or_says_why_nothing_is_wrong() {
     desk.press(Key::Home);
     desk.state_mut().finish_work();
     desk.press(Key::W);
-    assert!(desk.says("No rule is followed as printed here"));
+    assert!(desk.says("Every rule is followed in its right form"));
     assert_eq!(desk.step_number(), 0);
 
     // B-3 does no harm to a ray that only meets child 0.
