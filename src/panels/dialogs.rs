@@ -185,15 +185,14 @@ fn keys(ui: &mut Ui, look: &Look) {
         (menu, rows.collect::<Vec<_>>())
     });
     let groups: Vec<_> = groups.into_iter().filter(|(_, rows)| !rows.is_empty()).collect();
-    let n_lines = |groups: &[(Menu, Vec<&Row>)]| -> usize {
-        groups.iter().map(|(_, rows)| 1 + rows.len()).sum()
+    let columns = if ui.available_width() >= 2.0 * COLUMN {
+        let n_lines: Vec<_> = groups.iter().map(|(_, rows)| 1 + rows.len()).collect();
+        let is_left = balanced(&n_lines);
+        let (left, right) = groups.iter().zip(is_left).partition::<Vec<_>, _>(|(_, left)| *left);
+        [left, right].map(|column| column.into_iter().map(|(group, _)| group).collect()).to_vec()
+    } else {
+        vec![groups.iter().collect::<Vec<_>>()]
     };
-    // Where both columns are about as high.
-    let half = (0..groups.len())
-        .min_by_key(|&n| n_lines(&groups[..n]).max(n_lines(&groups[n..])))
-        .unwrap_or(0);
-    let is_wide = ui.available_width() >= 2.0 * COLUMN;
-    let columns = if is_wide { vec![&groups[..half], &groups[half..]] } else { vec![&groups[..]] };
     let height = most_height(ui, 900.0);
     let scroll = ScrollArea::vertical().max_height(height).min_scrolled_height(height);
     ui.spacing_mut().scroll.floating_allocated_width = 12.0;
@@ -203,15 +202,28 @@ fn keys(ui: &mut Ui, look: &Look) {
         ui.horizontal_top(|ui| {
             ui.spacing_mut().item_spacing.x = 32.0;
             for (n, groups) in columns.into_iter().enumerate() {
-                ui.vertical(|ui| keys_of(ui, look, n, groups));
+                ui.vertical(|ui| keys_of(ui, look, n, &groups));
             }
         });
     });
 }
 
+/// Which of groups of so many lines stand in the left of two columns, the first among
+/// them, where the higher column is as low as it can be.
+fn balanced(n_lines: &[usize]) -> Vec<bool> {
+    let is_left = |choice: usize, n: usize| n == 0 || choice >> n & 1 == 0;
+    let height = |choice: usize, left: bool| -> usize {
+        let column = n_lines.iter().enumerate().filter(|&(n, _)| is_left(choice, n) == left);
+        column.map(|(_, lines)| lines).sum()
+    };
+    let choices = 0..1 << n_lines.len();
+    let best = choices.min_by_key(|&choice| height(choice, true).max(height(choice, false)));
+    (0..n_lines.len()).map(|n| is_left(best.unwrap_or(0), n)).collect()
+}
+
 /// A column of keys, all of them below each other.
-fn keys_of(ui: &mut Ui, look: &Look, column: usize, groups: &[(Menu, Vec<&Row>)]) {
-    Grid::new(("keys", column)).num_columns(2).spacing([24.0, 2.0]).show(ui, |ui| {
+fn keys_of(ui: &mut Ui, look: &Look, column: usize, groups: &[&(Menu, Vec<&Row>)]) {
+    Grid::new(("keys", column)).num_columns(2).spacing([24.0, 1.0]).show(ui, |ui| {
         for (menu, rows) in groups {
             ui.label(RichText::new(look.text(menu.id())).color(look.palette.quiet));
             ui.end_row();
@@ -231,4 +243,16 @@ fn about(ui: &mut Ui, look: &Look) {
     let version = env!("CARGO_PKG_VERSION");
     let licence = look.texts.format("about-licence", &[("version", version.into())]);
     ui.label(RichText::new(licence).color(look.palette.quiet));
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_long_group_stands_beside_all_the_others() {
+        assert_eq!(balanced(&[6, 3, 25, 5, 11, 3]), [true, true, false, true, true, true]);
+        assert_eq!(balanced(&[4, 4]), [true, false]);
+        assert!(balanced(&[]).is_empty());
+    }
 }

@@ -1,7 +1,7 @@
 //! The net of links between neighbours.
 
 use crate::look::Look;
-use crate::widgets::{Setting, caption, node_note, per_axis, table};
+use crate::widgets::{Setting, caption, node_note, per_axis, table, table_width};
 use eframe::egui::Ui;
 use octoscope_core::event::Event;
 use octoscope_core::explain::{RichText, Span};
@@ -95,7 +95,9 @@ pub fn ui<const D: usize>(
         head: head.map(|key| look.text(key).into()).to_vec(),
         rows: (0..D).flat_map(|axis| [row(axis, false), row(axis, true)]).collect(),
     };
-    // The longest words of all columns take about 290 points.
-    let gap = ((ui.available_width() - 290.0) / 3.0).clamp(4.0, 14.0);
-    table(ui, look, &links, Setting { gap, least: 20.0 });
+    let close = Setting { gap: 0.0, least: 20.0 };
+    // What is left of the width, between the columns.
+    let left = ui.available_width() - table_width(ui, look, &links, close);
+    let gap = (left / 3.0).clamp(4.0, 14.0);
+    table(ui, look, &links, Setting { gap, ..close });
 }

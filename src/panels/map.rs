@@ -85,7 +85,7 @@ pub fn ui<const D: usize>(
     if axes.is_none() {
         caption(ui, look, look.text("map-extent-picture"));
     }
-    explained(ui, look, drawing, &asked);
+    explained(ui, look, drawing, &asked, place.is_some());
     chosen
 }
 
@@ -233,10 +233,17 @@ fn told<const D: usize>(look: &Look, asked: &Asked<D>, ray: &Ray<D>) -> String {
     )
 }
 
-/// What the colours mean, who has found that out, and how far the next map is.
-fn explained<const D: usize>(ui: &mut Ui, look: &Look, drawing: &Drawing<D>, asked: &Asked<D>) {
+/// What the colours mean, and the mark if there is one, who has found that out, and how
+/// far the next map is.
+fn explained<const D: usize>(
+    ui: &mut Ui,
+    look: &Look,
+    drawing: &Drawing<D>,
+    asked: &Asked<D>,
+    is_marked: bool,
+) {
     if let Some((done, raster)) = drawing.done.as_ref().filter(|(d, _)| d.shows_the_same(asked)) {
-        legend::ui(ui, look, done.colouring, raster);
+        legend::ui(ui, look, done.colouring, raster, is_marked);
     }
     let by = match asked.colouring {
         Colouring::Sequence | Colouring::Leaves => "map-by-batch",

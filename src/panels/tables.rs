@@ -109,11 +109,15 @@ fn children<const D: usize>(ui: &mut Ui, look: &Look, used: Used<D>, is_over: bo
             .chain(NeighbourTable::ALL.map(|table| rows_of(table, told)))
             .collect(),
     };
-    let setting = setting::<D>(ui);
     let mut shown = written(with_axes);
-    if table_width(ui, look, &shown, setting) > ui.available_width() {
+    let fits = |setting: &Setting| table_width(ui, look, &shown, *setting) <= ui.available_width();
+    let close = Setting { gap: 4.0, least: 16.0 };
+    let wide = setting::<D>(ui);
+    let fitting = [wide, close].into_iter().find(fits);
+    if fitting.is_none() {
         shown = written(signs);
     }
+    let setting = fitting.unwrap_or(wide);
     let mut responses = table(ui, look, &shown, setting).into_iter().skip(1);
     for table in NeighbourTable::ALL {
         explain(look, table, used.direction, responses.next().unwrap_or_default());
@@ -241,11 +245,8 @@ fn signs<const D: usize>(direction: [i8; D]) -> Coloured {
     Coloured(spans.map(|(text, axis)| Span { text, axis, ..Span::default() }).collect())
 }
 
-/// The same by axes and signs, +z, where not every axis has a sign.
+/// The same by axes and signs: +z, +x−y.
 fn with_axes<const D: usize>(direction: [i8; D]) -> Coloured {
-    if direction.iter().all(|sign| *sign != 0) {
-        return signs(direction);
-    }
     let mut told = signs(direction);
     told.0.retain(|span| span.axis.is_some());
     for span in &mut told.0 {

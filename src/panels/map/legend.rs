@@ -6,18 +6,25 @@ use crate::theme::color32;
 use crate::widgets::caption;
 use eframe::egui::{Color32, Rect, Sense, Stroke, StrokeKind, Ui, pos2, vec2};
 
-/// Every colour with what it means, and the mark of the present ray.
-pub fn ui(ui: &mut Ui, look: &Look, colouring: Colouring, raster: &Raster) {
+/// Every colour with what it means, and the mark of the present ray if it has one.
+pub fn ui(ui: &mut Ui, look: &Look, colouring: Colouring, raster: &Raster, is_marked: bool) {
     let scale = Scale::of(colouring, raster);
     match colouring {
         Colouring::Sequence => caption(ui, look, look.text("map-sequence-legend")),
         Colouring::Leaves | Colouring::Steps | Colouring::Comparisons => ramp(ui, look, scale),
         Colouring::Differences => differences(ui, look, scale, raster),
     }
+    let has_nothing = raster.values.contains(&NOTHING);
+    if !has_nothing && !is_marked {
+        return;
+    }
     ui.horizontal_wrapped(|ui| {
-        if raster.values.contains(&NOTHING) {
+        if has_nothing {
             let nothing = look.text("map-legend-nothing");
             entry(ui, look, color32(scale.colour(look.theme, NOTHING)), nothing);
+        }
+        if !is_marked {
+            return;
         }
         ui.horizontal(|ui| {
             let (rect, _) = ui.allocate_exact_size(vec2(14.0, 14.0), Sense::hover());

@@ -197,6 +197,7 @@ impl BitTable {
             }
             top += Self::CARRIES;
         }
+        let mut frames = Vec::new();
         for row in &self.rows {
             let middle = top + 0.5 * row_height;
             sheet.text(Role::Heading, [0.0, middle], Anchor::Start, row.title());
@@ -225,7 +226,7 @@ impl BitTable {
                 let corner =
                     [middle_of(bit) - 0.5 * cell[0] - around, middle - 0.5 * cell[1] - around];
                 let size = cell.map(|side| side + 2.0 * around);
-                sheet.rect(Role::BorderBit, corner, size);
+                frames.push((corner, size));
             }
             let beside = if note_height > 0.0 { middle + 0.5 * bit_height + 8.0 } else { middle };
             // Below the bits it ends with them.
@@ -236,6 +237,10 @@ impl BitTable {
                 sheet.text(Role::Note, [end + 6.0, beside], Anchor::Start, row.note.as_str());
             }
             top += row_height + note_height;
+        }
+        // Over the rule and the bits of the row below, which they touch where rows stand close.
+        for (corner, size) in frames {
+            sheet.rect(Role::BorderBit, corner, size);
         }
         if let Some(conclusion) = &self.conclusion {
             let [from, to] = [conclusion.bit, conclusion.bit + 1].map(middle_of);
@@ -343,6 +348,17 @@ mod tests {
         };
         let [frame, bit] = [Role::BorderBit, Role::LitEntry].map(|role| corners(role).unwrap());
         assert!((0..2).all(|e| frame[0][e] < bit[0][e] && frame[1][e] > bit[1][e]));
+    }
+
+    #[test]
+    fn nothing_of_the_row_below_is_drawn_over_a_frame() {
+        let mut table = table(6, "=", "16");
+        table.rows[0].border = Some(5);
+        let name = "xor".to_owned();
+        table.rows.push(BitRow { name, rule_above: true, ..BitRow::default() });
+        let figure = table.figure(360.0, Spacing::Close);
+        let last = figure.drawn.last().map(|drawn| drawn.role);
+        assert_eq!(last, Some(Role::BorderBit));
     }
 
     #[test]

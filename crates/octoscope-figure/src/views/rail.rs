@@ -189,9 +189,9 @@ impl<const D: usize> Rail<D> {
         distinct(&[below, t, above]).swap_remove(1)
     }
 
-    /// Range of t that is shown: all finite parameters, with a margin. Where all
-    /// begins at once, in an interval, planes far outside would leave no room for
-    /// it: they are left out, and lie beyond the ends.
+    /// Range of t that is shown: all finite parameters, with a margin, and 0 where all
+    /// lie not far behind it. Where all begins at once, in an interval, planes far
+    /// outside would leave no room for it: they are left out, and lie beyond the ends.
     pub fn range(&self) -> [f64; 2] {
         let [enter, exit] = self.limits();
         let length = exit - enter;
@@ -206,6 +206,9 @@ impl<const D: usize> Rail<D> {
         if low > high {
             return [0.0, 1.0];
         }
+        // Where the ray begins is in sight of what lies behind it and is near.
+        let is_behind = high < 0.0 && -high <= NEAR * (high - low);
+        let high = if is_behind { 0.0 } else { high };
         // Term by term, as the whole length may be larger than any number.
         let margin = (high * 0.08 - low * 0.08).max(f64::EPSILON * high.abs().max(1.0) * 16.0);
         [(low - margin).max(f64::MIN), (high + margin).min(f64::MAX)]
@@ -233,6 +236,7 @@ mod tests {
             assert!(range[0] < t && t < range[1], "{range:?}");
         }
         assert_eq!(slab(f64::NEG_INFINITY, f64::INFINITY).range(), [0.0, 1.0]);
+        assert!(slab(-1.25, -0.25).range()[1] > 0.0, "the beginning of the ray is in sight");
         for reach in [1e308, f64::MAX] {
             assert!(slab(-reach, reach).range().iter().all(|t| t.is_finite()));
         }
