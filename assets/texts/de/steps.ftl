@@ -98,10 +98,10 @@ first-none = { $comparisons }, also ist kein Bit 1: Der Strahl { $inside ->
    *[no] { " " }ein
 }.
 
-step-one = { $child } wird durch die { $axes }-Ebene verlassen: { $exits }, also wird das { $axes }-Bit gesetzt, und der nächste Zustand ist { $next }.
-step-many = { $child } wird durch die Ebenen von { $axes } zugleich verlassen: { $exits }, also werden die Bits von { $axes } zusammen gesetzt, und der nächste Zustand ist { $next }.
-step-end-one = { $child } wird durch die { $axes }-Ebene verlassen: { $exits }. In { $done } ist das schon die obere Hälfte, also verlässt der Strahl auch den Elternknoten.
-step-end-many = { $child } wird durch die Ebenen von { $axes } zugleich verlassen: { $exits }. In { $done } ist das schon die obere Hälfte, also verlässt der Strahl auch den Elternknoten.
+step-one = { $child } wird an der { $axes }-Ebene verlassen: { $exits }, also wird das { $axes }-Bit 1: Zustand { $next }.
+step-many = { $child } wird an den Ebenen von { $axes } zugleich verlassen: { $exits }, also werden ihre Bits 1: Zustand { $next }.
+step-end-one = { $child } wird an der { $axes }-Ebene verlassen: { $exits }. In { $done } ist es die obere Hälfte: Auch der Elternknoten ist erledigt.
+step-end-many = { $child } wird an den Ebenen von { $axes } zugleich verlassen: { $exits }. In { $done } ist es die obere Hälfte: Auch der Elternknoten ist erledigt.
 child = Kind { $state }
 state = Zustand { $state }
 up = Das Kind ist erledigt: zurück hinauf zu { $node }.

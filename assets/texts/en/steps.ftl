@@ -89,10 +89,10 @@ first-none = { $comparisons }, so no bit is 1: the ray { $inside ->
    *[no] enters
 } in state 0.
 
-step-one = { $child } is left through the { $axes } plane: { $exits }, so the { $axes } bit is set and the next state is { $next }.
-step-many = { $child } is left through the { $axes } planes at once: { $exits }, so the { $axes } bits are set together and the next state is { $next }.
-step-end-one = { $child } is left through the { $axes } plane: { $exits }. In { $done } that is the upper half already, so the ray leaves the parent, too.
-step-end-many = { $child } is left through the { $axes } planes at once: { $exits }. In { $done } that is the upper half already, so the ray leaves the parent, too.
+step-one = { $child } is left at the { $axes } plane: { $exits }, so the { $axes } bit is set: state { $next }.
+step-many = { $child } is left at the { $axes } planes at once: { $exits }, so their bits are set: state { $next }.
+step-end-one = { $child } is left at the { $axes } plane: { $exits }. In { $done } it is the upper half, so the parent is done, too.
+step-end-many = { $child } is left at the { $axes } planes at once: { $exits }. In { $done } it is the upper half, so the parent is done, too.
 child = Child { $state }
 state = State { $state }
 up = The child is done: back up to { $node }.

@@ -304,8 +304,8 @@ fn a_tie_that_doubles_break_is_told_with_its_ulps() {
     assert_eq!((disagreement.axes, disagreement.ulps), (Axes::one(0), 1));
     assert_eq!(
         sentence(&tree, &ray, &trace, step, Language::English).plain(),
-        "Child 0 is left through the x and y planes at once: t_ym = 15 < t_xm = \
-         15.000000000000002, so the x and y bits are set together and the next state is 3. \
+        "Child 0 is left at the x and y planes at once: t_ym = 15 < t_xm = \
+         15.000000000000002, so their bits are set: state 3. \
          Doubles would err here: they put the parameters 1 ulp apart."
     );
 }

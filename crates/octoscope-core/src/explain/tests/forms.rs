@@ -102,8 +102,8 @@ fn of_planes_met_at_once_the_one_that_counts_is_told() {
         &ray,
         &along(Algorithm::ParametricTable),
         [
-            "Child 0 is left through the y plane: t_ym = 0.75 = t_xm = 0.75, so the y bit is set and the next state is 1. Of equal parameters the last axis counts.",
-            "Kind 0 wird durch die y-Ebene verlassen: t_ym = 0.75 = t_xm = 0.75, also wird das y-Bit gesetzt, und der nächste Zustand ist 1. Von gleichen Parametern zählt die letzte Achse.",
+            "Child 0 is left at the y plane: t_ym = 0.75 = t_xm = 0.75, so the y bit is set: state 1. Of equal parameters the last axis counts.",
+            "Kind 0 wird an der y-Ebene verlassen: t_ym = 0.75 = t_xm = 0.75, also wird das y-Bit 1: Zustand 1. Von gleichen Parametern zählt die letzte Achse.",
         ],
     );
 }
@@ -132,8 +132,8 @@ fn equal_numbers_are_told_as_equal_whatever_they_are_compared_in() {
             &Ray::new([-0.25, -0.25], [1.0, 1.0]).unwrap(),
             &query(arithmetic),
             [
-                "Child 0 is left through the y plane: t_ym = 0.75 = t_xm = 0.75, so the y bit is set and the next state is 1. Of equal parameters the last axis counts.",
-                "Kind 0 wird durch die y-Ebene verlassen: t_ym = 0.75 = t_xm = 0.75, also wird das y-Bit gesetzt, und der nächste Zustand ist 1. Von gleichen Parametern zählt die letzte Achse.",
+                "Child 0 is left at the y plane: t_ym = 0.75 = t_xm = 0.75, so the y bit is set: state 1. Of equal parameters the last axis counts.",
+                "Kind 0 wird an der y-Ebene verlassen: t_ym = 0.75 = t_xm = 0.75, also wird das y-Bit 1: Zustand 1. Von gleichen Parametern zählt die letzte Achse.",
             ],
         );
         check_words(

@@ -28,16 +28,16 @@ fn a_ray_is_told_with_its_numbers() {
         "Ein Strahl von (−0.25, 0.125) in Richtung (1, 0.25) wird mit dem parametrischen Verfahren durch den Quadtree verfolgt.",
     );
     check(
-        "Child 0 is left through the x plane: t_xm = 0.625 < t_ym = 1, so the x bit is set and the next state is 2.",
-        "Kind 0 wird durch die x-Ebene verlassen: t_xm = 0.625 < t_ym = 1, also wird das x-Bit gesetzt, und der nächste Zustand ist 2.",
+        "Child 0 is left at the x plane: t_xm = 0.625 < t_ym = 1, so the x bit is set: state 2.",
+        "Kind 0 wird an der x-Ebene verlassen: t_xm = 0.625 < t_ym = 1, also wird das x-Bit 1: Zustand 2.",
     );
     check(
-        "Child 0 is left through the x and y planes at once: t_xm = 0.5 = t_ym = 0.5, so the x and y bits are set together and the next state is 3.",
-        "Kind 0 wird durch die Ebenen von x und y zugleich verlassen: t_xm = 0.5 = t_ym = 0.5, also werden die Bits von x und y zusammen gesetzt, und der nächste Zustand ist 3.",
+        "Child 0 is left at the x and y planes at once: t_xm = 0.5 = t_ym = 0.5, so their bits are set: state 3.",
+        "Kind 0 wird an den Ebenen von x und y zugleich verlassen: t_xm = 0.5 = t_ym = 0.5, also werden ihre Bits 1: Zustand 3.",
     );
     check(
-        "Child 2 is left through the x plane: t_x1 = 0.75 < t_ym = 1. In x that is the upper half already, so the ray leaves the parent, too.",
-        "Kind 2 wird durch die x-Ebene verlassen: t_x1 = 0.75 < t_ym = 1. In x ist das schon die obere Hälfte, also verlässt der Strahl auch den Elternknoten.",
+        "Child 2 is left at the x plane: t_x1 = 0.75 < t_ym = 1. In x it is the upper half, so the parent is done, too.",
+        "Kind 2 wird an der x-Ebene verlassen: t_x1 = 0.75 < t_ym = 1. In x ist es die obere Hälfte: Auch der Elternknoten ist erledigt.",
     );
     check(
         "The ray has left the root: the traversal ends after 4 leaves.",
