@@ -1,10 +1,12 @@
 //! The marks of a moment.
 
 mod apart;
+mod choice;
 mod mirrored;
 mod ray;
 mod sides;
 
+pub(crate) use choice::Choice;
 pub(crate) use ray::{STRETCH, interval, nearest, stretch};
 pub use ray::{arrow_end, far_end};
 
@@ -15,7 +17,7 @@ use octoscope_core::event::{End, Event};
 use octoscope_core::geometry::{AXIS_NAMES, Aabb, Axes, Ray};
 use octoscope_core::query::Query;
 use octoscope_core::trace::{LeafOnRay, Moment};
-use octoscope_core::tree::{Child, NodeId, Tree, branch};
+use octoscope_core::tree::{Child, NodeId, Tree};
 
 /// Marks of a query at a moment, the lowest first; O(length of the path), so
 /// that they can be made anew while the ray is dragged. `event` is the last
@@ -124,90 +126,29 @@ impl<const D: usize> Scene<'_, D> {
         }
     }
 
-    /// The node whose children are chosen among, and the child that is taken.
-    fn choice(&self) -> Option<(NodeId, Child<D>)> {
-        match *self.event? {
-            Event::First { .. } | Event::Step { .. } => {
-                let frame = self.moment.frame()?;
-                let mask = self.moment.clip.map_or(Axes::NONE, |clip| clip.mirror);
-                let variants = self.query.variants_at_work();
-                Some((frame.node, variants.child_of_state(frame.child_state?, mask)))
-            }
-            Event::Compare { child, node, .. }
-            | Event::Follow { child, node, .. }
-            | Event::Facing { child, node }
-            | Event::Mirror { mirrored: child, node, .. } => Some((self.tree.parent(node)?, child)),
-            Event::Classify { child, .. } | Event::Flip { child, .. } => {
-                Some((self.moment.frame()?.node, child))
-            }
-            Event::Clip { .. }
-            | Event::Test { .. }
-            | Event::Sort { .. }
-            | Event::Visit { .. }
-            | Event::Skip { .. }
-            | Event::Halve { .. }
-            | Event::Enter { .. }
-            | Event::Cuts { .. }
-            | Event::Split { .. }
-            | Event::Pop { .. }
-            | Event::Grid { .. }
-            | Event::Cross { .. }
-            | Event::Parent { .. }
-            | Event::Rope { .. }
-            | Event::Push { .. }
-            | Event::Up { .. }
-            | Event::Begin { .. }
-            | Event::Encode { .. }
-            | Event::Exits { .. }
-            | Event::Target { .. }
-            | Event::Border { .. }
-            | Event::Difference { .. }
-            | Event::Leave { .. }
-            | Event::Resume { .. }
-            | Event::Climb { .. }
-            | Event::Corners { .. }
-            | Event::Leaf { .. }
-            | Event::Touch { .. }
-            | Event::Found { .. }
-            | Event::End(_) => None,
-        }
+    fn choice(&self) -> Option<Choice<D>> {
+        Choice::of(self.tree, self.query, self.moment, self.event)
     }
 
     fn children(&self, marks: &mut Vec<Mark<D>>) {
         let is_shown = self.show.children && !self.is_apart();
-        let Some((parent, taken)) = self.choice().filter(|_| is_shown) else {
+        let Some(choice) = self.choice().filter(|_| is_shown) else {
             return;
         };
-        let visited = self.visited_children(parent);
-        let parent = self.tree.node(parent);
+        let rejected = choice.rejected(self.tree, self.moment);
+        let parent = self.tree.node(choice.parent);
         for (child, node) in Child::all().zip(self.tree.children(parent)) {
             let bounds = self.tree.node_box(node.id);
             // The current node has its own, stronger mark.
-            if self.moment.current != Some(node.id) {
-                if child == taken {
-                    marks.push(node_mark(self.tree, node.id, Role::Taken));
-                } else if !visited[usize::from(child.0)] {
-                    marks.push(node_mark(self.tree, node.id, Role::Rejected));
-                }
+            if rejected.contains(&node.id) {
+                marks.push(node_mark(self.tree, node.id, Role::Rejected));
+            } else if child == choice.taken && self.moment.current != Some(node.id) {
+                marks.push(node_mark(self.tree, node.id, Role::Taken));
             }
             let at = index_place(&bounds, child);
             let label = Mark::new(Shape::LabelIn { at, bounds }, Role::ChildIndex);
             marks.push(label.of_node(node.id).with_text(self.child_name(child)));
         }
-    }
-
-    /// For each child of a node, whether a visited leaf lies in it: one pass
-    /// over the path for all of them.
-    fn visited_children(&self, parent: NodeId) -> [bool; 8] {
-        let (level, code) = (self.tree.level(parent), self.tree.code(parent));
-        let mut visited = [false; 8];
-        for leaf in &self.moment.leaves {
-            let leaf = self.tree.code(leaf.node);
-            if level > 0 && (0..D).all(|e| leaf[e] >> level == code[e] >> level) {
-                visited[usize::from(branch(leaf, level).0)] = true;
-            }
-        }
-        visited
     }
 
     fn current(&self, marks: &mut Vec<Mark<D>>) {

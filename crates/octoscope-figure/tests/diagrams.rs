@@ -7,7 +7,7 @@ use octoscope_core::trace::{Moment, Trace, record};
 use octoscope_core::traverse::Variants;
 use octoscope_core::tree::{Domain, NodeId, Split, Tree, grow};
 use octoscope_figure::{
-    Diagram, DiagramLens, DiagramOf, Form, NodeKind, Page, Part, Role, tree_diagram,
+    Diagram, DiagramLens, DiagramOf, Form, NodeKind, Page, Part, Role, Show, marks, tree_diagram,
 };
 
 const PAGE: Page = Page { width: 360.0, height: 290.0 };
@@ -314,4 +314,77 @@ fn leaves_that_are_ruled_out_are_dashed_as_their_branches_are() {
     assert!(n_branches > 0);
     // Two dashes from each corner of a square.
     assert_eq!(n_of(&diagram, Role::Rejected, Part::Whole), 8 * n_branches);
+}
+
+#[test]
+fn for_a_point_the_diagram_and_the_picture_reject_the_same_nodes() {
+    fn check<const D: usize>(depth: u8) -> usize {
+        let mut n_rejected = 0;
+        for method in [PointMethod::Codes, PointMethod::Comparison] {
+            let tree = full::<D>(depth);
+            let ray = Ray::new([0.0; D], [1.0; D]).expect("the direction is not zero");
+            let at = std::array::from_fn(|e| 0.3 + 0.27 * e as f64);
+            let query = Query::Point { at, method, variants: Variants::NONE };
+            let trace = record(&tree, &ray, &query);
+            let run = Run { tree, ray, query, trace };
+            let page = Page { width: 4000.0, height: 600.0 };
+            for step in 0..=run.trace.events.len() {
+                let moment = Moment::after(&run.tree, &run.trace, step);
+                let event = step.checked_sub(1).and_then(|index| run.trace.events.get(index));
+                let show = Show::at_first::<D>();
+                let marks = marks(&run.tree, &run.ray, &run.query, &moment, event, &show);
+                let rejected = marks.iter().filter(|mark| mark.role == Role::Rejected);
+                let mut in_picture: Vec<_> = rejected.filter_map(|mark| mark.node).collect();
+                let diagram = run.diagram(step, &[], page);
+                let dashed = diagram
+                    .figure
+                    .drawn
+                    .iter()
+                    .filter(|drawn| drawn.role == Role::Rejected && drawn.part == Part::Edge);
+                let mut in_diagram: Vec<_> = dashed.filter_map(|drawn| drawn.node).collect();
+                in_picture.sort();
+                in_diagram.sort();
+                assert_eq!(in_diagram, in_picture, "{method:?}, step {step}");
+                n_rejected += in_picture.len();
+            }
+        }
+        n_rejected
+    }
+    assert!(check::<2>(4) > 10 && check::<3>(3) > 10);
+}
+
+#[test]
+fn no_dashed_outline_has_gaps_in_which_its_sides_are_lost() {
+    let run = run::<2>(4);
+    let mut n_sides = 0;
+    for step in 0..=run.trace.events.len() {
+        let diagram = run.diagram(step, &[], Page { width: 1200.0, height: 290.0 });
+        for node in &diagram.nodes {
+            let dashes: Vec<f64> = diagram
+                .figure
+                .drawn
+                .iter()
+                .filter(|drawn| drawn.node == Some(node.node) && drawn.part == Part::Whole)
+                .filter_map(|drawn| match &drawn.form {
+                    Form::Polyline(line) if drawn.role == Role::Rejected => {
+                        Some((line[1][0] - line[0][0]).hypot(line[1][1] - line[0][1]))
+                    }
+                    _ => None,
+                })
+                .collect();
+            let (half, total) = (node.half, dashes.iter().sum::<f64>());
+            let around = match node.kind {
+                NodeKind::Leaf => 8.0 * half,
+                NodeKind::Folded { .. } => 2.0 * half * (1.0 + 5.0_f64.sqrt()),
+                NodeKind::Unfolded => continue,
+            };
+            if !dashes.is_empty() {
+                n_sides += 1;
+                assert!(total > 0.6 * around, "step {step}: {total} of {around}");
+                let each = around / dashes.len() as f64;
+                assert!(each < 7.5, "step {step}: a dash for {each} of {node:?}");
+            }
+        }
+    }
+    assert!(n_sides > 20, "{n_sides}");
 }

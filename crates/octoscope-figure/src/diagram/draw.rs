@@ -260,18 +260,21 @@ impl<const D: usize> Drawing<'_, D> {
     }
 }
 
-/// Dashes of a small outline, two from each of its corners: of dashes that began
-/// anywhere, too little would be left to tell what it is.
+/// Dashes of a small outline, two from each of its corners and one in the middle of each
+/// long side: of dashes that began anywhere, too little would be left to tell what it is.
 fn arms(corners: &[[f64; 2]]) -> impl Iterator<Item = Form> {
-    // Not longer than one dash of the finest line.
-    const LONGEST: f64 = 4.5;
+    // Longer sides would fall apart into corners.
+    const LONG: f64 = 12.0;
     let n = corners.len();
-    let ends = (0..n).flat_map(move |at| [(at, (at + 1) % n), (at, (at + n - 1) % n)]);
-    ends.map(|(at, next)| {
-        let (from, to) = (corners[at], corners[next]);
-        let length = (to[0] - from[0]).hypot(to[1] - from[1]).max(1e-9);
-        let share = (LONGEST / length).min(0.34);
-        Form::Polyline(vec![from, std::array::from_fn(|e| from[e] + share * (to[e] - from[e]))])
+    (0..n).flat_map(move |at| {
+        let (from, to) = (corners[at], corners[(at + 1) % n]);
+        let is_long = (to[0] - from[0]).hypot(to[1] - from[1]) > LONG;
+        let shares: &[[f64; 2]] = match is_long {
+            true => &[[0.0, 0.2], [0.36, 0.64], [1.0, 0.8]],
+            false => &[[0.0, 0.34], [1.0, 0.66]],
+        };
+        let place = move |share: f64| std::array::from_fn(|e| from[e] + share * (to[e] - from[e]));
+        shares.iter().map(move |ends| Form::Polyline(ends.map(place).to_vec()))
     })
 }
 

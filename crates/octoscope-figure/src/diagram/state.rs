@@ -2,6 +2,7 @@
 
 use super::DiagramOf;
 use super::layout::Item;
+use crate::marks::Choice;
 use octoscope_core::event::End;
 use octoscope_core::query::Query;
 use octoscope_core::trace::{Fate, Reason, fate};
@@ -36,7 +37,7 @@ pub(super) struct State {
 
 /// States of the items of a layout. O(visited leaves + items · levels).
 pub(super) fn states<const D: usize>(of: &DiagramOf<D>, items: &[Item]) -> States {
-    let DiagramOf { tree, ray, query, moment, .. } = *of;
+    let DiagramOf { tree, ray, query, moment, event, .. } = *of;
     let index: HashMap<NodeId, usize> =
         items.iter().enumerate().map(|(n, item)| (item.node.id, n)).collect();
     let drawn = |node: NodeId| {
@@ -94,13 +95,20 @@ pub(super) fn states<const D: usize>(of: &DiagramOf<D>, items: &[Item]) -> State
         next = items[item].parent;
     }
 
-    // The children that are chosen among.
-    let at_work = moment.at_work(tree).and_then(|node| index.get(&node).copied());
-    let about_fates = matches!(query, Query::Ray { .. } | Query::Point { .. });
+    // The children that are chosen among: for a point, by the last event, as in the picture.
+    let is_about_ray = matches!(query, Query::Ray { .. });
+    let choice = match query {
+        Query::Point { .. } => Choice::of(tree, query, moment, event),
+        Query::Ray { .. } | Query::Region { .. } | Query::Neighbour { .. } => None,
+    };
+    let at_work = choice.as_ref().map(|choice| choice.parent).or_else(|| moment.at_work(tree));
+    let at_work = at_work.and_then(|node| index.get(&node).copied());
+    let rejected = choice.map_or_else(Vec::new, |choice| choice.rejected(tree, moment));
     for (n, item) in items.iter().enumerate().skip(1) {
         if at_work.is_some() && item.parent == at_work {
             states[n].is_in_question = true;
-            let fate = fate(tree, ray, query, moment, item.node.id).filter(|_| about_fates);
+            states[n].is_rejected = rejected.contains(&item.node.id);
+            let fate = fate(tree, ray, query, moment, item.node.id).filter(|_| is_about_ray);
             match fate {
                 Some(Fate::RuledOut(Reason::Touched { .. })) => states[n].is_touched = true,
                 Some(Fate::RuledOut(_) | Fate::PassedBy(_)) => states[n].is_rejected = true,

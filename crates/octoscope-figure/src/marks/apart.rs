@@ -13,7 +13,7 @@ impl<const D: usize> Scene<'_, D> {
         let Some(parent) = self.looked_into().filter(|_| self.is_apart()) else {
             return;
         };
-        let taken = self.choice().map(|(_, child)| child);
+        let taken = self.choice().map(|choice| choice.taken);
         let middle = self.tree.node_box(parent).centre();
         if self.moment.current != Some(parent) {
             marks.push(node_mark(self.tree, parent, Role::Ancestor { above: 1 }));
@@ -48,7 +48,7 @@ impl<const D: usize> Scene<'_, D> {
             Some(End::FirstFull | End::Found | End::Cut) | None => false,
         };
         let current = self.moment.current.filter(|_| !ended)?;
-        let node = self.choice().map_or(current, |(parent, _)| parent);
+        let node = self.choice().map_or(current, |choice| choice.parent);
         if self.tree.node(node).is_leaf() { self.tree.parent(node) } else { Some(node) }
     }
 }

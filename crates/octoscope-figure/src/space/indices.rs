@@ -35,7 +35,11 @@ impl<const D: usize> Canvas<'_, D> {
             return;
         }
         let inset = ((half + INSET) / side).min(0.5);
-        let places: Vec<[f64; 2]> = places(at, bounds, inset)
+        let mut places = places(at, bounds, inset);
+        if is_chosen {
+            places.extend(all_over(at, bounds, inset));
+        }
+        let places: Vec<[f64; 2]> = places
             .into_iter()
             .filter_map(|place| Some(self.camera.project(self.page, place)?.at))
             .collect();
@@ -43,9 +47,12 @@ impl<const D: usize> Canvas<'_, D> {
         let clear = places.iter().copied().filter(|at| !self.strikes(*at, [half + 1.0; 2]));
         let mut clear: Vec<_> = clear.collect();
         clear.sort_by_cached_key(|at| self.n_covered(*at, [half; 2]));
-        let mut at = self.room(clear, reach);
+        let mut at = self.room(clear.iter().copied(), reach);
         if at.is_none() && is_chosen {
-            at = self.clearest(places, [half; 2]);
+            // Closer to what is beside it, then on the ray, then on what it covers least.
+            at = self.room(clear, [half + 1.0; 2]);
+            at = at.or_else(|| self.clearest(places.iter().copied(), [half; 2]));
+            at = at.or_else(|| self.least_taken(&places, [half; 2]).filter(|_| D == 2));
         }
         if let Some(at) = at {
             self.push_at(above_space(mark.role), mark, Part::Whole, rectangle(at, [half; 2]));
@@ -53,6 +60,38 @@ impl<const D: usize> Canvas<'_, D> {
             self.push_at(above_space(mark.role), mark, Part::Whole, form);
         }
     }
+
+    /// The place where a label covers the least of what is taken.
+    fn least_taken(&mut self, places: &[[f64; 2]], reach: [f64; 2]) -> Option<[f64; 2]> {
+        let covered = |at: &[f64; 2]| -> f64 {
+            let areas = self.taken.iter().map(|[other, extent]| {
+                let both = [0, 1].map(|e| reach[e] + extent[e] - (at[e] - other[e]).abs());
+                both[0].max(0.0) * both[1].max(0.0)
+            });
+            areas.sum()
+        };
+        let at = *places.iter().min_by(|a, b| covered(a).total_cmp(&covered(b)))?;
+        self.taken.push([at, reach]);
+        Some(at)
+    }
+}
+
+/// Places all over a box, such a share of its sides within them, those nearest to `at`
+/// first.
+fn all_over<const D: usize>(at: [f64; D], bounds: &Aabb<D>, inset: f64) -> Vec<[f64; D]> {
+    const ROW: usize = 7;
+    let size = bounds.size();
+    let place = |n: usize| {
+        std::array::from_fn(|e| {
+            let step = (n / ROW.pow(e as u32)) % ROW;
+            let share = inset + (1.0 - 2.0 * inset) * step as f64 / (ROW - 1) as f64;
+            bounds.min[e] + share * size[e]
+        })
+    };
+    let away = |place: &[f64; D]| (0..D).map(|e| (place[e] - at[e]).powi(2)).sum::<f64>();
+    let mut places: Vec<[f64; D]> = (0..ROW.pow(D as u32)).map(place).collect();
+    places.sort_by(|a, b| away(a).total_cmp(&away(b)));
+    places
 }
 
 /// Places in a box: in the corner in which `at` lies, at such a share of the sides from
