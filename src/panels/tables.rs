@@ -271,7 +271,7 @@ mod tests {
     fn directions_are_told_by_their_signs() {
         assert_eq!(signs([1, 0, -1]).plain(), "+·−");
         assert_eq!(with_axes([0, 0, -1]).plain(), "−z");
-        assert_eq!(with_axes([1, 1, -1]).plain(), "++−");
+        assert_eq!(with_axes([1, 1, -1]).plain(), "+x+y−z");
         assert_eq!(named([1, 0, -1]), "+x −z");
     }
 }
