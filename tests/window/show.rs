@@ -47,7 +47,7 @@ fn an_octree_is_cut_open_by_keyboard() {
     desk.press(Key::K);
     desk.press(Key::K);
     assert_eq!(space(&desk).slice.unwrap().axis, 2);
-    desk.click(Role::DisclosureTriangle, "which cells, how far apart");
+    desk.click(Role::DisclosureTriangle, "which cells, cut, how far apart");
     assert!(desk.query_by_role_and_label(Role::Slider, "place of the cut").is_some());
     desk.press(Key::Escape);
     desk.press(Key::K);
@@ -125,7 +125,7 @@ fn a_scene_that_is_opened_is_whole() {
 #[test]
 fn every_choice_has_a_name_in_the_accessibility_tree() {
     let mut desk = Desk::with_file(sample("knot.octo"));
-    desk.click(Role::DisclosureTriangle, "which cells, how far apart");
+    desk.click(Role::DisclosureTriangle, "which cells, cut, how far apart");
     for name in ["smallest level shown", "largest level shown"] {
         assert!(desk.query_by_role_and_label(Role::SpinButton, name).is_some(), "{name}");
     }
@@ -145,7 +145,7 @@ fn a_look_at_where_an_octree_is_cut_does_not_move_the_cut() {
     desk.state_mut().view.space_show.slice = kept;
     desk.state_mut().view.space_show.explosion = 0.75;
     desk.run();
-    desk.click(Role::DisclosureTriangle, "which cells, how far apart");
+    desk.click(Role::DisclosureTriangle, "which cells, cut, how far apart");
     assert!(desk.query_by_role_and_label(Role::Slider, "place of the cut").is_some());
     assert_eq!((space(&desk).slice, space(&desk).explosion), (kept, 0.75));
 }
@@ -157,7 +157,7 @@ fn what_is_wrong_beside_a_slider_stays_and_says_so() {
     desk.open(sample("knot.octo"));
     desk.state_mut().view.space_show.slice = Some(Slice { axis: 0, at: 0.3 });
     desk.run();
-    desk.click(Role::DisclosureTriangle, "which cells, how far apart");
+    desk.click(Role::DisclosureTriangle, "which cells, cut, how far apart");
     let kept = (desk.space().scenario.recipe, space(&desk));
     for (name, kind) in
         [("depth", "whole number"), ("apart", "number"), ("place of the cut", "number")]
