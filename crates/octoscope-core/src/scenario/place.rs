@@ -219,7 +219,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_nested_deep_is_not_told() {
+    fn a_text_nested_deep_is_searched_in_one_pass() {
         let text = "[".repeat(200_000);
         assert_eq!(spot_of(&text, "a").end, 1);
         assert_eq!(spot_of(&text, "[0]").start, 1);
