@@ -3,6 +3,7 @@
 mod apart;
 mod choice;
 mod mirrored;
+mod passage;
 mod ray;
 mod sides;
 
@@ -127,7 +128,7 @@ impl<const D: usize> Scene<'_, D> {
     }
 
     fn choice(&self) -> Option<Choice<D>> {
-        Choice::of(self.tree, self.query, self.moment, self.event)
+        Choice::of(self.tree, self.ray, self.query, self.moment, self.event)
     }
 
     fn children(&self, marks: &mut Vec<Mark<D>>) {
@@ -135,14 +136,13 @@ impl<const D: usize> Scene<'_, D> {
         let Some(choice) = self.choice().filter(|_| is_shown) else {
             return;
         };
-        let rejected = choice.rejected(self.tree, self.moment);
         let parent = self.tree.node(choice.parent);
         for (child, node) in Child::all().zip(self.tree.children(parent)) {
             let bounds = self.tree.node_box(node.id);
             // The current node has its own, stronger mark.
-            if rejected.contains(&node.id) {
+            if choice.rejected.contains(&node.id) {
                 marks.push(node_mark(self.tree, node.id, Role::Rejected));
-            } else if child == choice.taken && self.moment.current != Some(node.id) {
+            } else if Some(child) == choice.taken && self.moment.current != Some(node.id) {
                 marks.push(node_mark(self.tree, node.id, Role::Taken));
             }
             let at = index_place(&bounds, child);
@@ -175,13 +175,7 @@ impl<const D: usize> Scene<'_, D> {
             marks.push(self.code_label(node));
         }
         self.sides(node, &bounds, marks);
-        if let (Query::Ray { .. }, Some([enter, exit])) =
-            (self.query, interval(self.ray, &bounds).filter(|[_, exit]| *exit >= 0.0))
-        {
-            for (t, role) in [(enter.max(0.0), Role::EntryPoint), (exit, Role::ExitPoint)] {
-                marks.push(Mark::new(Shape::Point(self.ray.at(t)), role).of_node(node));
-            }
-        }
+        self.passage(&bounds, marks);
     }
 
     /// Planes that are compared or met in this step.

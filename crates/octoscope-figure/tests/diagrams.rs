@@ -1,5 +1,6 @@
 //! Diagrams of trees, small and large.
 
+use octoscope_core::event::Event;
 use octoscope_core::geometry::Ray;
 use octoscope_core::progress::Progress;
 use octoscope_core::query::{PointMethod, Query};
@@ -7,7 +8,7 @@ use octoscope_core::trace::{Moment, Trace, record};
 use octoscope_core::traverse::Variants;
 use octoscope_core::tree::{Domain, NodeId, Split, Tree, grow};
 use octoscope_figure::{
-    Diagram, DiagramLens, DiagramOf, Form, NodeKind, Page, Part, Role, Show, marks, tree_diagram,
+    Diagram, DiagramLens, DiagramOf, Form, NodeKind, Page, Part, Role, tree_diagram,
 };
 
 const PAGE: Page = Page { width: 360.0, height: 290.0 };
@@ -45,6 +46,10 @@ impl<const D: usize> Run<D> {
         let of = DiagramOf { tree, ray, query, moment: &moment, event, strayed: &[] };
         tree_diagram(&of, unfolded, None, page, DiagramLens::default())
     }
+}
+
+fn is_last<const D: usize>(event: &Event<D>) -> bool {
+    matches!(event, Event::Step { next: None, .. })
 }
 
 fn n_of(diagram: &Diagram, role: Role, part: Part) -> usize {
@@ -110,8 +115,8 @@ fn at_the_end_every_visited_leaf_has_its_number_where_there_is_room() {
 #[test]
 fn children_that_are_ruled_out_have_dashed_branches() {
     let run = run::<2>(2);
-    // The root is entered; its children are chosen among.
-    let diagram = run.diagram(2, &[], PAGE);
+    let last = run.trace.events.iter().rposition(is_last).expect("the root is left");
+    let diagram = run.diagram(last + 1, &[], PAGE);
     assert_eq!(n_of(&diagram, Role::Rejected, Part::Edge), 1);
 }
 
@@ -308,49 +313,12 @@ fn on_a_level_all_folded_nodes_have_their_number_of_leaves_or_none_has() {
 #[test]
 fn leaves_that_are_ruled_out_are_dashed_as_their_branches_are() {
     let run = run::<2>(1);
-    // The root is entered; its children, which are leaves, are chosen among.
-    let diagram = run.diagram(2, &[], PAGE);
+    let last = run.trace.events.iter().rposition(is_last).expect("the root is left");
+    let diagram = run.diagram(last + 1, &[], PAGE);
     let n_branches = n_of(&diagram, Role::Rejected, Part::Edge);
     assert!(n_branches > 0);
     // Two dashes from each corner of a square.
     assert_eq!(n_of(&diagram, Role::Rejected, Part::Whole), 8 * n_branches);
-}
-
-#[test]
-fn for_a_point_the_diagram_and_the_picture_reject_the_same_nodes() {
-    fn check<const D: usize>(depth: u8) -> usize {
-        let mut n_rejected = 0;
-        for method in [PointMethod::Codes, PointMethod::Comparison] {
-            let tree = full::<D>(depth);
-            let ray = Ray::new([0.0; D], [1.0; D]).expect("the direction is not zero");
-            let at = std::array::from_fn(|e| 0.3 + 0.27 * e as f64);
-            let query = Query::Point { at, method, variants: Variants::NONE };
-            let trace = record(&tree, &ray, &query);
-            let run = Run { tree, ray, query, trace };
-            let page = Page { width: 4000.0, height: 600.0 };
-            for step in 0..=run.trace.events.len() {
-                let moment = Moment::after(&run.tree, &run.trace, step);
-                let event = step.checked_sub(1).and_then(|index| run.trace.events.get(index));
-                let show = Show::at_first::<D>();
-                let marks = marks(&run.tree, &run.ray, &run.query, &moment, event, &show);
-                let rejected = marks.iter().filter(|mark| mark.role == Role::Rejected);
-                let mut in_picture: Vec<_> = rejected.filter_map(|mark| mark.node).collect();
-                let diagram = run.diagram(step, &[], page);
-                let dashed = diagram
-                    .figure
-                    .drawn
-                    .iter()
-                    .filter(|drawn| drawn.role == Role::Rejected && drawn.part == Part::Edge);
-                let mut in_diagram: Vec<_> = dashed.filter_map(|drawn| drawn.node).collect();
-                in_picture.sort();
-                in_diagram.sort();
-                assert_eq!(in_diagram, in_picture, "{method:?}, step {step}");
-                n_rejected += in_picture.len();
-            }
-        }
-        n_rejected
-    }
-    assert!(check::<2>(4) > 10 && check::<3>(3) > 10);
 }
 
 #[test]

@@ -4,7 +4,6 @@ use super::DiagramOf;
 use super::layout::Item;
 use crate::marks::Choice;
 use octoscope_core::event::End;
-use octoscope_core::query::Query;
 use octoscope_core::trace::{Fate, Reason, fate};
 use octoscope_core::tree::NodeId;
 use std::collections::HashMap;
@@ -27,7 +26,7 @@ pub(super) struct State {
     pub share: f64,
     /// Number of levels between it and the current node in it, 0 at that itself.
     pub above_current: Option<u8>,
-    /// Whether it is a child of the node at work and is not taken.
+    /// Whether it is a child of the node at work and is ruled out.
     pub is_rejected: bool,
     /// Whether it is a child of the node at work and has a number to be seen.
     pub is_in_question: bool,
@@ -95,29 +94,26 @@ pub(super) fn states<const D: usize>(of: &DiagramOf<D>, items: &[Item]) -> State
         next = items[item].parent;
     }
 
-    // The children that are chosen among: for a point, by the last event, as in the picture.
-    let is_about_ray = matches!(query, Query::Ray { .. });
-    let choice = match query {
-        Query::Point { .. } => Choice::of(tree, query, moment, event),
-        Query::Ray { .. } | Query::Region { .. } | Query::Neighbour { .. } => None,
-    };
+    // The children that are chosen among, as in the picture.
+    let choice = Choice::of(tree, ray, query, moment, event);
     let at_work = choice.as_ref().map(|choice| choice.parent).or_else(|| moment.at_work(tree));
     let at_work = at_work.and_then(|node| index.get(&node).copied());
-    let rejected = choice.map_or_else(Vec::new, |choice| choice.rejected(tree, moment));
+    let rejected = choice.map_or_else(Vec::new, |choice| choice.rejected);
     for (n, item) in items.iter().enumerate().skip(1) {
         if at_work.is_some() && item.parent == at_work {
             states[n].is_in_question = true;
             states[n].is_rejected = rejected.contains(&item.node.id);
-            let fate = fate(tree, ray, query, moment, item.node.id).filter(|_| is_about_ray);
-            match fate {
-                Some(Fate::RuledOut(Reason::Touched { .. })) => states[n].is_touched = true,
-                Some(Fate::RuledOut(_) | Fate::PassedBy(_)) => states[n].is_rejected = true,
-                Some(Fate::Visited(_) | Fate::Entered(_) | Fate::Ahead(_) | Fate::Strayed(_))
-                | None => {}
-            }
+            let is_touched = states[n].is_rejected && is_touched(of, item.node.id);
+            states[n].is_touched |= is_touched;
         }
     }
     States { of_items: states, focus }
+}
+
+/// Whether a node is ruled out as the ray meets it in one point.
+fn is_touched<const D: usize>(of: &DiagramOf<D>, node: NodeId) -> bool {
+    let fate = fate(of.tree, of.ray, of.query, of.moment, node);
+    matches!(fate, Some(Fate::RuledOut(Reason::Touched { .. })))
 }
 
 impl State {

@@ -13,7 +13,7 @@ impl<const D: usize> Scene<'_, D> {
         let Some(parent) = self.looked_into().filter(|_| self.is_apart()) else {
             return;
         };
-        let taken = self.choice().map(|choice| choice.taken);
+        let taken = self.choice().and_then(|choice| choice.taken);
         let middle = self.tree.node_box(parent).centre();
         if self.moment.current != Some(parent) {
             marks.push(node_mark(self.tree, parent, Role::Ancestor { above: 1 }));

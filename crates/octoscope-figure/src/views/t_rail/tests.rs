@@ -1,11 +1,13 @@
 //! Laws of the rail's drawing.
 
 use super::*;
+use crate::space::distance;
 use crate::views::figure_texts;
-use crate::{Palette, Style, Theme, contrast};
+use crate::{Palette, Shape, Show, Style, Theme, contrast, marks};
 use octoscope_core::geometry::Ray;
 use octoscope_core::progress::Progress;
 use octoscope_core::query::{Arithmetic, Query};
+use octoscope_core::random::Random;
 use octoscope_core::scenario::{AnyScenario, built_in};
 use octoscope_core::text::Language;
 use octoscope_core::trace::record;
@@ -171,4 +173,44 @@ fn of_a_missed_leaf_no_interval_is_shaded() {
     let met = Moment { current, tested: Some([0.5, 1.0]), ..Moment::default() };
     let missed = Moment { current, missed: vec![NodeId::ROOT], ..Moment::default() };
     assert_eq!([shades(&met), shades(&missed)], [true, false]);
+}
+
+#[test]
+fn the_ray_enters_and_leaves_in_the_picture_where_it_does_on_the_rail() {
+    let (tree, mut random) = (quadtree(), Random::new(41));
+    let mut n_ends = 0;
+    for (algorithm, _) in Algorithm::ALL.iter().flat_map(|one| (0..6).map(move |n| (*one, n))) {
+        let origin = [-0.1, random.unit()];
+        let ray = Ray::new(origin, [1.0, random.between(-0.6, 0.6)]).unwrap();
+        let query = along(algorithm, None);
+        let trace = record(&tree, &ray, &query);
+        for step in 1..=trace.events.len() {
+            let moment = Moment::after(&tree, &trace, step);
+            let Some(rail) = Rail::of(&moment) else { continue };
+            let event = trace.events.get(step - 1);
+            let show = Show::at_first::<2>();
+            let all = marks(&tree, &ray, &query, &moment, event, &show);
+            let place = |role: Role| {
+                let of_role = all.iter().filter(|mark| mark.role == role && mark.node.is_some());
+                let points = of_role.filter_map(|mark| match mark.shape {
+                    Shape::Point(point) => Some(point),
+                    _ => None,
+                });
+                points.last()
+            };
+            let is_here = match rail.of {
+                RailOf::Cell(_) => true,
+                RailOf::Node(node) => moment.current == Some(node),
+                RailOf::LastLeaf(_) => false,
+            };
+            let limits = rail.limits();
+            for (t, role) in limits.into_iter().zip([Role::EntryPoint, Role::ExitPoint]) {
+                let Some(point) = place(role).filter(|_| is_here) else { continue };
+                n_ends += 1;
+                let away = distance(point, ray.at(t.max(0.0)));
+                assert!(away < 1e-9, "{algorithm:?} step {step} {role:?}: {away}");
+            }
+        }
+    }
+    assert!(n_ends > 1000, "{n_ends}");
 }
