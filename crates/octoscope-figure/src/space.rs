@@ -2,6 +2,7 @@
 
 mod apart;
 mod arrows;
+mod at_work;
 mod away;
 mod boxes;
 mod codes;
@@ -21,6 +22,7 @@ use crate::parts::Arrow;
 use crate::{Camera, Drawn, Figure, Form, Mark, Page, Part, Projected, Role, Shape, Style, Theme};
 use apart::is_apart;
 use arrows::last_point;
+use at_work::{most_of_dots, small_area};
 use cross::cross_out;
 use indices::chosen;
 pub use inset::{drawn_box, edge_part, is_large};
@@ -43,7 +45,6 @@ pub fn space_figure_over<const D: usize>(
     camera: &Camera<D>,
     page: Page,
 ) -> Figure {
-    let chord = chord_length(marks, camera, page);
     let all = || below.iter().chain(marks);
     let root: Vec<_> = all().filter(|mark| mark.role == Role::Root).collect();
     let root = bounds_of(&root).or_else(|| bounds_of(&all().collect::<Vec<_>>()));
@@ -51,7 +52,7 @@ pub fn space_figure_over<const D: usize>(
     let mut canvas = Canvas {
         camera,
         page,
-        chord,
+        dot: most_of_dots(all(), camera, page),
         middle: middle.map_or([0.5 * page.width, 0.5 * page.height], |middle| middle.at),
         axes: marks.iter().filter_map(|mark| axis_on_page(mark, camera, page)).collect(),
         strong: strong_boxes(all()),
@@ -67,6 +68,7 @@ pub fn space_figure_over<const D: usize>(
         taken: vec![],
         kept: vec![],
         spared: vec![],
+        small: all().filter_map(|mark| small_area(mark, camera, page)).collect(),
     };
     below.iter().for_each(|mark| canvas.heed(mark));
     let (ground_marks, others): (Vec<_>, Vec<_>) = marks.iter().partition(|mark| is_ground(mark));
@@ -79,6 +81,7 @@ pub fn space_figure_over<const D: usize>(
     marks.iter().filter(is_of_axis).for_each(|mark| canvas.write(mark));
     canvas.write_away(marks, root.as_ref());
     marks.iter().filter(|mark| !is_of_axis(mark)).for_each(|mark| canvas.write(mark));
+    canvas.write_indices(marks);
     canvas.number(marks);
 
     let Canvas { mut drawn, in_space, arrows, .. } = canvas;
@@ -109,19 +112,6 @@ fn axis_on_page<const D: usize>(
     }
 }
 
-/// Length on the page of the part of the ray in the current node, +∞ without one.
-fn chord_length<const D: usize>(marks: &[Mark<D>], camera: &Camera<D>, page: Page) -> f64 {
-    let end = |role: Role| {
-        let mark = marks.iter().rev().find(|mark| mark.role == role)?;
-        let Shape::Point(point) = mark.shape else { return None };
-        Some(camera.project(page, point)?.at)
-    };
-    match [Role::EntryPoint, Role::ExitPoint].map(end) {
-        [Some(enter), Some(exit)] => distance(enter, exit),
-        [_, _] => f64::INFINITY,
-    }
-}
-
 /// Place in the drawing order of what lies above all of space, by its role.
 const ABOVE_SPACE: f64 = f64::MAX / 4.0;
 /// Place of what is only a hint in space, below all else there.
@@ -136,8 +126,8 @@ const GROUND: f64 = -f64::MAX / 2.0;
 struct Canvas<'a, const D: usize> {
     camera: &'a Camera<D>,
     page: Page,
-    /// Length on the page of the part of the ray in the current node.
-    chord: f64,
+    /// Most that points of the node at work reach from their middle.
+    dot: f64,
     /// Middle of the root on the page.
     middle: [f64; 2],
     /// The last point on the ray.
@@ -161,6 +151,8 @@ struct Canvas<'a, const D: usize> {
     kept: Vec<[[f64; 2]; 2]>,
     /// Lines and points that labels rather do not cover.
     spared: Vec<[[f64; 2]; 2]>,
+    /// Middles and half extents of small nodes at work, which order numbers would hide.
+    small: Vec<[[f64; 2]; 2]>,
 }
 
 /// A mark in space.
@@ -308,11 +300,10 @@ impl<const D: usize> Canvas<'_, D> {
 
     /// Radius of a point. Those of a small node are small, so that they do not hide it.
     fn radius(&self, mark: &Mark<D>) -> f64 {
-        const LEAST: f64 = 1.8;
         let Style { radius, width, .. } = Style::of(Theme::Light, mark.role);
         match mark.role {
             Role::Content if D == 3 => Style::POINT_IN_SPACE - 0.5 * width,
-            Role::EntryPoint | Role::ExitPoint => radius.min((0.25 * self.chord).max(LEAST)),
+            Role::EntryPoint | Role::ExitPoint => radius.min(self.dot - 0.5 * width),
             _ => radius,
         }
     }

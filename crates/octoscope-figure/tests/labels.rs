@@ -6,10 +6,9 @@ use octoscope_core::gallery::Degenerate;
 use octoscope_core::geometry::Aabb;
 use octoscope_core::paper::{counterexample, erratum_of};
 use octoscope_core::progress::Progress;
-use octoscope_core::query::{Arithmetic, PointMethod, Query};
 use octoscope_core::scenario::{AnyScenario, Scenario, built_in};
 use octoscope_core::trace::{Moment, record};
-use octoscope_core::traverse::{Algorithm, Options, Variant, Variants};
+use octoscope_core::traverse::Variant;
 use octoscope_core::tree::{Tree, build};
 use octoscope_figure::{
     Camera, Drawn, Figure, Form, Mark, Page, Part, Role, Shape, Show, axes, marks, metrics,
@@ -246,58 +245,4 @@ fn codes_are_written_once_a_cell_and_off_the_ray() {
         n_codes += codes.len();
     }
     assert!(n_codes > 200, "{n_codes}");
-}
-
-#[test]
-fn the_child_that_is_taken_has_its_tag_wherever_its_cell_has_room_for_one() {
-    let AnyScenario::Quadtree(scenario) = built_in("quadtree-82").unwrap() else { panic!() };
-    let tree = tree_of(&scenario);
-    let page = PAGES[1];
-    let root = tree.domain().root_box();
-    let camera = Camera::framing(&root, page);
-    let (mut n_tags, mut missing) = (0, Vec::new());
-    let point =
-        |method| Query::Point { at: [0.546875, 0.578125], method, variants: Variants::NONE };
-    let rays = Algorithm::ALL.into_iter().map(|algorithm| Query::Ray {
-        algorithm,
-        options: Options::default(),
-        arithmetic: Arithmetic::default(),
-    });
-    let points = [PointMethod::Codes, PointMethod::Comparison].map(point);
-    for query in rays.chain(points) {
-        let trace = record(&tree, &scenario.ray, &query);
-        for step in 1..=trace.events.len() {
-            let moment = Moment::after(&tree, &trace, step);
-            let event = trace.events.get(step - 1);
-            let all = marks(&tree, &scenario.ray, &query, &moment, event, &Show::at_first::<2>());
-            let figure = space_figure(&all, &camera, page);
-            let is_taken =
-                |mark: &&Mark<2>| matches!(mark.role, Role::Taken | Role::Current | Role::Found);
-            let taken: Vec<_> = all.iter().filter(is_taken).filter_map(|mark| mark.node).collect();
-            let tagged = all.iter().filter(|mark| mark.role == Role::ChildIndex);
-            for node in tagged.filter_map(|mark| mark.node).filter(|node| taken.contains(node)) {
-                let area = tree.node_box(node);
-                let [a, b] = [area.min, area.max].map(|at| camera.project(page, at).unwrap().at);
-                let side = (b[0] - a[0]).abs();
-                let is_own =
-                    |drawn: &&Drawn| drawn.role == Role::ChildIndex && drawn.node == Some(node);
-                let tag = figure.drawn.iter().filter(is_own).find_map(|drawn| match &drawn.form {
-                    Form::Text { at, .. } => Some(*at),
-                    _ => None,
-                });
-                match tag {
-                    Some(at) => {
-                        let is_in =
-                            (0..2).all(|e| a[e].min(b[e]) < at[e] && at[e] < a[e].max(b[e]));
-                        assert!(is_in, "{query:?}, step {step}: {at:?}");
-                        n_tags += 1;
-                    }
-                    None if side >= 30.0 => missing.push((step, node, side)),
-                    None => {}
-                }
-            }
-        }
-    }
-    assert!(missing.is_empty(), "{missing:?}");
-    assert!(n_tags > 50, "{n_tags}");
 }

@@ -161,8 +161,8 @@ fn once_a_node_is_left_every_child_without_a_visited_leaf_is_ruled_out() {
             let left = moment.frame().unwrap().node;
             let is_visited =
                 |child: NodeId| moment.leaves.iter().any(|leaf| tree.holds(child, leaf.node));
-            let children = tree.children(tree.node(left)).into_iter().map(|node| node.id);
-            let unvisited = children.into_iter().filter(|&child| !is_visited(child)).count();
+            let children = tree.children(tree.node(left)).map(|node| node.id);
+            let unvisited = children.filter(|&child| !is_visited(child)).count();
             // A child that was left without a leaf is the one that is taken still.
             let n_rejected = run.rejected(step).in_picture.len();
             assert!(unvisited.abs_diff(n_rejected) <= 1, "step {step}: {unvisited} {n_rejected}");

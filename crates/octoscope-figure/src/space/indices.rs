@@ -4,7 +4,7 @@
 use super::labels::rectangle;
 use super::{Canvas, above_space};
 use crate::figure::text_reach;
-use crate::{Anchor, Form, Mark, Part, Role};
+use crate::{Anchor, Form, Mark, Part, Role, Shape};
 use octoscope_core::geometry::Aabb;
 use octoscope_core::tree::NodeId;
 
@@ -15,50 +15,96 @@ const INSET: f64 = 4.0;
 /// Room between a tag and what is written beside it, across and down.
 const BESIDE: [f64; 2] = [5.0, 2.0];
 
+/// The number of a child that is to be written.
+struct Tag<'a, const D: usize> {
+    mark: &'a Mark<D>,
+    text: &'a str,
+    /// Towards which corner of the child.
+    at: [f64; D],
+    bounds: Aabb<D>,
+    /// Half its side, and the shorter side of the child on the page.
+    half: f64,
+    side: f64,
+}
+
 impl<const D: usize> Canvas<'_, D> {
-    /// Writes the number of a child towards a corner `at` of it; left out where it has
-    /// no room, unless the child is the one that is taken.
-    pub(super) fn write_index(
-        &mut self,
-        mark: &Mark<D>,
-        (at, bounds): ([f64; D], &Aabb<D>),
-        text: &str,
-    ) {
-        let [wide, high] = text_reach(mark.role, text);
-        let half = wide.max(high);
-        let [width, height] = self.extent(bounds);
-        let side = width.min(height);
-        let is_chosen = mark.node.is_some_and(|node| self.chosen.contains(&node));
+    /// Writes the numbers of children. The one that is taken has its own wherever it is
+    /// large enough for it; of the others all have, or none has: a gap among them would
+    /// be taken for a meaning.
+    pub(super) fn write_indices(&mut self, marks: &[Mark<D>]) {
+        let tags = marks.iter().filter_map(|mark| self.tag(mark));
+        let is_chosen =
+            |tag: &Tag<'_, D>| tag.mark.node.is_some_and(|node| self.chosen.contains(&node));
+        let (chosen, others): (Vec<_>, Vec<_>) = tags.partition(is_chosen);
+        for tag in chosen.iter().filter(|tag| tag.side >= 2.0 * tag.half + INSET) {
+            if let Some(at) = self.place_chosen(tag) {
+                self.draw_tag(tag, at);
+            }
+        }
         // In space, children lie behind each other.
         let roomy = if D == 2 { ROOMY } else { 1.6 * ROOMY };
-        if side < 2.0 * half + INSET || !is_chosen && side < roomy {
+        if others.iter().any(|tag| tag.side < roomy) {
             return;
         }
-        let inset = ((half + INSET) / side).min(0.5);
-        let mut places = places(at, bounds, inset);
-        if is_chosen {
-            places.extend(all_over(at, bounds, inset));
-        }
-        let places: Vec<[f64; 2]> = places
-            .into_iter()
-            .filter_map(|place| Some(self.camera.project(self.page, place)?.at))
-            .collect();
-        let reach = BESIDE.map(|room| half + room);
-        let clear = places.iter().copied().filter(|at| !self.strikes(*at, [half + 1.0; 2]));
-        let mut clear: Vec<_> = clear.collect();
+        let n_taken = self.taken.len();
+        let places: Option<Vec<_>> = others.iter().map(|tag| self.place_other(tag)).collect();
+        let Some(places) = places else { return self.taken.truncate(n_taken) };
+        others.iter().zip(places).for_each(|(tag, at)| self.draw_tag(tag, at));
+    }
+
+    fn tag<'m>(&self, mark: &'m Mark<D>) -> Option<Tag<'m, D>> {
+        let (Role::ChildIndex, Shape::LabelIn { at, bounds }, Some(text)) =
+            (mark.role, mark.shape, &mark.text)
+        else {
+            return None;
+        };
+        let [wide, high] = text_reach(mark.role, text);
+        let [width, height] = self.extent(&bounds);
+        Some(Tag { mark, text, at, bounds, half: wide.max(high), side: width.min(height) })
+    }
+
+    /// A place that is clear, in the corner of the child or anywhere in it.
+    fn place_other(&mut self, tag: &Tag<'_, D>) -> Option<[f64; 2]> {
+        let near = places(tag.at, &tag.bounds, tag.inset());
+        let reach = BESIDE.map(|room| tag.half + room);
+        let clear = self.clear(near, tag.half);
+        self.room(clear, reach).or_else(|| {
+            let clear = self.clear(all_over(tag.at, &tag.bounds, tag.inset()), tag.half);
+            self.room(clear, reach)
+        })
+    }
+
+    /// The same or, where none is clear, closer to what is beside it, then on the ray, then
+    /// on what it covers least.
+    fn place_chosen(&mut self, tag: &Tag<'_, D>) -> Option<[f64; 2]> {
+        let mut all = places(tag.at, &tag.bounds, tag.inset());
+        all.extend(all_over(tag.at, &tag.bounds, tag.inset()));
+        let clear = self.clear(all.clone(), tag.half);
+        let on_page: Vec<_> = all.into_iter().filter_map(|place| self.on_page(place)).collect();
+        self.room(clear.iter().copied(), BESIDE.map(|room| tag.half + room))
+            .or_else(|| self.room(clear, [tag.half + 1.0; 2]))
+            .or_else(|| self.clearest(on_page.iter().copied(), [tag.half; 2]))
+            .or_else(|| self.least_taken(&on_page, [tag.half; 2]))
+    }
+
+    fn on_page(&self, place: [f64; D]) -> Option<[f64; 2]> {
+        Some(self.camera.project(self.page, place)?.at)
+    }
+
+    /// Those places that strike no line which has to be seen, first where the fewest of the
+    /// others are covered.
+    fn clear(&self, places: Vec<[f64; D]>, half: f64) -> Vec<[f64; 2]> {
+        let on_page = places.into_iter().filter_map(|place| self.on_page(place));
+        let mut clear: Vec<_> = on_page.filter(|at| !self.strikes(*at, [half + 1.0; 2])).collect();
         clear.sort_by_cached_key(|at| self.n_covered(*at, [half; 2]));
-        let mut at = self.room(clear.iter().copied(), reach);
-        if at.is_none() && is_chosen {
-            // Closer to what is beside it, then on the ray, then on what it covers least.
-            at = self.room(clear, [half + 1.0; 2]);
-            at = at.or_else(|| self.clearest(places.iter().copied(), [half; 2]));
-            at = at.or_else(|| self.least_taken(&places, [half; 2]).filter(|_| D == 2));
-        }
-        if let Some(at) = at {
-            self.push_at(above_space(mark.role), mark, Part::Whole, rectangle(at, [half; 2]));
-            let form = Form::Text { at, anchor: Anchor::Middle, text: text.into() };
-            self.push_at(above_space(mark.role), mark, Part::Whole, form);
-        }
+        clear
+    }
+
+    fn draw_tag(&mut self, tag: &Tag<'_, D>, at: [f64; 2]) {
+        let order = above_space(tag.mark.role);
+        self.push_at(order, tag.mark, Part::Whole, rectangle(at, [tag.half; 2]));
+        let form = Form::Text { at, anchor: Anchor::Middle, text: tag.text.into() };
+        self.push_at(order, tag.mark, Part::Whole, form);
     }
 
     /// The place where a label covers the least of what is taken.
@@ -73,6 +119,13 @@ impl<const D: usize> Canvas<'_, D> {
         let at = *places.iter().min_by(|a, b| covered(a).total_cmp(&covered(b)))?;
         self.taken.push([at, reach]);
         Some(at)
+    }
+}
+
+impl<const D: usize> Tag<'_, D> {
+    /// Share of the sides of the child that it keeps from its corner.
+    fn inset(&self) -> f64 {
+        ((self.half + INSET) / self.side).min(0.5)
     }
 }
 

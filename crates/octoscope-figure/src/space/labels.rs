@@ -38,10 +38,9 @@ impl<const D: usize> Canvas<'_, D> {
                     self.text(mark, at, text);
                 }
             }
-            Shape::LabelIn { at, bounds } if mark.role == Role::ChildIndex => {
-                self.write_index(mark, (at, &bounds), text);
+            Shape::LabelIn { bounds, .. } if mark.role != Role::ChildIndex => {
+                self.write_code(mark, &bounds, text);
             }
-            Shape::LabelIn { bounds, .. } => self.write_code(mark, &bounds, text),
             Shape::Plane { bounds, .. } => {
                 // A letter beside a small plane would hide what it names.
                 let [width, height] = self.extent(&bounds);
@@ -78,6 +77,7 @@ impl<const D: usize> Canvas<'_, D> {
             | Shape::Sphere { .. }
             | Shape::CutSphere { .. }
             | Shape::Triangle(_)
+            | Shape::LabelIn { .. }
             | Shape::LabelAlong(_) => {}
         }
     }
@@ -194,7 +194,8 @@ impl<const D: usize> Canvas<'_, D> {
                 labels.push((mark, disc, text));
             }
         }
-        let kept = Kept { taken: &self.taken, lines: &self.kept, page };
+        let taken: Vec<_> = self.taken.iter().chain(&self.small).copied().collect();
+        let kept = Kept { taken: &taken, lines: &self.kept, page };
         let stands = stands(&numbers, kept);
         let stands: Vec<_> = labels
             .into_iter()

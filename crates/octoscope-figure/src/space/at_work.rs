@@ -1,0 +1,62 @@
+//! What keeps a small node at work from being hidden by what is written and drawn at it.
+
+use super::distance;
+use crate::camera::corners;
+use crate::{Camera, Mark, Page, Role, Shape};
+use octoscope_core::geometry::Aabb;
+
+/// Nodes with sides of less than this, in page units, have their number outside.
+const SMALL: f64 = 44.0;
+
+/// Middle and half extents on the page of the box of a node at work, if it is so small
+/// that an order number would hide it.
+pub(super) fn small_area<const D: usize>(
+    mark: &Mark<D>,
+    camera: &Camera<D>,
+    page: Page,
+) -> Option<[[f64; 2]; 2]> {
+    let Shape::Box(bounds) = mark.shape else { return None };
+    if !matches!(mark.role, Role::Current | Role::Missed | Role::Found) {
+        return None;
+    }
+    let places = corners(&bounds).filter_map(|corner| camera.project(page, corner));
+    let area = Aabb::around(places.map(|place| place.at))?;
+    let size = area.size();
+    let is_small = size.into_iter().all(|side| side < SMALL);
+    is_small.then(|| [area.centre(), size.map(|side| 0.5 * side)])
+}
+
+/// How far points where the ray enters and leaves reach at most: a third of the side of
+/// the smallest node or cell at work is their width, and half the part of the ray in it.
+pub(super) fn most_of_dots<'a, const D: usize>(
+    marks: impl Iterator<Item = &'a Mark<D>> + Clone,
+    camera: &Camera<D>,
+    page: Page,
+) -> f64 {
+    const LEAST: f64 = 2.0;
+    let sides = marks.clone().filter_map(|mark| match (mark.role, mark.shape) {
+        (Role::Current | Role::Missed | Role::Found | Role::GridCell, Shape::Box(bounds)) => {
+            Some(bounds.size().into_iter().fold(0.0, f64::max) / camera.unit(page))
+        }
+        _ => None,
+    });
+    let side = sides.fold(f64::INFINITY, f64::min);
+    (side / 6.0).min(0.25 * chord_length(marks, camera, page)).max(LEAST)
+}
+
+/// Length on the page of the part of the ray in the node, +∞ without one.
+fn chord_length<'a, const D: usize>(
+    marks: impl Iterator<Item = &'a Mark<D>> + Clone,
+    camera: &Camera<D>,
+    page: Page,
+) -> f64 {
+    let end = |role: Role| {
+        let mark = marks.clone().filter(|mark| mark.role == role).last()?;
+        let Shape::Point(point) = mark.shape else { return None };
+        Some(camera.project(page, point)?.at)
+    };
+    match [Role::EntryPoint, Role::ExitPoint].map(end) {
+        [Some(enter), Some(exit)] => distance(enter, exit),
+        [_, _] => f64::INFINITY,
+    }
+}
