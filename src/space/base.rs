@@ -12,8 +12,8 @@ use eframe::egui::{Color32, Id, Ui};
 use glam::Mat4;
 use octoscope_core::scene::Content;
 use octoscope_figure::{
-    Camera, Colour, Cut, Dash, Mark, Page, Palette, Part, Role, Shape, Style, Theme, drawn_box,
-    edge_part, is_large,
+    Camera, Colour, Cut, Dash, Mark, Page, Palette, Part, Role, Shape, Style, Theme, edge_part,
+    is_large,
 };
 
 /// Layers that are kept as long as what they show stays the same.
@@ -182,16 +182,16 @@ fn view_of<const D: usize>(camera: &Camera<D>, page: Page) -> render::View {
 
 /// Whether the graphics adapter draws a mark, so that the painter need not.
 pub fn draws<const D: usize>(mark: &Mark<D>) -> bool {
-    // What is asked stays above planes.
-    let is_above = matches!(mark.role, Role::Apart | Role::ApartTaken | Role::Region);
-    D == 3 && matches!(mark.shape, Shape::Box(_)) && !is_above
+    // What is asked stays above planes, and what is ruled out is drawn as one body.
+    let is_of_painter =
+        matches!(mark.role, Role::Apart | Role::ApartTaken | Role::Region | Role::Rejected);
+    D == 3 && matches!(mark.shape, Shape::Box(_)) && !is_of_painter
 }
 
 /// The box of a mark, above what parts it from all else; `unit` is a page unit in world
 /// units.
 fn box_marks<const D: usize>(mark: &Mark<D>, theme: Theme, unit: f64) -> Vec<BoxMark> {
     let Shape::Box(bounds) = mark.shape else { return Vec::new() };
-    let bounds = drawn_box(mark.role, &bounds, unit);
     let style = Style::of(theme, mark.role);
     let is_fine = edge_part(&style, &bounds, unit) == Part::FineEdge;
     let fine = (Part::FineEdge.width() * style.width).max(1.0);

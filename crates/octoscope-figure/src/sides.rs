@@ -29,15 +29,35 @@ pub(crate) fn sides_to_eye<const D: usize>(
     page: Page,
     bounds: &Aabb<D>,
 ) -> Vec<Side<D>> {
-    let ends: Vec<[f64; D]> = corners(bounds).collect();
-    let on_page: Vec<_> = ends.iter().map(|&corner| camera.project(page, corner)).collect();
     let faces_eye = |axis: usize, is_upper: bool| {
         let to_eye = camera.towards_eye(if is_upper { bounds.max } else { bounds.min })[axis];
         if is_upper { to_eye > 0.0 } else { to_eye < 0.0 }
     };
+    sides(camera, page, bounds, faces_eye)
+}
+
+/// The sides of a box in space around the eye, all of them, as far as they lie before it.
+pub(crate) fn sides_around_eye<const D: usize>(
+    camera: &Camera<D>,
+    page: Page,
+    bounds: &Aabb<D>,
+) -> Vec<Side<D>> {
+    sides(camera, page, bounds, |_, _| true)
+}
+
+/// Those sides of a box, by their axes and whether they are the upper ones, that are
+/// wanted, as far as they lie before the eye.
+fn sides<const D: usize>(
+    camera: &Camera<D>,
+    page: Page,
+    bounds: &Aabb<D>,
+    is_wanted: impl Fn(usize, bool) -> bool,
+) -> Vec<Side<D>> {
+    let ends: Vec<[f64; D]> = corners(bounds).collect();
+    let on_page: Vec<_> = ends.iter().map(|&corner| camera.project(page, corner)).collect();
     let candidates = (0..D).flat_map(|axis| [(axis, false), (axis, true)]);
-    let seen = candidates.filter(|&(axis, is_upper)| faces_eye(axis, is_upper));
-    let sides = seen.map(|(axis, is_upper)| {
+    let wanted = candidates.filter(|&(axis, is_upper)| is_wanted(axis, is_upper));
+    let sides = wanted.map(|(axis, is_upper)| {
         let bit = |axis: usize| 1usize << (D - 1 - axis);
         let start = if is_upper { bit(axis) } else { 0 };
         let [a, b] = [1, 2].map(|next| bit((axis + next) % D));

@@ -13,6 +13,7 @@ mod kept;
 mod labels;
 mod overlaid;
 mod painted;
+mod rejected;
 
 pub(crate) use codes::BETWEEN;
 
@@ -25,11 +26,13 @@ use arrows::last_point;
 use at_work::{most_of_dots, small_area};
 use cross::cross_out;
 use indices::chosen;
-pub use inset::{drawn_box, edge_part, is_large};
+use inset::drawn_box;
+pub use inset::{edge_part, is_large};
 use octoscope_core::geometry::Aabb;
 use octoscope_core::tree::NodeId;
 use overlaid::strong_boxes;
 use painted::painted;
+use rejected::rejected_boxes;
 
 /// Figure of `marks` as `camera` shows them on `page`. In space, boxes of one
 /// tree cover each other as they do for the eye; leaves and solids lie below
@@ -56,6 +59,7 @@ pub fn space_figure_over<const D: usize>(
         middle: middle.map_or([0.5 * page.width, 0.5 * page.height], |middle| middle.at),
         axes: marks.iter().filter_map(|mark| axis_on_page(mark, camera, page)).collect(),
         strong: strong_boxes(all()),
+        rejected: rejected_boxes(all()),
         is_apart: marks.iter().any(|mark| is_apart(mark.role)),
         last: marks.iter().find_map(|mark| match (mark.role, mark.shape) {
             (Role::RayTip, Shape::Tip(ends)) => last_point(ends, root.as_ref()),
@@ -136,6 +140,8 @@ struct Canvas<'a, const D: usize> {
     axes: Vec<(usize, [[f64; 2]; 2])>,
     /// Boxes whose edges are to be seen where those above them lie on them.
     strong: Vec<Aabb<D>>,
+    /// Children that are ruled out.
+    rejected: Vec<Aabb<D>>,
     /// Whether children are moved apart: they would hide the ray.
     is_apart: bool,
     drawn: Vec<(f64, Drawn)>,

@@ -133,6 +133,30 @@ fn a_rejected_child_lies_within_its_cell() {
 }
 
 #[test]
+fn what_is_ruled_out_in_space_is_outlined_as_one_body_without_hidden_edges() {
+    let child = |n: usize| {
+        let min: [f64; 3] = std::array::from_fn(|e| 0.5 * (n >> e & 1) as f64);
+        let bounds = Aabb { min, max: min.map(|x| x + 0.5) };
+        Mark::new(Shape::Box(bounds), Role::Rejected)
+    };
+    let n_edges = |children: &[usize]| {
+        let marks: Vec<_> = children.iter().map(|&n| child(n)).collect();
+        let figure = figure(&marks);
+        let drawn = of_role(&figure, Role::Rejected);
+        assert!(drawn.iter().all(|drawn| drawn.part == Part::Edge), "{drawn:?}");
+        drawn.len()
+    };
+    // Nine edges of a cube are seen; a body of eight has two pieces in each of them.
+    assert_eq!(n_edges(&[0]), 9);
+    assert_eq!(n_edges(&[0, 1, 2, 3, 4, 5, 6, 7]), 18);
+    for out in 0..8 {
+        let seven: Vec<usize> = (0..8).filter(|n| *n != out).collect();
+        let n = n_edges(&seven);
+        assert!((12..=24).contains(&n), "without {out}: {n}");
+    }
+}
+
+#[test]
 fn edges_of_ancestors_leave_those_of_the_current_node_to_it() {
     let current = Mark::new(Shape::Box(unit_box::<3>(0.0, 0.5)), Role::Current);
     let ends = |figure: &Figure, role| -> Vec<[[f64; 2]; 2]> {

@@ -2,10 +2,11 @@
 
 use super::cross::cross_out_box;
 use super::overlaid::uncovered;
+use super::rejected::is_shared;
 use super::{Canvas, HINT, InSpace, above_space, is_above, is_apart, is_hint};
 use crate::camera::corners;
 use crate::sides::{Side, sides_to_eye};
-use crate::{Drawn, Form, Mark, Part, Role, Style, Theme};
+use crate::{Drawn, Form, Mark, Part, Role, Shape, Style, Theme};
 use octoscope_core::geometry::Aabb;
 
 impl<const D: usize> Canvas<'_, D> {
@@ -24,7 +25,7 @@ impl<const D: usize> Canvas<'_, D> {
         let cross = cross_out_box(mark.role, bounds, self.camera, self.page);
         front.extend(cross.into_iter().map(|line| (Part::Edge, line)));
         let (part, has_casing) = (self.edge_part(mark, bounds), mark.role.has_casing());
-        for (line, is_in_sight) in self.edges(mark.role, bounds, &seen) {
+        for (line, is_in_sight) in self.edges(mark, bounds, &seen) {
             let form = Form::Polyline(line.to_vec());
             if !is_in_sight {
                 behind.push((Part::HiddenEdge, form));
@@ -58,10 +59,11 @@ impl<const D: usize> Canvas<'_, D> {
     /// The edges of a box that are drawn, and whether each bounds a side that is seen.
     pub(super) fn edges(
         &self,
-        role: Role,
+        mark: &Mark<D>,
         bounds: &Aabb<D>,
         seen: &[Side<D>],
     ) -> Vec<([[f64; 2]; 2], bool)> {
+        let role = mark.role;
         let ends: Vec<[f64; D]> = corners(bounds).collect();
         let bit = |axis: usize| 1usize << (D - 1 - axis);
         let in_sight = |corner: usize, axis: usize| {
@@ -69,10 +71,23 @@ impl<const D: usize> Canvas<'_, D> {
         };
         let yields = matches!(role, Role::Root | Role::Ancestor { .. });
         let strong = if yields { self.strong.as_slice() } else { &[] };
+        let cell: Vec<[f64; D]> = match mark.shape {
+            Shape::Box(cell) => corners(&cell).collect(),
+            _ => ends.clone(),
+        };
+        // Of what is ruled out the outline that is seen, of all such children together.
+        let is_left_out = |[from, to]: [usize; 2], axis: usize| {
+            let is_inner = || is_shared([cell[from], cell[to]], &self.rejected);
+            role == Role::Rejected && (!in_sight(from, axis) || is_inner())
+        };
         let mut edges = Vec::new();
         for axis in 0..D {
             for corner in (0..1 << D).filter(|corner| corner & bit(axis) == 0) {
-                let edge = [ends[corner], ends[corner | bit(axis)]];
+                let far = corner | bit(axis);
+                if is_left_out([corner, far], axis) {
+                    continue;
+                }
+                let edge = [ends[corner], ends[far]];
                 let parts = uncovered(edge, axis, strong).into_iter();
                 let lines = parts.filter_map(|part| self.camera.project_segment(self.page, part));
                 let is_in_sight = in_sight(corner, axis);

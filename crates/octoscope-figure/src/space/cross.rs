@@ -1,6 +1,6 @@
 //! Areas that are wrong, crossed out.
 
-use crate::sides::{is_around_eye, sides_to_eye};
+use crate::sides::{is_around_eye, sides_around_eye, sides_to_eye};
 use crate::{Camera, Form, Page, Role};
 use octoscope_core::geometry::Aabb;
 
@@ -15,13 +15,12 @@ pub(super) fn cross_out_box<const D: usize>(
     if role != Role::Strayed {
         return Vec::new();
     }
-    // From inside it is all that is seen.
-    if is_around_eye(camera, bounds) {
-        let Page { width, height } = page;
-        return cross_out(role, &[[0.0, 0.0], [width, 0.0], [width, height], [0.0, height]], page);
-    }
-    let sides = sides_to_eye(camera, page, bounds).into_iter();
-    let areas = sides.map(|side| side.polygon.iter().map(|p| p.at).collect::<Vec<_>>());
+    // From inside, all sides are seen.
+    let sides = match is_around_eye(camera, bounds) {
+        true => sides_around_eye(camera, page, bounds),
+        false => sides_to_eye(camera, page, bounds),
+    };
+    let areas = sides.into_iter().map(|side| side.polygon.iter().map(|p| p.at).collect::<Vec<_>>());
     areas.flat_map(|area| cross_out(role, &area, page)).collect()
 }
 

@@ -7,7 +7,7 @@ use octoscope_core::geometry::Aabb;
 /// The box of a mark as it is drawn: that of a child which is not taken lies a little
 /// within its cell, so that its line is told from those of its parent and its neighbours.
 /// `unit` is a page unit in world units.
-pub fn drawn_box<const D: usize>(role: Role, bounds: &Aabb<D>, unit: f64) -> Aabb<D> {
+pub(super) fn drawn_box<const D: usize>(role: Role, bounds: &Aabb<D>, unit: f64) -> Aabb<D> {
     const INSET: f64 = 3.0;
     const MOST: f64 = 0.1;
     if role != Role::Rejected {

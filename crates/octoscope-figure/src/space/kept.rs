@@ -15,7 +15,7 @@ impl<const D: usize> Canvas<'_, D> {
             let bounds = self.drawn_box(mark, &bounds);
             let seen = sides_to_eye(self.camera, self.page, &bounds);
             self.keep_sides(mark.role, &seen);
-            let edges = self.edges(mark.role, &bounds, &seen).into_iter();
+            let edges = self.edges(mark, &bounds, &seen).into_iter();
             self.spared.extend(edges.filter_map(|(line, is_in_sight)| is_in_sight.then_some(line)));
         }
     }

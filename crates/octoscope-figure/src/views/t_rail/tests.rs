@@ -192,11 +192,11 @@ fn the_ray_enters_and_leaves_in_the_picture_where_it_does_on_the_rail() {
             let all = marks(&tree, &ray, &query, &moment, event, &show);
             let place = |role: Role| {
                 let of_role = all.iter().filter(|mark| mark.role == role && mark.node.is_some());
-                let points = of_role.filter_map(|mark| match mark.shape {
+                let mut points = of_role.filter_map(|mark| match mark.shape {
                     Shape::Point(point) => Some(point),
                     _ => None,
                 });
-                points.last()
+                points.next_back()
             };
             let is_here = match rail.of {
                 RailOf::Cell(_) => true,
