@@ -283,6 +283,14 @@ fn what_is_wrong_with_the_whole_is_told_with_its_place() {
         r#"{"octoscope": 1, "scene": {"built-in": "rings", "parameters": {"seed": 1}}}"#,
         &["column 72", "‘rings’ has no parameter ‘seed’"],
     );
+    refused(
+        r#"{"octoscope": 1, "scene": {"built-in": "rings", "parameters": {"n": 1e3}}}"#,
+        &["column 69", "‘scene.parameters.n’ is 1e3", "from 1 to 4096, in digits alone"],
+    );
+    refused(
+        r#"{"octoscope": 1, "scene": {"built-in": "figure-1", "parameters": {"n": "a"}}}"#,
+        &["write a whole number from 1, in digits alone"],
+    );
     let scene = |scene| format!(r#"{{"octoscope": 1, "dimension": 2, "scene": {{{scene}}}}}"#);
     refused(
         &scene(r#""spheres": [{"centre": [0, 0], "radius": 1}, {"centre": [0, 0], "radius": -1}]"#),

@@ -1,7 +1,7 @@
 //! What is wrong with the text of a scenario, as its author knows it.
 
-use super::place::{Spot, line_and_column, spot_before};
-use super::{Fault, ScenarioError};
+use super::place::{Spot, line_and_column, spot_before, spot_of};
+use super::{BUILT_IN, Fault, ScenarioError};
 use serde_json::error::Category;
 
 /// Explains an error of the reader in `text`; `dimension` is that of the
@@ -107,13 +107,13 @@ fn of_data(message: &str, text: &str, spot: &Spot, dimension: Option<usize>) -> 
         format!("{} is {}; {}", of_path(&spot.path), value(), there_are())
     } else if is("missing field `") {
         let path = if spot.path.is_empty() { name } else { &format!("{}.{name}", spot.path) };
-        format!("the field ‘{name}’ is missing; {}", due(path, dimension))
+        format!("the field ‘{name}’ is missing; {}", due(path, dimension, text))
     } else if is("duplicate field `") {
         format!("the field ‘{name}’ is there twice; take one away")
     } else if is("invalid ") && is_name {
-        format!("{} is not written so; {}", of_path(&spot.path), due(&spot.path, dimension))
+        format!("{} is not written so; {}", of_path(&spot.path), due(&spot.path, dimension, text))
     } else if is("invalid ") {
-        format!("{} is {}; {}", of_path(&spot.path), value(), due(&spot.path, dimension))
+        format!("{} is {}; {}", of_path(&spot.path), value(), due(&spot.path, dimension, text))
     } else {
         // What the fields say themselves.
         message.to_owned()
@@ -150,7 +150,8 @@ fn word_at(text: &str, start: usize) -> String {
 /// The least that a scenario is.
 pub(super) const LEAST: &str = r#"{"octoscope": 1, "scene": {"built-in": "cloud"}}"#;
 
-/// What is right at a path, without the indices of lists; # is the dimension.
+/// What is right at a path, without the indices of lists; # is the dimension, ~ the end of
+/// the range that the built-in scene gives.
 const DUE: [(&str, &str); 45] = [
     ("octoscope", "write 1, the version of the format"),
     ("dimension", "write 2 for a quadtree or 3 for an octree"),
@@ -161,7 +162,7 @@ const DUE: [(&str, &str); 45] = [
     ("scene.built-in", r#"write the name of a scene in quotes, such as "cloud""#),
     ("scene.parameters", r#"write an object with "seed" or "n""#),
     ("scene.parameters.seed", "write a whole number from 0"),
-    ("scene.parameters.n", "write a whole number from 1 in digits alone"),
+    ("scene.parameters.n", "write a whole number from 1~, in digits alone"),
     ("scene.points", "write a list of points of # numbers each"),
     ("scene.cells", "write a list of cells of # whole numbers from 0 each"),
     ("scene.image", r#"write an object with "width", "height" and "rows""#),
@@ -199,8 +200,8 @@ const DUE: [(&str, &str); 45] = [
     ("view", "write an object, or leave it out"),
 ];
 
-/// What would be right at `path`.
-fn due(path: &str, dimension: Option<usize>) -> String {
+/// What would be right at `path` of `text`.
+fn due(path: &str, dimension: Option<usize>, text: &str) -> String {
     let mut plain = String::new();
     let mut depth = 0;
     for c in path.chars() {
@@ -213,10 +214,20 @@ fn due(path: &str, dimension: Option<usize>) -> String {
     }
     let number = dimension.map_or("2 or 3".to_owned(), |d| d.to_string());
     match DUE.iter().find(|(path, _)| *path == plain) {
+        Some((_, right)) if right.contains('~') => right.replace('~', &most_of_scene(text)),
         Some((_, right)) => right.replace('#', &number),
         None if path.is_empty() => format!("write an object such as {LEAST}"),
         None => "write a text in quotes".to_owned(),
     }
+}
+
+/// How far the parameter of the built-in scene that `text` names goes; empty without one.
+fn most_of_scene(text: &str) -> String {
+    let spot = spot_of(text, "scene.built-in");
+    let name = text[spot.start..spot.end].trim_matches('"');
+    let known = BUILT_IN.iter().find(|entry| entry.id == name);
+    let range = known.and_then(|entry| entry.n);
+    range.map_or(String::new(), |[_, most]| format!(" to {most}"))
 }
 
 /// The known name that differs least from `name`, unless all differ much.
