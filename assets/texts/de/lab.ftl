@@ -42,27 +42,36 @@ lab-holds-agrees = ja
 lab-holds-same-side = nur die Reihenfolge
 lab-holds-differs = nein
 lab-holds-not-measured = nicht gemessen
-lab-published-note = Zeit des ersten Verfahrens als Vielfaches der des zweiten: geometrisches Mittel über die gemeinten Szenen und alle gemessenen Tiefen. Knoten und Vergleiche ebenso.
+lab-published-note = So sind die Zahlen zu lesen: Zeit des ersten Verfahrens geteilt durch die des zweiten, als geometrisches Mittel über die Szenen der Aussage und alle gemessenen Tiefen. Knoten und Vergleiche sind ebenso geteilt.
 lab-verdict-none = Keine der veröffentlichten Aussagen betrifft, was gemessen wurde.
 lab-verdict =
     { $measured ->
         [one] Eine veröffentlichte Aussage wurde nachgemessen
        *[other] { $measured } veröffentlichte Aussagen wurden nachgemessen
-    }: { $agrees } { $agrees ->
-        [one] gilt
-       *[other] gelten
-    } hier, { $side } nur darin, wer schneller ist, { $differs } nicht.
-lab-why-agrees = { $name } – hier { $here }, veröffentlicht { $published }.
-lab-why-same-side = { $name } – hier { $here }, veröffentlicht { $published }. Schneller ist dasselbe Verfahren, um einen anderen Faktor: Es erreicht { $nodes }-mal so viele Knoten und vergleicht { $comparisons }-mal so oft.
-lab-why-differs = { $name } – hier { $here }, veröffentlicht { $published }. Das erste erreicht { $nodes }-mal so viele Knoten und vergleicht { $comparisons }-mal so oft; was das kostet, hängt von Prozessor, Compiler und der Lage des Baums im Speicher ab.
-lab-sources = Revelles, Ureña, Lastra 2000 (parametrisch etwa wie Gargantini; Octree um 10.4, 12.7 und 6.8 % schneller als BSP). Havran 1999 (Samet schneller als Gargantini; geometrische Mittel von neun anderen Szenen). Ihre Szenen sind nur nach Zahl und Art bekannt; unsere entstehen aus einem Startwert.
+    }: { $agrees ->
+        [0] Keine gilt hier
+        [one] Eine gilt hier
+       *[other] { $agrees } gelten hier
+    }{ $side ->
+        [0] { "" }
+        [one] , eine nur darin, welches Verfahren schneller ist
+       *[other] , { $side } nur darin, welches Verfahren schneller ist
+    }{ $differs ->
+        [0] { "" }
+        [one] , eine gilt nicht
+       *[other] , { $differs } gelten nicht
+    }.
+lab-why-agrees = „{ $of }“ braucht { $here }-mal so lange wie „{ $against }“{ $place }; veröffentlicht ist der Faktor { $published }.
+lab-why-same-side = „{ $of }“ braucht { $here }-mal so lange wie „{ $against }“{ $place }; veröffentlicht ist der Faktor { $published }. Schneller ist also dasselbe Verfahren, aber um einen anderen Faktor: Es erreicht { $nodes }-mal so viele Knoten und vergleicht { $comparisons }-mal so oft.
+lab-why-differs = „{ $of }“ braucht { $here }-mal so lange wie „{ $against }“{ $place }; veröffentlicht ist der Faktor { $published }. Es erreicht { $nodes }-mal so viele Knoten und vergleicht { $comparisons }-mal so oft; was das kostet, hängt von Prozessor, Compiler und der Lage des Baums im Speicher ab.
+lab-sources = Nach Revelles, Ureña und Lastra (2000) ist das parametrische Verfahren etwa so schnell wie das von Gargantini und der Octree um 10.4, 12.7 und 6.8 % schneller als der BSP-Baum. Nach Havran (1999) ist Samets Verfahren schneller als das von Gargantini, im geometrischen Mittel von neun anderen Szenen. Von all diesen Szenen sind nur Größe und Art bekannt; unsere entstehen aus einem Startwert.
 lab-memory = Zugriffe auf den Speicher
-lab-branches = Vergleiche
+lab-branches = Entscheidungen
 lab-reads = { $n } Zugriffe auf { $lines } Zeilen zu 64 Byte
-lab-guesses = { $n } Vergleiche, { $wrong } falsch vorhergesagt
+lab-guesses = { $n } Entscheidungen, { $wrong } falsch vorhergesagt
 lab-cut = (nur der Anfang)
-lab-processor-note = So folgte ein Prozessor dem gezeigten Strahl, ein Strich für jeden Zugriff und jeden Vergleich in ihrer Reihenfolge. Sein Cache ist anfangs leer, seine Sprungvorhersage weiß noch nichts. Speicher wird in Zeilen zu 64 Byte geholt; eine falsche Vorhersage kostet etwa 15 Takte. Wo ein Verfahren einen ganzen Quader prüft, zählt nur das Ergebnis als Vergleich.
-lab-kinds = Falsch vorhergesagt, von allen Vergleichen, nach dem, was gefragt wird
+lab-processor-note = So folgte ein Prozessor dem gezeigten Strahl, ein Strich für jeden Zugriff und jede Entscheidung in ihrer Reihenfolge. Sein Cache ist anfangs leer, seine Sprungvorhersage weiß noch nichts. Speicher wird in Zeilen zu 64 Byte geholt; eine falsche Vorhersage kostet etwa 15 Takte. Entscheidungen sind die Stellen, an denen ein Programm verzweigt: Anders als bei den Vergleichen der Zähler sind die Blattprüfungen dabei, und die Prüfung eines ganzen Quaders ist eine.
+lab-kinds = Falsch vorhergesagt, von allen Entscheidungen, nach dem, was gefragt wird
 lab-kind-leaf = ein Blatt?
 lab-kind-entry = Eintritt
 lab-kind-exit = Austritt

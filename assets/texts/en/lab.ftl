@@ -42,27 +42,36 @@ lab-holds-agrees = yes
 lab-holds-same-side = only the order
 lab-holds-differs = no
 lab-holds-not-measured = not measured
-lab-published-note = Time of the first algorithm as a multiple of that of the second: the geometric mean over the scenes that are meant and all measured depths. Nodes and comparisons likewise.
+lab-published-note = How to read the numbers: the time of the first algorithm divided by that of the second, as the geometric mean over the scenes of the statement and all measured depths. Nodes and comparisons are divided in the same way.
 lab-verdict-none = None of the published statements is about what was measured.
 lab-verdict =
     { $measured ->
         [one] One published statement was measured
        *[other] { $measured } published statements were measured
-    }: { $agrees } { $agrees ->
-        [one] holds
-       *[other] hold
-    } here, { $side } only in which is faster, { $differs } not.
-lab-why-agrees = { $name } – here { $here }, published { $published }.
-lab-why-same-side = { $name } – here { $here }, published { $published }. The same one is faster, by another factor: it reaches { $nodes } × as many nodes and makes { $comparisons } × as many comparisons.
-lab-why-differs = { $name } – here { $here }, published { $published }. The first reaches { $nodes } × as many nodes and makes { $comparisons } × as many comparisons; what that costs differs with processor, compiler and how the tree lies in memory.
-lab-sources = Revelles, Ureña, Lastra 2000 (parametric about equal to Gargantini; octree faster than BSP by 10.4, 12.7 and 6.8 %). Havran 1999 (Samet faster than Gargantini; geometric means of nine other scenes). Their scenes are known by number and kind only; ours are made from a seed.
+    }: { $agrees ->
+        [0] none holds here
+        [one] one holds here
+       *[other] { $agrees } hold here
+    }{ $side ->
+        [0] { "" }
+        [one] , one names the faster algorithm rightly but not by how much
+       *[other] , { $side } name the faster algorithm rightly but not by how much
+    }{ $differs ->
+        [0] { "" }
+        [one] , one does not hold
+       *[other] , { $differs } do not hold
+    }.
+lab-why-agrees = “{ $of }” takes { $here } times as long as “{ $against }”{ $place }; the published factor is { $published }.
+lab-why-same-side = “{ $of }” takes { $here } times as long as “{ $against }”{ $place }; the published factor is { $published }. So the same one is faster here, but by another factor: it reaches { $nodes } times as many nodes and makes { $comparisons } times as many comparisons.
+lab-why-differs = “{ $of }” takes { $here } times as long as “{ $against }”{ $place }; the published factor is { $published }. It reaches { $nodes } times as many nodes and makes { $comparisons } times as many comparisons; what these cost depends on the processor, the compiler and how the tree lies in memory.
+lab-sources = Revelles, Ureña and Lastra (2000) found the parametric algorithm about as fast as Gargantini’s, and the octree faster than the BSP tree by 10.4, 12.7 and 6.8 %. Havran (1999) found Samet’s algorithm faster than Gargantini’s, in the geometric mean of nine other scenes. Of all their scenes only size and kind are known; ours are made from a seed.
 lab-memory = Reads from memory
-lab-branches = Comparisons
+lab-branches = Decisions
 lab-reads = { $n } reads in { $lines } lines of 64 bytes
-lab-guesses = { $n } comparisons, { $wrong } predicted wrongly
+lab-guesses = { $n } decisions, { $wrong } predicted wrongly
 lab-cut = (only the beginning)
-lab-processor-note = How a processor would follow the ray that is shown, one stroke for each read and each comparison in their order. Its cache begins empty, and its branch prediction knows nothing yet. Memory is fetched in lines of 64 bytes; a wrong prediction costs about 15 cycles. Where an algorithm tests a whole box, only the outcome counts as a comparison.
-lab-kinds = Predicted wrongly, of all comparisons, by what is asked
+lab-processor-note = How a processor would follow the ray that is shown, one stroke for each read and each decision in their order. Its cache begins empty, and its branch prediction knows nothing yet. Memory is fetched in lines of 64 bytes; a wrong prediction costs about 15 cycles. Decisions are the places where a program branches: unlike the comparisons of the counters they include the tests for a leaf, and the test of a whole box is one.
+lab-kinds = Predicted wrongly, of all decisions, by what is asked
 lab-kind-leaf = a leaf?
 lab-kind-entry = entry
 lab-kind-exit = exit

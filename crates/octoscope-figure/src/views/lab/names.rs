@@ -23,8 +23,9 @@ pub fn scene_name(scene: &str, texts: &Texts) -> String {
     if texts.has(&key) { texts.get(&key) } else { scene.to_owned() }
 }
 
-/// What a published statement is about: two algorithms, and where they were compared.
-pub(super) fn claim_name(claim: &Claim, texts: &Texts) -> String {
+/// What a published statement is about: two algorithms, and where they were compared, a
+/// space before it, if not everywhere.
+pub(super) fn claim_names(claim: &Claim, texts: &Texts) -> [String; 3] {
     let [of, against] = [claim.of, claim.against].map(|one| way_name(one.into(), texts));
     let scene = match claim.scenes {
         [scene] => Some(scene_name(scene, texts)),
@@ -32,7 +33,7 @@ pub(super) fn claim_name(claim: &Claim, texts: &Texts) -> String {
     };
     let depth = claim.depth.map(|depth| texts.format("lab-depth-n", &[("depth", depth.into())]));
     let place = scene.into_iter().chain(depth).map(|place| format!(" ({place})"));
-    format!("{of} / {against}{}", place.collect::<String>())
+    [of, against, place.collect()]
 }
 
 /// A number in the unit in which a quantity is shown: times a ray in microseconds.

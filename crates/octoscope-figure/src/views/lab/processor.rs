@@ -8,17 +8,17 @@ use octoscope_core::explain::RichText;
 use octoscope_core::measure::{BranchKind, Watched};
 use octoscope_core::text::Texts;
 
-const ROW: f64 = 35.0;
-const STRIP: f64 = 16.0;
+const ROW: f64 = 32.0;
+const STRIP: f64 = 13.0;
 const GAP: f64 = 22.0;
 
-/// For every algorithm its reads and its comparisons, one after the other: short what
+/// For every algorithm its reads and its decisions, one after the other: short what
 /// went well, tall what did not; and by kind how many were guessed wrong. A figure of
 /// this width.
 pub fn processor_chart(watched: &[Watched], texts: &Texts, width: f64) -> Figure {
     let mut sheet = Sheet::default();
     let note = texts.get("lab-processor-note");
-    let top = sheet.paragraph(Role::Note, [0.0, 0.0], width, &note.into()) + 18.0;
+    let top = sheet.paragraph(Role::Note, [0.0, 0.0], width, &note.into()) + 14.0;
     if watched.is_empty() {
         sheet.text(Role::Words, [0.0, top + 8.0], Anchor::Start, texts.get("lab-no-algorithm"));
         return sheet.figure([width, top + 18.0]);
@@ -37,7 +37,7 @@ pub fn processor_chart(watched: &[Watched], texts: &Texts, width: f64) -> Figure
     {
         key(&mut sheet, [x, top + 10.0], [quiet, tall].map(|key| texts.get(key)));
     }
-    let head = top + 38.0;
+    let head = top + 34.0;
     for (n, (one, name)) in watched.iter().zip(names).enumerate() {
         let y = head + ROW * n as f64;
         sheet.text(Role::Words, [0.0, y + 8.0], Anchor::Start, name);
@@ -102,7 +102,7 @@ fn strip(sheet: &mut Sheet, missed: &[bool], [x, y]: [f64; 2], width: f64) {
     sheet.line(Role::Scale, [[x, base + 1.0], [x + width, base + 1.0]]);
 }
 
-/// Of every kind of comparison how many were guessed wrong, of how many.
+/// Of every kind of decision how many were guessed wrong, of how many.
 fn kinds(watched: &[Watched], texts: &Texts) -> Table {
     let mut columns = vec![Anchor::Start];
     columns.extend([Anchor::End; BranchKind::ALL.len()]);

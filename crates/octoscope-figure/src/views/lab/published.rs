@@ -1,6 +1,6 @@
 //! What was published, beside what was measured.
 
-use super::names::{claim_name, ratio};
+use super::names::{claim_names, ratio};
 use crate::views::sheet::Sheet;
 use crate::views::table::{Entry, Setting, Table, Tone};
 use crate::{Anchor, Figure, Role};
@@ -46,7 +46,8 @@ fn row(one: &Judged, texts: &Texts) -> Vec<Entry> {
         Verdict::NotMeasured => Tone::Quiet,
     };
     let plain = if tone == Tone::Quiet { Tone::Quiet } else { Tone::Plain };
-    let name = claim_name(one.claim, texts);
+    let [of, against, place] = claim_names(one.claim, texts);
+    let name = format!("{of} / {against}{place}");
     let numbers = [published(one, texts), ratio(one.time)];
     let counts = [one.node_touches, one.comparisons].map(ratio);
     let mut row = vec![Entry::new(name, plain)];
@@ -77,8 +78,11 @@ pub fn verdict(results: &Results, texts: &Texts) -> String {
 
 /// In a sentence: what was measured of a statement, and what may be the reason.
 fn why(one: &Judged, texts: &Texts) -> String {
+    let [of, against, place] = claim_names(one.claim, texts);
     let arguments = [
-        ("name", claim_name(one.claim, texts).into()),
+        ("of", of.into()),
+        ("against", against.into()),
+        ("place", place.into()),
         ("here", ratio(one.time).into()),
         ("published", published(one, texts).into()),
         ("nodes", ratio(one.node_touches).into()),
