@@ -1,8 +1,10 @@
 //! Opens the window.
 
 use crate::app::App;
+use crate::open::open;
 use anyhow::anyhow;
 use eframe::egui::{ColorImage, ScreenshotCallback, ViewportBuilder, ViewportCommand};
+use octoscope_core::progress::Progress;
 use octoscope_figure::Pixels;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -29,6 +31,7 @@ pub fn run(opening: Opening) -> anyhow::Result<()> {
         .with_min_inner_size([800.0, 560.0])
         .with_drag_and_drop(true);
     let options = eframe::NativeOptions { viewport, ..Default::default() };
+    let named = opening.file.clone();
     let result = eframe::run_native(
         "Octoscope",
         options,
@@ -44,11 +47,16 @@ pub fn run(opening: Opening) -> anyhow::Result<()> {
         let cause = error.to_string();
         let cause = cause.rsplit(".rs:").next().unwrap_or_default();
         let cause = cause.trim_start_matches(|c: char| c.is_ascii_digit() || ": ".contains(c));
-        anyhow!(
+        let none = format!(
             "no window can be opened: {cause}\n\
              On Debian or Ubuntu, `cargo xtask run` installs what is missing. \
              The commands of `octoscope help` need no window."
-        )
+        );
+        // The window would have told what is wrong with the file.
+        match named.map(|name| open(&name, &Progress::default())) {
+            Some(Err(of_file)) => anyhow!("{of_file:#}\n{none}"),
+            Some(Ok(_)) | None => anyhow!(none),
+        }
     })
 }
 
