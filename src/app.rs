@@ -29,7 +29,7 @@ use crate::space::Layers;
 use crate::view::{Dialog, Preset, View};
 use crate::widgets::refused_number;
 use crate::{complaint, render, save, theme, with_document};
-use eframe::egui::{CentralPanel, Context, Frame, Key, Ui, ViewportCommand};
+use eframe::egui::{CentralPanel, Context, Frame, Id, Key, Ui, ViewportCommand};
 use exporting::Exporting;
 use jobs::Task;
 use keeping::Keeping;
@@ -85,6 +85,8 @@ pub struct App {
     maps: Maps,
     /// Whether a dialog lay over everything else in the last frame.
     was_covered: bool,
+    /// The field that was edited in the last frame.
+    edited: Option<Id>,
     /// Which keys were taken after the last frame.
     taken: Taken,
     /// Layers on the graphics adapter; `None` without one.
@@ -169,6 +171,7 @@ impl App {
             degenerate: None,
             maps: Maps::default(),
             was_covered: false,
+            edited: None,
             taken: Taken::default(),
             layers,
         };
@@ -322,6 +325,7 @@ impl eframe::App for App {
         self.poll_saving();
         self.take_answers(&context);
         self.open_dropped(&context);
+        self.leave_field(&context);
         let mut commands = Vec::new();
         let dt_secs = f64::from(context.input(|input| input.stable_dt)).min(0.25);
         self.view.playback.advance(dt_secs, self.document.n_events());
@@ -341,6 +345,7 @@ impl eframe::App for App {
         if let Some(wrong) = refused_number(&context) {
             match wrong.as_str() {
                 "" => self.notice.clear(),
+                wrong if wrong == self.notice.text() => {}
                 wrong => self.notice.say(wrong),
             }
         }
@@ -367,6 +372,7 @@ impl eframe::App for App {
 
     fn save(&mut self, storage: &mut dyn eframe::Storage) {
         let shown = self.view.dialog.take();
+        self.forget_typed();
         self.finish_saving();
         // Nobody sees any more what comes of it: the next start tells it.
         if let Some(Dialog::Error(untold)) = &self.view.dialog {

@@ -5,10 +5,10 @@ mod request;
 mod settings;
 
 use crate::export::{Choice, Origin, Request, shell_line};
-use crate::files;
+use crate::files::{self, There};
 use crate::look::Look;
 use crate::panels::show::Of;
-use crate::widgets::{default_button, text_field};
+use crate::widgets::{default_button, path_line, text_field};
 use eframe::egui::{
     Align, Context, Frame, Id, Image, Key, Label, Layout, Modal, RichText, ScrollArea, Spinner,
     TextEdit, TextStyle, TextureHandle, Ui, vec2,
@@ -77,7 +77,7 @@ pub fn ui(context: &Context, look: &Look, mut shown: Shown) -> Option<Answer> {
     // Enter in a field is for the field.
     let is_free = context.memory(|memory| memory.focused().is_none());
     let is_entered = is_free && context.input(|input| input.key_pressed(Key::Enter));
-    let mut answer = is_entered.then_some(Answer::Export);
+    let mut answer = (is_entered && can_export(shown.choice)).then_some(Answer::Export);
     let frame = Frame::popup(&context.global_style()).inner_margin(20.0);
     let room = context.content_rect().size();
     let response = Modal::new(Id::unique("export")).frame(frame).show(context, |ui| {
@@ -85,7 +85,7 @@ pub fn ui(context: &Context, look: &Look, mut shown: Shown) -> Option<Answer> {
         ui.add_space(6.0);
         let is_wide = room.x > 860.0;
         ui.set_width(if is_wide { 800.0 } else { (room.x - 60.0).min(440.0) });
-        let most = (room.y - 250.0).clamp(120.0, 430.0);
+        let most = (room.y - 272.0).clamp(120.0, 430.0);
         if is_wide {
             ui.horizontal_top(|ui| {
                 ui.vertical(|ui| {
@@ -160,6 +160,26 @@ pub fn line(request: &Request, origin: &Origin, choice: &Choice) -> String {
     shell_line(&request.command(&origin.file, origin.ray.as_deref(), choice.file.trim()))
 }
 
+/// Whether a file is named that can be written, as far as that shows.
+fn can_export(choice: &Choice) -> bool {
+    let file = choice.file.trim();
+    !file.is_empty() && files::there(Path::new(file)) != There::Folder
+}
+
+/// Where the file will be, and what is there already.
+fn target(ui: &mut Ui, look: &Look, choice: &Choice) {
+    let file = Path::new(choice.file.trim());
+    let key = match files::there(file) {
+        _ if choice.file.trim().is_empty() => "export-nameless",
+        There::Nothing => "export-new",
+        There::File => "export-replaces",
+        There::Folder => "export-folder",
+    };
+    path_line(ui, look, &files::whole(file), |path| {
+        look.texts.format(key, &[("path", path.to_owned().into())])
+    });
+}
+
 fn buttons(ui: &mut Ui, look: &Look, shown: &mut Shown) -> Option<Answer> {
     let mut answer = None;
     ui.add_space(6.0);
@@ -176,16 +196,16 @@ fn buttons(ui: &mut Ui, look: &Look, shown: &mut Shown) -> Option<Answer> {
             if field.changed() {
                 shown.choice.set_file(&file);
             }
-            if field.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter)) {
+            let is_entered = field.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter));
+            if is_entered && can_export(shown.choice) {
                 answer = Some(Answer::Export);
             }
         });
     });
     if let Some(refused) = shown.refused {
         ui.add(Label::new(RichText::new(refused).color(look.palette.rejected)).wrap());
-    } else if files::is_there(Path::new(shown.choice.file.trim())) {
-        let note = RichText::new(look.text("export-replaces"));
-        ui.label(note.color(look.palette.quiet).size(13.0));
+    } else {
+        target(ui, look, shown.choice);
     }
     ui.add_space(4.0);
     ui.horizontal_wrapped(|ui| {
@@ -194,7 +214,8 @@ fn buttons(ui: &mut Ui, look: &Look, shown: &mut Shown) -> Option<Answer> {
         } else {
             &[("export-copy-image", Answer::CopyImage), ("export-copy-svg", Answer::CopySvg)]
         };
-        if ui.add(default_button(look, look.text("export-do"))).clicked() {
+        let export = default_button(look, look.text("export-do"));
+        if ui.add_enabled(can_export(shown.choice), export).clicked() {
             answer = Some(Answer::Export);
         }
         for &(key, asked) in copies {

@@ -35,6 +35,31 @@ pub fn is_there(path: &Path) -> bool {
     path.exists()
 }
 
+/// What is at a path already.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum There {
+    /// Nothing.
+    Nothing,
+    /// A file, or something else that can be written to.
+    File,
+    /// A folder.
+    Folder,
+}
+
+/// What is at `path` already.
+pub fn there(path: &Path) -> There {
+    match fs::metadata(path) {
+        Ok(found) if found.is_dir() => There::Folder,
+        Ok(_) => There::File,
+        Err(_) => There::Nothing,
+    }
+}
+
+/// The whole of a path that may begin in the folder in which the program was started.
+pub fn whole(path: &Path) -> PathBuf {
+    std::path::absolute(path).unwrap_or_else(|_| path.to_owned())
+}
+
 /// Writes `bytes` to `path`: the file appears whole or not at all.
 ///
 /// # Errors

@@ -7,6 +7,7 @@ use crate::document::AnyDocument;
 use crate::export::{Origin, Request};
 use crate::export_dialog::{self, Answer, PREVIEW, Shown};
 use crate::figures::views_of;
+use crate::files::{self, Purpose};
 use crate::job::{Job, Poll, Title};
 use crate::panels::dialogs;
 use crate::panels::show::Of;
@@ -36,9 +37,9 @@ pub(super) struct Exporting {
 
 /// What another thread has made of a document.
 pub(super) enum Made {
-    /// A file of this name.
+    /// A file at this path.
     File {
-        name: String,
+        path: PathBuf,
         /// What is not in it, in words.
         left_out: Option<String>,
     },
@@ -149,14 +150,14 @@ impl App {
         self.view.export.set_file(&path.to_string_lossy());
         let request = export_dialog::request(&self.document, &self.view);
         let (name, mut document, path) = (file_name(path), self.document.clone(), path.to_owned());
-        let title = Title::Named("job-export", name.clone());
+        let title = Title::Named("job-export", name);
         let language = self.view.language;
         let work = move |progress: &Progress| {
             // The window may keep less of a long run, or nothing of it yet.
             with_document!(&mut document, d => d.trace_whole_within(progress))?;
             let left_out = with_document!(&document, d => request.left_out(d, &texts(language)));
             request.run(&document, Some(&path), progress)?;
-            Ok(Made::File { name, left_out })
+            Ok(Made::File { path, left_out })
         };
         self.make(context, title, work);
     }
@@ -200,9 +201,11 @@ impl App {
             Poll::Broken => Err(anyhow!(self.look.text("job-broken"))),
         };
         match result {
-            Ok(Made::File { name, left_out }) => {
+            Ok(Made::File { path, left_out }) => {
                 self.view.dialog.take_if(|dialog| *dialog == Dialog::Export);
-                let said = self.look.texts.format("status-exported", &[("name", name.into())]);
+                self.forget_typed();
+                let path = files::whole(&path).display().to_string();
+                let said = self.look.texts.format("status-exported", &[("path", path.into())]);
                 let all = [Some(said), left_out].into_iter().flatten();
                 self.notice.say(all.collect::<Vec<_>>().join(": "));
             }
@@ -224,7 +227,9 @@ impl App {
             Err(error) if self.view.dialog == Some(Dialog::Export) => {
                 self.exporting.refused = Some(complaint::told(&self.look.texts, &error));
             }
-            Err(error) => self.complain(&error),
+            Err(error) => {
+                self.refuse_path(&error, |typed| matches!(typed.purpose, Purpose::Lab(_)));
+            }
         }
     }
 

@@ -3,6 +3,7 @@
 use super::App;
 use super::telling::{file_name, rules_told};
 use crate::document::AnyDocument;
+use crate::files::Purpose;
 use crate::job::{Job, Poll, Title};
 use crate::open::{open, open_built_in, open_scenario};
 use crate::save::Last;
@@ -22,6 +23,8 @@ pub(super) enum Task {
     Start,
     /// Open what is shown instead of the present document.
     Open,
+    /// The same, by a path that was typed.
+    OpenTyped,
     /// The same, and it is said which rules it follows.
     Counterexample,
     /// Open what was open last.
@@ -36,6 +39,11 @@ impl App {
     /// Opens a file on another thread.
     pub fn open(&mut self, context: &Context, path: PathBuf) {
         self.begin_to_open(context, path, Task::Open);
+    }
+
+    /// The same by a path that was typed.
+    pub(super) fn open_typed(&mut self, context: &Context, path: PathBuf) {
+        self.begin_to_open(context, path, Task::OpenTyped);
     }
 
     /// Opens the file that the window is started with; what was open last comes back if
@@ -173,9 +181,10 @@ impl App {
 
     fn take_result(&mut self, result: anyhow::Result<AnyDocument>, task: Task, context: &Context) {
         match (result, task) {
-            (Ok(document), Task::Start | Task::Open | Task::Counterexample | Task::Restore) => {
-                self.take_opened(document, task);
-            }
+            (
+                Ok(document),
+                Task::Start | Task::Open | Task::OpenTyped | Task::Counterexample | Task::Restore,
+            ) => self.take_opened(document, task),
             (Ok(rebuilt), Task::Rebuild) => {
                 let step = self.document.adopt(&rebuilt, self.view.playback.step);
                 self.follow(step);
@@ -195,7 +204,7 @@ impl App {
                 } else {
                     self.tell_failure(&error, task);
                 }
-                if matches!(task, Task::Start | Task::Open) {
+                if matches!(task, Task::Start | Task::Open | Task::OpenTyped) {
                     self.restore_instead(context);
                 }
             }
@@ -250,6 +259,7 @@ impl App {
                 let arguments = [("why", why.into())];
                 self.notice.say(self.look.texts.format("status-not-restored", &arguments));
             }
+            Task::OpenTyped => self.refuse_path(error, |typed| typed.purpose == Purpose::Open),
             Task::Start | Task::Open | Task::Counterexample | Task::Rebuild | Task::Aim => {
                 self.complain(error);
             }

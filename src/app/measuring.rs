@@ -206,12 +206,12 @@ impl App {
         let title = format!("{}: {}", self.look.text("lab-title"), self.look.text(choice.tab.id()));
         let (results, theme) = (self.measuring.results.clone(), self.view.theme);
         let (name, path) = (file_name(path), path.to_owned());
-        let job = Title::Named("job-export", name.clone());
+        let job = Title::Named("job-export", name);
         // It is shown again after the dialog about the path.
         self.view.dialog = Some(Dialog::Lab);
         self.make(context, job, move |progress| {
             lab::write(&results, &chart, (theme, &title), &path, progress)?;
-            Ok(Made::File { name, left_out: None })
+            Ok(Made::File { path, left_out: None })
         });
     }
 }

@@ -13,7 +13,7 @@ use octoscope_core::progress::Progress;
 use octoscope_core::scenario::AnyScenario;
 use octoscope_figure::Show;
 use std::collections::VecDeque;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 /// What is being saved. A large scenario takes long to print: another thread does it.
 #[derive(Default)]
@@ -21,6 +21,8 @@ pub(super) struct Saving {
     now: Option<Begun>,
     /// What is to be saved after it, one for each file.
     next: VecDeque<Draft>,
+    /// What was typed last as a path, until something has come of it.
+    typed: Option<Typed>,
 }
 
 /// What is to be saved, as it was when this was asked for.
@@ -129,6 +131,7 @@ impl App {
         }
         match result {
             Some(Ok(scenario)) => {
+                self.saving.typed.take_if(|typed| typed.named() == path);
                 let name = file_name(&path);
                 self.notice.say(self.look.texts.format("status-saved", &[("name", name.into())]));
                 self.exporting.saved = Some((path, scenario));
@@ -140,7 +143,8 @@ impl App {
                 }
             }
             Some(Err(error)) => {
-                self.tell_error(complaint::told(&self.look.texts, &error));
+                let is_it = |typed: &Typed| typed.purpose == Purpose::Save && typed.named() == path;
+                self.refuse_path(&error, is_it);
             }
             None => self.tell_error(self.look.text("job-broken")),
         }
@@ -173,7 +177,7 @@ impl App {
                         memory.surrender_focus(focused);
                     }
                 });
-                self.view.dialog = Some(Dialog::Path(Typed { purpose, path, replaces: false }));
+                self.view.dialog = Some(Dialog::Path(Typed::new(purpose, path)));
             }
         }
     }
@@ -194,9 +198,32 @@ impl App {
 
     /// Does what a path was typed for; asks once before a file is replaced.
     pub(super) fn take_path(&mut self, context: &Context, typed: Typed) {
-        let path = typed.purpose.named(Path::new(typed.path.trim()));
+        let (purpose, path) = (typed.purpose, typed.named());
         let asked = if typed.replaces { Replacing::Agreed } else { Replacing::Asks };
-        self.use_path(context, typed.purpose, path, asked);
+        self.saving.typed = Some(typed);
+        match purpose {
+            Purpose::Open => self.open_typed(context, path),
+            Purpose::Save | Purpose::Export(_) | Purpose::Lab(_) => {
+                self.use_path(context, purpose, path, asked);
+            }
+        }
+    }
+
+    /// Says why nothing came of the path that was typed last, if `is_it`: where another
+    /// one can be typed. Else as all errors are told.
+    pub(super) fn refuse_path(&mut self, error: &anyhow::Error, is_it: impl Fn(&Typed) -> bool) {
+        match self.saving.typed.take_if(|typed| is_it(typed)) {
+            Some(typed) if !matches!(self.view.dialog, Some(Dialog::Error(_))) => {
+                let refused = Some(complaint::told(&self.look.texts, error));
+                self.view.dialog = Some(Dialog::Path(Typed { refused, replaces: false, ..typed }));
+            }
+            Some(_) | None => self.complain(error),
+        }
+    }
+
+    /// From now on nobody can type another path.
+    pub(super) fn forget_typed(&mut self) {
+        self.saving.typed = None;
     }
 
     fn use_path(&mut self, context: &Context, purpose: Purpose, path: PathBuf, asked: Replacing) {
@@ -206,7 +233,8 @@ impl App {
         };
         if is_written && asked == Replacing::Asks && files::is_there(&path) {
             let path = path.to_string_lossy().into_owned();
-            self.view.dialog = Some(Dialog::Path(Typed { purpose, path, replaces: true }));
+            let typed = Typed { replaces: true, ..Typed::new(purpose, path) };
+            self.view.dialog = Some(Dialog::Path(typed));
             return;
         }
         match purpose {

@@ -3,13 +3,33 @@
 use super::jobs::Task;
 use super::{App, Shown};
 use crate::history::History;
-use eframe::egui::Context;
+use eframe::egui::{Context, Memory};
 
 impl App {
-    /// Remembers the state for undo once no gesture is going on.
+    /// Ends the editing of a field where a gesture begins beside it, as a click does: what
+    /// was typed is a step of its own.
+    pub(super) fn leave_field(&self, context: &Context) {
+        let pressed = context.input(|input| {
+            let pointer = &input.pointer;
+            pointer.any_pressed().then(|| pointer.interact_pos()).flatten()
+        });
+        let field = context.memory(Memory::focused).filter(|_| context.text_edit_focused());
+        let Some((pressed, field)) = pressed.zip(field).filter(|_| self.view.dialog.is_none())
+        else {
+            return;
+        };
+        if context.read_response(field).is_some_and(|field| !field.rect.contains(pressed)) {
+            context.memory_mut(|memory| memory.surrender_focus(field));
+        }
+    }
+
+    /// Remembers the state for undo once no gesture is going on and no field is edited.
     pub(super) fn settle(&mut self, context: &Context) {
-        let busy = context.input(|input| input.pointer.any_down()) || self.job.is_some();
-        if !busy {
+        let edited = context.memory(Memory::focused).filter(|_| context.text_edit_focused());
+        let before = std::mem::replace(&mut self.edited, edited);
+        let is_left = before.is_some() && before != edited;
+        let is_quiet = edited.is_none() && !context.input(|input| input.pointer.any_down());
+        if self.job.is_none() && (is_left || is_quiet) {
             self.settle_now();
         }
     }

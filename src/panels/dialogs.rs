@@ -17,6 +17,7 @@ use eframe::egui::{
     text_edit::TextEditState,
     vec2,
 };
+use std::ops::Range;
 
 /// What the user asks for in a dialog.
 #[derive(Clone, Debug, PartialEq)]
@@ -127,22 +128,35 @@ fn path(ui: &mut Ui, look: &Look, typed: &mut Typed) -> bool {
     let spoken = look.text(name);
     ui.ctx().accesskit_node_builder(field.id, |node| node.set_label(spoken));
     if field.changed() {
-        typed.replaces = false;
+        (typed.replaces, typed.refused) = (false, None);
     }
     let entered = field.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter));
-    // Whoever is asked for a path can type it at once.
+    // Whoever is asked for a path can type it at once: what is typed is the name.
     if !entered && ui.memory(|memory| memory.focused().is_none()) {
         field.request_focus();
         let mut state = TextEditState::load(ui.ctx(), field.id).unwrap_or_default();
-        let end = CCursor::new(typed.path.chars().count());
-        state.cursor.set_char_range(Some(CCursorRange::one(end)));
+        let stem = stem(&typed.path);
+        let [start, end] = [stem.start, stem.end].map(CCursor::new);
+        state.cursor.set_char_range(Some(CCursorRange::two(start, end)));
         state.store(ui.ctx(), field.id);
+    }
+    if let Some(refused) = &typed.refused {
+        ui.add(Label::new(RichText::new(refused).color(look.palette.rejected)).wrap());
     }
     if typed.replaces {
         let question = RichText::new(look.text("path-replaces")).strong();
         ui.add(Label::new(question).wrap());
     }
     entered
+}
+
+/// The letters of a path that are the name of its file without its ending.
+fn stem(path: &str) -> Range<usize> {
+    let start = path.rfind(std::path::is_separator).map_or(0, |at| at + 1);
+    let name = &path[start..];
+    let length = name.rfind('.').filter(|&at| at > 0).unwrap_or(name.len());
+    let [start, end] = [start, start + length].map(|at| path[..at].chars().count());
+    start..end
 }
 
 /// Shows how far the work is; true if it is to be cancelled.
@@ -254,5 +268,19 @@ mod tests {
         assert_eq!(balanced(&[6, 3, 25, 5, 11, 3]), [true, true, false, true, true, true]);
         assert_eq!(balanced(&[4, 4]), [true, false]);
         assert!(balanced(&[]).is_empty());
+    }
+
+    #[test]
+    fn the_stem_of_a_name_is_what_another_name_replaces() {
+        for (path, expected) in [
+            ("ä/scenario.octo", 2..10),
+            ("a.b/c", 4..5),
+            ("a.b/", 4..4),
+            ("x.tar.gz", 0..5),
+            ("a/.octo", 2..7),
+            ("", 0..0),
+        ] {
+            assert_eq!(stem(path), expected, "{path}");
+        }
     }
 }

@@ -95,7 +95,8 @@ pub fn ui(ui: &mut Ui, look: &Look, show: &mut Show, of: Of) {
     });
     ui.spacing_mut().item_spacing.y = 2.0;
     ui.spacing_mut().interact_size.y = 18.0;
-    let more = RichText::new(look.text("show-more")).size(SIZE);
+    let more = if of.dimension == 2 { "show-more-plane" } else { "show-more-space" };
+    let more = RichText::new(look.text(more)).size(SIZE);
     CollapsingHeader::new(more).id_salt("show-more").show_unindented(ui, |ui| {
         ui.spacing_mut().interact_size.y = 24.0;
         cells::ui(ui, look, show, of);

@@ -1,6 +1,7 @@
 //! What lies over the window.
 
 use crate::files::Purpose;
+use std::path::{Path, PathBuf};
 
 /// Window over the window.
 #[derive(Clone, Debug, PartialEq)]
@@ -30,6 +31,20 @@ pub struct Typed {
     pub path: String,
     /// Whether it is known that this replaces a file.
     pub replaces: bool,
+    /// Why it came to nothing the last time, in words.
+    pub refused: Option<String>,
+}
+
+impl Typed {
+    /// A path to begin with.
+    pub fn new(purpose: Purpose, path: String) -> Self {
+        Self { purpose, path, replaces: false, refused: None }
+    }
+
+    /// The file that it names.
+    pub fn named(&self) -> PathBuf {
+        self.purpose.named(Path::new(self.path.trim()))
+    }
 }
 
 /// What is searched for, and which of the hits is chosen, from 0.

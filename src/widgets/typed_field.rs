@@ -3,8 +3,7 @@
 use super::fields::border_while_edited;
 use crate::look::Look;
 use eframe::egui::{
-    Context, DragValue, Id, Key, Modifiers, Popup, PopupKind, Rect, RectAlign, Response, Stroke,
-    Ui, accesskit::Invalid,
+    Context, DragValue, Id, Key, Modifiers, Response, Stroke, Ui, accesskit::Invalid,
 };
 use std::cell::RefCell;
 
@@ -42,9 +41,9 @@ pub struct Typed {
 }
 
 /// Shows `field`, which may be dragged and typed into. What is typed and left there
-/// without being a number stays in it, marked, and the field says what is wrong where
-/// it is pointed at or edited: until it is mended, or given up by Escape, or the number
-/// changes. The number itself is then what it was before it was edited.
+/// without being a number stays in it, marked, until it is mended, or given up by Escape,
+/// or the number changes; what is wrong is said ([`refused_number`]) when it is left, and
+/// as long as it is pointed at or edited. The number itself is then what it was before it was edited.
 pub fn typed_field(ui: &mut Ui, look: &Look, field: DragValue<'_>, typing: &Typing<'_>) -> Typed {
     let field_id = ui.next_auto_id();
     let of_field = field_id.with("typed");
@@ -82,13 +81,17 @@ pub fn typed_field(ui: &mut Ui, look: &Look, field: DragValue<'_>, typing: &Typi
     } else {
         border_while_edited(ui, look, look.palette.accent);
     }
+    let has_focus = |ui: &Ui| ui.memory(|memory| memory.has_focus(field_id));
+    let was_focused = has_focus(ui);
     let response = ui.add(field);
+    // By the tabulator it is left at once, and tells so a frame later only.
+    let is_left = response.lost_focus() || was_focused && !has_focus(ui);
     ui.set_style(style);
     if let Some(now) = last_read.into_inner() {
         kept = now;
     }
     let (mut said, mut restored) = (None, None);
-    if response.lost_focus() {
+    if is_left {
         if kept.is_given_up || ui.input(|input| input.key_pressed(Key::Escape)) {
             if kept.text.is_some() && !kept.is_given_up {
                 // Nothing else is given up with it.
@@ -103,15 +106,11 @@ pub fn typed_field(ui: &mut Ui, look: &Look, field: DragValue<'_>, typing: &Typi
             restored = before;
             kept.value = before.map_or(kept.value, f64::to_bits);
             if ui.input(|input| input.key_pressed(Key::Enter)) {
-                // It is edited on, and says below itself what is wrong.
+                // It is edited on.
                 response.request_focus();
-            } else {
-                said = Some((typing.wrong)(text, f64::from_bits(kept.value)));
             }
+            said = Some((typing.wrong)(text, f64::from_bits(kept.value)));
         }
-    }
-    if let Some(message) = said {
-        ui.data_mut(|data| data.insert_temp(Id::unique(REFUSED), message));
     }
     kept.is_given_up &= !response.has_focus();
     let holds = f64::from_bits(kept.value);
@@ -127,8 +126,14 @@ pub fn typed_field(ui: &mut Ui, look: &Look, field: DragValue<'_>, typing: &Typi
             node.set_description(wrong.clone());
         });
         if response.has_focus() || response.hovered() {
-            say_beside(ui, &response, &wrong);
+            said = Some(wrong);
         }
+    } else if refused.is_some() {
+        // It is mended.
+        said = Some(String::new());
+    }
+    if let Some(said) = said {
+        ui.data_mut(|data| data.insert_temp(Id::unique(REFUSED), said));
     }
     Typed { response, restored }
 }
@@ -147,27 +152,8 @@ fn before_editing(ui: &Ui, field: Id, value: f64) -> Option<f64> {
     kept
 }
 
-/// Says something beside the column that a field stands in, so that no field is covered,
-/// and clicks go through it.
-fn say_beside(ui: &Ui, response: &Response, text: &str) {
-    const WIDTH: f32 = 260.0;
-    let column = ui.clip_rect().x_range();
-    let anchor = Rect::from_x_y_ranges(column, response.rect.y_range());
-    Popup::from_response(response)
-        .kind(PopupKind::Tooltip)
-        .anchor(anchor)
-        .align(RectAlign::RIGHT_START)
-        .align_alternatives(&[RectAlign::LEFT_START])
-        .gap(6.0)
-        .interactable(false)
-        .show(|ui| {
-            ui.set_max_width(WIDTH);
-            ui.label(text);
-        });
-}
-
-/// What is wrong with what was typed into a field and just left there; empty if that was
-/// just given up.
+/// What is wrong with what was typed into the field that is edited, pointed at or was just
+/// left; empty if that was just given up or mended.
 pub fn refused_number(context: &Context) -> Option<String> {
     context.data_mut(|data| data.remove_temp(Id::unique(REFUSED)))
 }

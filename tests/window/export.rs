@@ -2,7 +2,7 @@
 
 use crate::desk::Desk;
 use eframe::egui::{Event, Key, Modifiers, OutputCommand, Rect, accesskit::Role};
-use egui_kittest::kittest::Queryable;
+use egui_kittest::kittest::{NodeT, Queryable};
 use octoscope::export::{Choice, Extent, Format};
 use octoscope::text::texts;
 use octoscope::view::{Dialog, View};
@@ -297,6 +297,50 @@ fn a_path_that_cannot_be_written_stays_to_be_corrected() {
     assert_eq!(desk.state().view.dialog, None);
     desk.press_with(Modifiers::COMMAND, Key::E);
     assert!(!is_told(&desk), "{:?}", desk.texts());
+}
+
+#[test]
+fn the_dialog_says_where_the_file_will_be_and_what_is_there() {
+    let folder = tempdir().unwrap();
+    let at = |name: &str| folder.path().join(name).display().to_string();
+    std::fs::write(at("old.svg"), "old").unwrap();
+    let mut desk = Desk::new();
+    desk.press_with(Modifiers::COMMAND, Key::E);
+    let here = std::path::absolute("figure.svg").unwrap().display().to_string();
+    // In a long path the middle may be missing.
+    let end = here.chars().rev().take(14).collect::<Vec<_>>().into_iter().rev();
+    let end = end.collect::<String>();
+    for (file, start, end, can) in [
+        ("figure.svg".to_owned(), "Will be written to /", end.as_str(), true),
+        (at("old.svg"), "Is there already and will be replaced: ", "/old.svg", true),
+        (at(""), "This is a folder; add the name of a file to it: ", "", false),
+        (" ".to_owned(), "Name a file.", "", false),
+    ] {
+        desk.state_mut().view.export.file = file.clone();
+        desk.run();
+        let said = desk.texts().into_iter().find(|text| text.starts_with(start));
+        assert!(said.is_some_and(|said| said.ends_with(end)), "{file}: {:?}", desk.texts());
+        let export = desk.get_by_role_and_label(Role::Button, "Export");
+        assert_eq!(export.accesskit_node().is_disabled(), !can, "{file}");
+        if !can {
+            desk.press(Key::Enter);
+            assert!(desk.says(start), "{file}: nothing is tried");
+        }
+    }
+}
+
+#[test]
+fn what_is_no_number_is_refused_in_the_dialog_too() {
+    for typed in ["nan", "inf", "1/0"] {
+        let mut desk = Desk::new();
+        desk.press_with(Modifiers::COMMAND, Key::E);
+        desk.run_steps(2);
+        desk.type_into("Type and lines", "2");
+        desk.type_into("Type and lines", typed);
+        assert!(desk.says(&format!("“{typed}” is no number from 0.25 to 8")), "{:?}", desk.texts());
+        assert_eq!(desk.state().view.export.type_scale, 2.0, "{typed}");
+        assert_eq!(desk.state().view.dialog, Some(Dialog::Export));
+    }
 }
 
 #[test]

@@ -161,7 +161,7 @@ fn a_broken_file_is_one_message_and_the_old_scene_stays() {
 /// Asks for a path as where the system has no dialog, types `end` behind `path`
 /// and confirms.
 pub fn type_path(desk: &mut Desk, purpose: Purpose, path: &str, end: &str) {
-    let typed = Typed { purpose, path: path.to_owned(), replaces: false };
+    let typed = Typed::new(purpose, path.to_owned());
     desk.state_mut().view.dialog = Some(Dialog::Path(typed));
     desk.run();
     desk.event(egui::Event::Text(end.to_owned()));
@@ -189,6 +189,32 @@ fn a_typed_path_is_saved_to_and_a_file_replaced_only_when_confirmed() {
     desk.state_mut().finish_work();
     assert_eq!(desk.state().view.dialog, None);
     assert_ne!(fs::read(&path).unwrap(), before);
+}
+
+#[test]
+fn a_path_of_which_nothing_comes_stays_to_be_corrected() {
+    let folder = tempdir().unwrap();
+    let begin = format!("{}/", folder.path().display());
+    for (purpose, end, wrong) in [
+        (Purpose::Save, "none/a.octo", "no such folder"),
+        (Purpose::Open, "none.octo", "no such file"),
+    ] {
+        let mut desk = Desk::new();
+        let before = desk.plane().scenario;
+        type_path(&mut desk, purpose, &begin, end);
+        let Some(Dialog::Path(typed)) = desk.state().view.dialog.clone() else {
+            panic!("{:?}", desk.state().view.dialog);
+        };
+        assert_eq!((typed.purpose, typed.path), (purpose, format!("{begin}{end}")));
+        assert!(desk.says(wrong), "{:?}", desk.texts());
+        assert_eq!(desk.plane().scenario, before);
+        // What is typed now replaces the name, and with it goes what was wrong.
+        desk.event(egui::Event::Text("other".to_owned()));
+        desk.run();
+        assert!(!desk.says(wrong));
+        let Some(Dialog::Path(typed)) = &desk.state().view.dialog else { panic!() };
+        assert!(typed.path.ends_with("/other.octo"), "{}", typed.path);
+    }
 }
 
 /// The window on so many points that printing them takes many frames.
@@ -306,7 +332,8 @@ fn a_typed_path_is_exported_to_in_its_format_and_opened() {
     let context = desk.ctx.clone();
     desk.state_mut().finish_export(&context);
     desk.run();
-    assert!(desk.says("Exported as figure.svg"), "{:?}", desk.texts());
+    let path = folder.path().join("figure.svg");
+    assert!(desk.says(&format!("Exported as {}", path.display())), "{:?}", desk.texts());
     assert!(fs::read_to_string(folder.path().join("figure.svg")).unwrap().contains("<svg"));
 
     type_path(&mut desk, Purpose::Open, &sample("").display().to_string(), "knot.obj");

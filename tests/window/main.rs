@@ -35,4 +35,5 @@ mod show;
 mod states;
 mod steps;
 mod tree;
+mod undo;
 mod whole;

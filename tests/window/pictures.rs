@@ -5,7 +5,7 @@
 
 use crate::desk::sample;
 use crate::drawn::{At, asked, compare, compare_sized, drawn_desk, plane};
-use crate::states::show_lab;
+use crate::states::{FIGURE, show_lab};
 use eframe::egui::{Event as Input, Key, Modifiers, accesskit::Role, pos2, vec2};
 use egui_kittest::kittest::Queryable;
 use octoscope::lab::Tab;
@@ -117,6 +117,7 @@ fn space_in_dark_colours() {
 fn the_export_of_a_figure() {
     compare("export", |desk| {
         desk.go_to(&At::Nth(12, "First"));
+        desk.state_mut().view.export.file = FIGURE.to_owned();
         desk.press_with(Modifiers::COMMAND, Key::E);
         let context = desk.ctx.clone();
         desk.state_mut().finish_preview(&context);

@@ -232,6 +232,9 @@ fn pictures() -> Vec<State> {
     ]
 }
 
+/// Where an export goes, wherever the program is started.
+pub const FIGURE: &str = "/home/ada/figure.svg";
+
 /// Dialogs, labs and notes.
 fn over_the_window() -> Vec<State> {
     let dialog = |name: &str, dialog: Dialog| {
@@ -245,6 +248,7 @@ fn over_the_window() -> Vec<State> {
         State::new(name, move |desk| {
             desk.go_to(&At::Share(0.46));
             desk.state_mut().view.export.view = view;
+            desk.state_mut().view.export.file = FIGURE.to_owned();
             desk.state_mut().view.dialog = Some(Dialog::Export);
             desk.run_steps(4);
             let context = desk.ctx.clone();
@@ -290,7 +294,8 @@ fn over_the_window() -> Vec<State> {
 }
 
 fn typed() -> Typed {
-    Typed { purpose: Purpose::Save, path: "lectures/trees.octo".to_owned(), replaces: true }
+    let path = "lectures/trees.octo".to_owned();
+    Typed { replaces: true, ..Typed::new(Purpose::Save, path) }
 }
 
 /// The lab on one of its pages, with a small measurement.
