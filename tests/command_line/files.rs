@@ -86,3 +86,19 @@ fn pipes_and_devices_neither_hang_nor_exhaust_memory() {
     assert!(desk.prints("check pipe.xyz").contains("2 points"));
     writer.join().unwrap().unwrap();
 }
+
+#[test]
+#[cfg(target_os = "linux")]
+fn without_a_display_what_is_wrong_with_the_file_comes_first() {
+    let desk = Desk::new();
+    desk.put("bad.octo", "{");
+    for (name, fact) in [
+        ("nope.octo", "there is no such file or folder: nope.octo\n"),
+        ("bad.octo", "line 1, column 2: the text ends within an object"),
+        ("scene:figure-1", "no window can be opened"),
+    ] {
+        let message = desk.refuses(name);
+        assert!(message.starts_with(&format!("octoscope: {fact}")), "{message}");
+        assert!(message.contains("no window can be opened"), "{message}");
+    }
+}
