@@ -1,11 +1,14 @@
 //! What went wrong, in the language of the window.
 
+mod scenario;
+
 use crate::files::{FileError, FileFault};
 use crate::open::{AtPath, OpenFault};
-use octoscope_core::scenario::{Fault, ScenarioError};
+use octoscope_core::scenario::ScenarioError;
 use octoscope_core::text::Texts;
 use octoscope_core::tree::{BuildError, DomainError, MAX_NODES};
 use octoscope_import::{ImportError, Place};
+use scenario::of_fault;
 
 /// The whole error: the fact first, then what to do, the path last. What only a
 /// program says stays in its words.
@@ -104,15 +107,7 @@ fn kind(noun: &str) -> &str {
 
 fn of_scenario(texts: &Texts, error: &ScenarioError) -> String {
     let place = line_and_column(texts, "error-line", [error.line, error.column]);
-    let fact = match &error.fault {
-        Fault::Newer(version) => {
-            texts.format("error-newer", &[("version", version.to_string().into())])
-        }
-        Fault::Outside { count, first, .. } => outside(texts, *count, *first),
-        // What to write in a file is told in the words of the file.
-        fault => texts.format("error-scenario", &[("details", fault.to_string().into())]),
-    };
-    format!("{place}: {fact}")
+    format!("{place}: {}", of_fault(texts, &error.fault))
 }
 
 fn of_building(texts: &Texts, error: &BuildError) -> String {

@@ -4,6 +4,7 @@ use octoscope::complaint::told;
 use octoscope::open::open;
 use octoscope::text::texts;
 use octoscope_core::progress::Progress;
+use octoscope_core::scenario::AnyScenario;
 use octoscope_core::text::Language;
 use std::fs;
 
@@ -38,6 +39,39 @@ fn errors_of_files_are_told_in_both_languages_with_the_path_at_their_end() {
     let missing = open(&folder.path().join("none"), &Progress::default()).unwrap_err();
     let german = told(&texts(Language::German), &missing);
     assert!(german.starts_with("Es gibt keine solche Datei"), "{german}");
+}
+
+#[test]
+fn what_is_wrong_with_a_scenario_is_told_in_german_too() {
+    let scene = |fields: &str| format!(r#"{{"octoscope": 1, "dimension": 2, "scene": {fields}}}"#);
+    let built_in =
+        |fields: &str| format!(r#"{{"octoscope": 1, "scene": {{"built-in": "rings"}}, {fields}}}"#);
+    let cases = [
+        ("[1]".to_owned(), "kein Szenario"),
+        (r#"{"octoscope": 0}"#.to_owned(), "Fassung 0"),
+        (r#"{"octoscope": 1, "dimension": 4, "scene": {"points": []}}"#.to_owned(), "ist 4"),
+        (r#"{"octoscope": 1, "scene": {"points": []}}"#.to_owned(), "„dimension“ fehlt"),
+        (scene("{}"), "0 Arten von Inhalt"),
+        (scene(r#"{"points": [], "hash": ""}"#), "nur zu „file“"),
+        (scene(r#"{"image": {"width": 2, "height": 1, "rows": ["0"]}}"#), "Zeile 1 des Bilds"),
+        (scene(r#"{"image": {"width": 0, "height": 1, "rows": [""]}}"#), "keine Pixel"),
+        (scene(r#"{"spheres": [{"centre": [0, 0], "radius": -1}]}"#), "negative Größe"),
+        (scene(r#"{"built-in": "fog"}"#), "„fog“ gibt es nicht"),
+        (scene(r#"{"built-in": "rings", "parameters": {"seed": 1}}"#), "Parameter „seed“"),
+        (scene(r#"{"built-in": "rings", "parameters": {"n": 0}}"#), "von 1 bis 4096"),
+        (scene(r#"{"built-in": "cloud"}"#), "hat 3 Dimensionen"),
+        (built_in(r#""build": {"depth": 21}"#), "von 0 bis 20"),
+        (built_in(r#""build": {"capacity": 0}"#), "Kapazität"),
+        (built_in(r#""ray": {"origin": [0, 0], "direction": [0, 0]}"#), "ist null"),
+        (built_in(r#""domain": {"min": [0, 0], "side": 0}"#), "endliche Ecken"),
+    ];
+    let texts = texts(Language::German);
+    for (text, fact) in cases {
+        let error = AnyScenario::parse(&text).expect_err(&text).into();
+        let told = told(&texts, &error);
+        assert!(told.starts_with("Zeile 1, Spalte ") && told.contains(fact), "{text}: {told}");
+        assert!(!told.contains("Englisch"), "{told}");
+    }
 }
 
 #[test]

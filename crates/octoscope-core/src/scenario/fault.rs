@@ -148,7 +148,7 @@ fn word_at(text: &str, start: usize) -> String {
 }
 
 /// The least that a scenario is.
-pub(super) const LEAST: &str = r#"{"octoscope": 1, "scene": {"built-in": "cloud"}}"#;
+pub const LEAST: &str = r#"{"octoscope": 1, "scene": {"built-in": "cloud"}}"#;
 
 /// What is right at a path, without the indices of lists; # is the dimension, ~ the end of
 /// the range that the built-in scene gives.
