@@ -7,7 +7,7 @@ use octoscope_core::event::Event;
 use octoscope_core::explain::{RichText, Span};
 use octoscope_core::geometry::{AXIS_NAMES, Ray};
 use octoscope_core::trace::{Moment, Trace};
-use octoscope_core::tree::{NodeId, Tree};
+use octoscope_core::tree::{Code, NodeId, Tree};
 use octoscope_figure::Anchor;
 use octoscope_figure::views::{Entry, Table, Tone};
 
@@ -67,13 +67,16 @@ pub fn ui<const D: usize>(
         caption(ui, look, look.text("links-none"));
         return;
     };
+    let across = |axis, upper| tree.neighbour_across(from, axis, upper);
+    let all = (0..D).flat_map(|axis| [across(axis, false), across(axis, true)]);
+    let digits = most_digits(all.flatten().map(|node| tree.code(node)));
     let row = |axis: usize, upper: bool| {
         let forward = ray.direction()[axis] > 0.0;
         let used = followed == Some(axis) && forward == upper;
         let tone = if used { Tone::Used } else { Tone::Plain };
         let side = format!("{}{}", AXIS_NAMES[axis], if upper { "+" } else { "−" });
         let side = RichText(vec![Span { text: side, axis: Some(axis), ..Span::default() }]);
-        let [level, codes, size] = match tree.neighbour_across(from, axis, upper) {
+        let [level, codes, size] = match across(axis, upper) {
             Some(node) => {
                 let key = if tree.level(node) > tree.level(from) {
                     "links-larger"
@@ -82,7 +85,8 @@ pub fn ui<const D: usize>(
                 } else {
                     "links-divided"
                 };
-                let codes = per_axis(tree.code(node).map(|c| c.to_string()));
+                let code = tree.code(node);
+                let codes = per_axis((0..D).map(|e| format!("{:>1$}", code[e], digits[e])));
                 [tree.level(node).to_string().into(), codes, look.text(key).into()]
             }
             None => ["–".into(), look.text("links-border").into(), "".into()],
@@ -100,4 +104,21 @@ pub fn ui<const D: usize>(
     let left = ui.available_width() - table_width(ui, look, &links, close);
     let gap = (left / 3.0).clamp(4.0, 14.0);
     table(ui, look, &links, Setting { gap, ..close });
+}
+
+/// Number of digits of the largest code of every axis.
+fn most_digits<const D: usize>(codes: impl Iterator<Item = Code<D>>) -> [usize; D] {
+    let largest = codes.fold([0; D], |most, code| std::array::from_fn(|e| code[e].max(most[e])));
+    largest.map(|code| code.to_string().len())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn codes_of_an_axis_stand_below_each_other() {
+        assert_eq!(most_digits([[4, 10], [16, 8]].into_iter()), [2, 2]);
+        assert_eq!(most_digits([[4, 1], [0, 128]].into_iter()), [1, 3]);
+    }
 }

@@ -91,7 +91,7 @@ fn children<const D: usize>(ui: &mut Ui, look: &Look, used: Used<D>, is_over: bo
         let tone = if child == used.child { line } else { Tone::Plain };
         Entry::new(child.0.to_string(), tone)
     });
-    let rows_of = |table: NeighbourTable, told: fn([i8; D]) -> Coloured| {
+    let rows_of = |table: NeighbourTable, told: Told| {
         let in_use = used.tables().contains(&table);
         row(table.name().to_owned(), &|child| {
             let tone = match (in_use, child == used.child) {
@@ -102,22 +102,13 @@ fn children<const D: usize>(ui: &mut Ui, look: &Look, used: Used<D>, is_over: bo
             Entry::new(entry(look, table, used.direction, child, told), tone)
         })
     };
-    let written = |told: fn([i8; D]) -> Coloured| views::Table {
+    let (shown, setting) = fitting::<D>(ui, look, |told| views::Table {
         columns: columns::<D>(),
         head: Vec::new(),
         rows: std::iter::once(numbers.clone())
             .chain(NeighbourTable::ALL.map(|table| rows_of(table, told)))
             .collect(),
-    };
-    let mut shown = written(with_axes);
-    let fits = |setting: &Setting| table_width(ui, look, &shown, *setting) <= ui.available_width();
-    let close = Setting { gap: 4.0, least: 16.0 };
-    let wide = setting::<D>(ui);
-    let fitting = [wide, close].into_iter().find(fits);
-    if fitting.is_none() {
-        shown = written(signs);
-    }
-    let setting = fitting.unwrap_or(wide);
+    });
     let mut responses = table(ui, look, &shown, setting).into_iter().skip(1);
     for table in NeighbourTable::ALL {
         explain(look, table, used.direction, responses.next().unwrap_or_default());
@@ -150,13 +141,13 @@ fn entry<const D: usize>(
     table: NeighbourTable,
     direction: [i8; D],
     child: Child<D>,
-    told: fn([i8; D]) -> Coloured,
+    told: Told,
 ) -> Coloured {
     match table {
         NeighbourTable::Adjacent if adjacent(direction, child) => look.text("tables-yes").into(),
         NeighbourTable::Adjacent => "–".into(),
         NeighbourTable::Common if common_part(direction, child) == [0; D] => "–".into(),
-        NeighbourTable::Common => told(common_part(direction, child)),
+        NeighbourTable::Common => told.of(common_part(direction, child)),
         NeighbourTable::Reflect => reflected(direction, child).0.to_string().into(),
     }
 }
@@ -195,16 +186,16 @@ fn all<const D: usize>(ui: &mut Ui, look: &Look, used: Option<Used<D>>) {
     segments(ui, &mut chosen, &NeighbourTable::ALL.map(|table| (table, table.name().to_owned())));
     ui.data_mut(|data| data.insert_temp(id, chosen));
     let in_use = used.is_some_and(|used| used.tables().contains(&chosen));
-    let row = |direction: [i8; D]| {
+    let row = |direction: [i8; D], told: Told| {
         let in_row = used.is_some_and(|used| used.direction == direction);
-        let name = Entry::new(signs(direction), if in_row { Tone::Line } else { Tone::Plain });
+        let name = Entry::new(told.of(direction), if in_row { Tone::Line } else { Tone::Plain });
         let entries = Child::<D>::all().map(|child| {
             let tone = match (in_row, used.is_some_and(|used| used.child == child)) {
                 (true, true) if in_use => Tone::Used,
                 (true, _) | (_, true) => Tone::Line,
                 (false, false) => Tone::Plain,
             };
-            Entry::new(entry(look, chosen, direction, child, signs), tone)
+            Entry::new(entry(look, chosen, direction, child, told), tone)
         });
         std::iter::once(name).chain(entries).collect()
     };
@@ -212,26 +203,71 @@ fn all<const D: usize>(ui: &mut Ui, look: &Look, used: Option<Used<D>>) {
     let n_axes = |d: &[i8; D]| d.iter().filter(|sign| **sign != 0).count();
     let mut directions: Vec<_> = Direction::<D>::all().map(Direction::components).collect();
     directions.sort_by_key(n_axes);
-    let numbers = Child::<D>::all().map(|child| {
-        let in_column = used.is_some_and(|used| used.child == child);
-        Entry::new(child.0.to_string(), if in_column { Tone::Line } else { Tone::Quiet })
-    });
-    let letters = (0..D).map(|axis| Span {
-        text: AXIS_NAMES[axis].to_owned(),
-        axis: Some(axis),
-        ..Span::default()
-    });
-    let letters = Entry::new(Coloured(letters.collect()), Tone::Plain);
-    let numbers = std::iter::once(letters).chain(numbers).collect();
-    let shown = views::Table {
+    let numbers = |told: Told| {
+        let caption = match told {
+            Told::ByAxes => Entry::new(look.text("tables-child"), Tone::Quiet),
+            Told::ByPlace => Entry::new(letters::<D>(), Tone::Plain),
+        };
+        let numbers = Child::<D>::all().map(|child| {
+            let in_column = used.is_some_and(|used| used.child == child);
+            Entry::new(child.0.to_string(), if in_column { Tone::Line } else { Tone::Quiet })
+        });
+        std::iter::once(caption).chain(numbers).collect()
+    };
+    let (shown, setting) = fitting::<D>(ui, look, |told| views::Table {
         columns: columns::<D>(),
         head: Vec::new(),
-        rows: std::iter::once(numbers).chain(directions.iter().copied().map(row)).collect(),
-    };
-    let responses = table(ui, look, &shown, setting::<D>(ui)).into_iter().skip(1);
+        rows: std::iter::once(numbers(told))
+            .chain(directions.iter().map(|direction| row(*direction, told)))
+            .collect(),
+    });
+    let responses = table(ui, look, &shown, setting).into_iter().skip(1);
     for (direction, responses) in directions.into_iter().zip(responses) {
         explain(look, chosen, direction, responses);
     }
+}
+
+/// How directions are told.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Told {
+    /// By signs before the letters of their axes.
+    ByAxes,
+    /// By signs alone, each in the place of its axis.
+    ByPlace,
+}
+
+impl Told {
+    fn of<const D: usize>(self, direction: [i8; D]) -> Coloured {
+        match self {
+            Self::ByAxes => with_axes(direction),
+            Self::ByPlace => signs(direction),
+        }
+    }
+}
+
+/// A table with directions told by their axes, as wide as there is room, and how it is set;
+/// where it has no room at all, with directions by place.
+fn fitting<const D: usize>(
+    ui: &Ui,
+    look: &Look,
+    written: impl Fn(Told) -> views::Table,
+) -> (views::Table, Setting) {
+    let (wide, close) = (setting::<D>(ui), Setting { gap: 4.0, least: 16.0 });
+    let by_axes = written(Told::ByAxes);
+    let fits = |setting: &Setting| table_width(ui, look, &by_axes, *setting) <= ui.available_width();
+    match [wide, close].into_iter().find(fits) {
+        Some(setting) => (by_axes, setting),
+        None => (written(Told::ByPlace), wide),
+    }
+}
+
+/// The letters of the axes in their places.
+fn letters<const D: usize>() -> Coloured {
+    let letter = |axis: usize| {
+        let text = AXIS_NAMES[axis].to_owned();
+        Span { text, axis: Some(axis), ..Span::default() }
+    };
+    Coloured((0..D).map(letter).collect())
 }
 
 /// A direction by its signs, x first, each in the colour of its axis: +−, +· …

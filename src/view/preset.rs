@@ -50,9 +50,12 @@ impl Preset {
         let about_rays = matches!(query, Query::Ray { .. });
         let chosen = self.chosen(query).iter().copied();
         let mut panels: Vec<_> = chosen.filter(|&kind| self.says_something(kind, query)).collect();
-        if let Some(own) = own.filter(|own| !panels.contains(own))
-            && !matches!(self, Self::Debug | Self::Tree | Self::Map)
-        {
+        let has_room = match self {
+            Self::Debug | Self::Tree | Self::Map => false,
+            Self::Lecture => panels.is_empty(),
+            Self::Bits | Self::Rail | Self::Automaton | Self::Compare => true,
+        };
+        if let Some(own) = own.filter(|own| has_room && !panels.contains(own)) {
             panels.insert(usize::from(about_rays).min(panels.len()), own);
             // What waits on the stack is half of what its panel shows.
             if own == PanelKind::Halves && self != Self::Lecture {
@@ -92,10 +95,10 @@ impl Preset {
             Self::Debug => &[Listing, Variables, Stack, Counters],
             Self::Compare if about_rays => &[Compare],
             Self::Compare => &[Counters],
+            // Most steps are about these.
+            Self::Lecture if is_by_codes(query) => &[Codes],
             // The algorithm's own panel, if it has one.
             Self::Lecture if own.is_some() => &[],
-            // Its rail has no planes.
-            Self::Lecture if is_by_codes(query) => &[Codes],
             Self::Lecture => &[Rail],
             Self::Tree => &[Tree, WhyNot],
             Self::Map => &[Map, Counters],
@@ -176,9 +179,10 @@ fn own_panel<const D: usize>(query: &Query<D>) -> Option<PanelKind> {
     }
 }
 
-/// Whether the ray goes on from the codes of the node that it leaves.
+/// Whether what follows from the codes is said by no panel but that of codes: the node
+/// after one that is left, or the node of a cell, bit by bit.
 fn is_by_codes<const D: usize>(query: &Query<D>) -> bool {
-    matches!(query, Query::Ray { algorithm: Algorithm::Esvo, .. })
+    matches!(query, Query::Ray { algorithm: Algorithm::Esvo | Algorithm::DdaOctree, .. })
 }
 
 /// Whether an algorithm keeps a stack of nodes.
@@ -199,5 +203,43 @@ fn is_top_down(algorithm: Algorithm) -> bool {
         | Algorithm::Dda
         | Algorithm::DdaOctree
         | Algorithm::Exhaustive => false,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use octoscope_core::event::Event;
+    use octoscope_core::progress::Progress;
+    use octoscope_core::query::Arithmetic;
+    use octoscope_core::scenario::{AnyScenario, built_in};
+    use octoscope_core::trace::record;
+    use octoscope_core::traverse::Options;
+    use octoscope_core::tree::build;
+    use std::mem::discriminant;
+
+    #[test]
+    fn a_lecture_shows_bits_where_its_steps_read_them_more_often_than_they_do_anything_else() {
+        let Some(AnyScenario::Quadtree(scenario)) = built_in("quadtree-82") else { panic!() };
+        let (content, grid) = (scenario.source.content().unwrap(), scenario.grid().unwrap());
+        let tree = build(&content, grid, &scenario.recipe, &Progress::default()).unwrap();
+        let mut n_by_bits = 0;
+        for algorithm in Algorithm::ALL {
+            let options = Options::default();
+            let query = Query::Ray { algorithm, options, arithmetic: Arithmetic::Doubles };
+            let [panel] = Preset::Lecture.panels(&query)[..] else { panic!("{algorithm:?}") };
+            let events = record(&tree, &scenario.ray, &query).events;
+            let n_like = |event: &Event<2>| {
+                let is_alike = |other: &&Event<2>| discriminant(*other) == discriminant(event);
+                events.iter().filter(is_alike).count()
+            };
+            let most = events.iter().max_by_key(|event| n_like(event));
+            if matches!(most, Some(Event::Follow { .. })) {
+                let has_bits = [PanelKind::Codes, PanelKind::Neighbour, PanelKind::WayDown];
+                assert!(has_bits.contains(&panel), "{algorithm:?} shows {panel:?}");
+                n_by_bits += 1;
+            }
+        }
+        assert!(n_by_bits > 1, "{n_by_bits}");
     }
 }

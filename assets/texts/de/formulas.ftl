@@ -13,6 +13,8 @@ formula-no-cell = keine Zelle
 formula-reversed = umgekehrt
 formula-leftmost = linke Stelle
 formula-rightmost = rechte Stelle
+formula-axes-crossed = gekreuzte Achsen
+formula-axes-mirrored = Achsen von s
 
 sign-equal = gleich
 sign-about = ungefähr

@@ -13,6 +13,8 @@ formula-no-cell = no cell
 formula-reversed = reversed
 formula-leftmost = leftmost digit
 formula-rightmost = rightmost digit
+formula-axes-crossed = crossed axes
+formula-axes-mirrored = axes of s
 
 sign-equal = equals
 sign-about = is about

@@ -277,13 +277,10 @@ impl<const D: usize> Scene<'_, D> {
             }
         }
         // The place beyond the border, if it is in the domain.
-        if let Some(target) = self.moment.target {
-            let size = i64::from(self.tree.domain().grid_size());
-            if target.to.iter().all(|c| (0..size).contains(c)) {
-                let code = target.to.map(|c| c as u32);
-                let bounds = self.tree.domain().cell_box(0, code);
-                marks.push(Mark::new(Shape::Box(bounds), Role::Target));
-            }
+        let domain = self.tree.domain();
+        let target = self.moment.target.and_then(|target| domain.code_inside(target.to));
+        if let Some(code) = target {
+            marks.push(Mark::new(Shape::Box(domain.cell_box(0, code)), Role::Target));
         }
     }
 }

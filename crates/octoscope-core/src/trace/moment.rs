@@ -142,6 +142,8 @@ impl<const D: usize> Moment<D> {
                 self.current = node;
             }
             Event::Enter { node, interval, .. } => {
+                // The place that was looked for is reached.
+                self.codes = None;
                 self.push(node, None, Extent::Interval(interval));
             }
             Event::Cuts { order, inside, .. } => {
@@ -172,9 +174,7 @@ impl<const D: usize> Moment<D> {
             }
             Event::Cross { next, axes, cell, ahead, .. } => {
                 let enter = next.into_iter().fold(f64::INFINITY, f64::min);
-                let code = cell.map(|c| u32::try_from(c).unwrap_or(u32::MAX));
-                let inside = code.iter().all(|&c| c < tree.domain().grid_size());
-                let cell = inside.then_some(code);
+                let cell = tree.domain().code_inside(cell);
                 let left = Some(next);
                 self.grid = Some(GridCell { enter, cell, next: ahead, crossed: axes, left });
             }
@@ -203,7 +203,7 @@ impl<const D: usize> Moment<D> {
                 self.current = Some(node);
                 self.start = Some(node);
                 // What is searched for now are the codes just beyond the last cell.
-                let beyond = self.target.and_then(|target| code_of(target.to));
+                let beyond = self.target.and_then(|target| tree.domain().code_inside(target.to));
                 let code = beyond.or(self.codes.map(|codes| codes.code));
                 self.codes = code.map(|code| Codes { code, bit: None });
             }
@@ -277,13 +277,4 @@ impl<const D: usize> Moment<D> {
             change(frame);
         }
     }
-}
-
-/// Codes, unless they lie outside every domain.
-fn code_of<const D: usize>(to: [i64; D]) -> Option<Code<D>> {
-    let mut codes = [0; D];
-    for e in 0..D {
-        codes[e] = u32::try_from(to[e]).ok()?;
-    }
-    Some(codes)
 }

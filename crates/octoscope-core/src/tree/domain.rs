@@ -139,6 +139,12 @@ impl<const D: usize> Domain<D> {
         guess.clamp(0.0, f64::from(self.grid_size() - 1)) as u32
     }
 
+    /// The codes of a cell of level 0, unless it lies outside the domain.
+    pub fn code_inside(&self, cell: [i64; D]) -> Option<Code<D>> {
+        let is_inside = cell.iter().all(|c| (0..i64::from(self.grid_size())).contains(c));
+        is_inside.then(|| cell.map(|c| c as u32))
+    }
+
     /// Axes of `crossed` along which `code` lies outside the domain: −1 or 2^R.
     #[inline]
     pub fn outside(&self, code: [i64; D], crossed: Axes<D>) -> Axes<D> {

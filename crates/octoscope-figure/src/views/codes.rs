@@ -37,9 +37,12 @@ enum CodesOf<const D: usize> {
 }
 
 impl<const D: usize> CodesOf<D> {
-    fn of(moment: &Moment<D>) -> Option<Self> {
+    fn of(tree: &Tree<D>, moment: &Moment<D>) -> Option<Self> {
         let cell = moment.grid.and_then(|grid| grid.cell);
-        let wanted = moment.codes.map(|codes| codes.code);
+        // From the step that computes them until it is known where to look for them.
+        let beyond = moment.target.filter(|_| moment.difference.is_none());
+        let beyond = beyond.and_then(|target| tree.domain().code_inside(target.to));
+        let wanted = beyond.or(moment.codes.map(|codes| codes.code));
         cell.map(Self::Cell).or(wanted.map(Self::Wanted)).or(moment.current.map(Self::Node))
     }
 
@@ -65,7 +68,7 @@ impl<const D: usize> CodesOf<D> {
 pub(super) fn bits_of<const D: usize>(tree: &Tree<D>, moment: &Moment<D>) -> BitTable {
     let domain = tree.domain();
     let root_level = domain.root_level();
-    let of = CodesOf::of(moment);
+    let of = CodesOf::of(tree, moment);
     let code = of.as_ref().map_or([0; D], |of| of.code(tree));
     let followed = moment.codes.filter(|codes| codes.code == code);
     let (known_from, framed) = match of {
@@ -103,7 +106,7 @@ pub fn code_table<const D: usize>(
     event: Option<&Event<D>>,
     variants: Variants,
 ) -> CodeTable {
-    let of = CodesOf::of(moment);
+    let of = CodesOf::of(tree, moment);
     let mut table = bits_of(tree, moment);
     in_line(std::iter::once(&mut table), columns(texts, tree, moment));
     let code = of.as_ref().map_or([0; D], |of| of.code(tree));
@@ -251,6 +254,27 @@ mod tests {
             }
         });
         assert!(n_crossed > 10);
+    }
+
+    #[test]
+    fn codes_that_a_step_gives_are_shown_in_that_step() {
+        for algorithm in [Algorithm::Esvo, Algorithm::Codes, Algorithm::Glassner] {
+            let mut n_beyond = 0;
+            for_every_step(&along(algorithm), |texts, tree, moment, event| {
+                let told = match *event {
+                    Event::Target { to, .. } => tree.domain().code_inside(to),
+                    Event::Enter { node, .. } => Some(tree.code(node)),
+                    Event::Follow { code, .. } => Some(code),
+                    _ => None,
+                };
+                let Some(told) = told else { return };
+                let codes = code_table(texts, tree, moment, Some(event), Variants::NONE);
+                let shown = [0, 1].map(|e| codes.table.rows[e].bits);
+                assert_eq!(shown, told.map(i64::from), "{algorithm:?} {event:?}");
+                n_beyond += usize::from(matches!(event, Event::Target { .. }));
+            });
+            assert!(n_beyond > 10 || algorithm == Algorithm::Glassner);
+        }
     }
 
     #[test]

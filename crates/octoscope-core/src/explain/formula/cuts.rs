@@ -134,7 +134,7 @@ impl<const D: usize> Writer<'_, D> {
                 numbers: Some(row!["t", Sign::Equal, number(at)]),
             },
             Statement {
-                symbols: row![letter, Sign::Takes, letter, xor, "m"],
+                symbols: row![letter, Sign::Takes, letter, xor, self.axes("formula-axes-crossed")],
                 numbers: Some(row![
                     before,
                     xor,

@@ -104,8 +104,9 @@ impl<const D: usize> Writer<'_, D> {
         let letter = self.notation.child();
         let xor = self.notation.xor();
         let mask = self.mask_of(Axes(child.0 ^ mirrored.0));
+        let axes = self.axes("formula-axes-mirrored");
         Statement {
-            symbols: row![Formula::from(letter).sup("′"), Sign::Equal, letter, xor, "m"],
+            symbols: row![Formula::from(letter).sup("′"), Sign::Equal, letter, xor, axes],
             numbers: Some(row![
                 self.index_of(child),
                 xor,

@@ -117,6 +117,11 @@ impl<const D: usize> Writer<'_, D> {
         Formula::Words(self.texts.get(key))
     }
 
+    /// Axes in words, as a mask: a bit each.
+    pub(super) fn axes(&self, key: &str) -> Formula {
+        self.word(key).fenced(Fence::Round)
+    }
+
     /// The bit of a child or state on an axis: i_x.
     pub(super) fn bit(&self, axis: usize) -> Formula {
         Formula::on(axis, self.notation.child(), "")
