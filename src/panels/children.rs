@@ -38,19 +38,20 @@ pub fn ui<const D: usize>(
     let row = |(n, state): (usize, Child<D>)| {
         let child = state.mirrored(mask);
         let node = tree.child(tree.node(parent), child).id;
-        let test = tests.iter().find(|(tested, _)| *tested == node);
-        let last = tests.last().is_some_and(|(tested, _)| *tested == node);
+        let test = tests.iter().find(|test| test.node == node);
+        let last = tests.last().is_some_and(|test| test.node == node);
         let visited = moment.stack.iter().any(|frame| frame.node == node);
-        let tone = match (last, visited, test) {
+        let interval = test.map(|test| test.interval);
+        let tone = match (last, visited, interval) {
             (true, _, _) => Tone::Used,
             (false, true, _) => Tone::Line,
-            (false, false, Some((_, Some(_)))) => Tone::Plain,
-            (false, false, Some((_, None)) | None) => Tone::Quiet,
+            (false, false, Some(Some(_))) => Tone::Plain,
+            (false, false, Some(None) | None) => Tone::Quiet,
         };
-        let told = match test {
-            Some((_, Some([enter, exit]))) if enter == exit => approx(*enter),
-            Some((_, Some(interval))) => range(*interval),
-            Some((_, None)) => look.text("children-missed"),
+        let told = match interval {
+            Some(Some([enter, exit])) if enter == exit => approx(enter),
+            Some(Some(interval)) => range(interval),
+            Some(None) => look.text("children-missed"),
             None => "·".to_owned(),
         };
         let number = (n + 1).to_string();
@@ -67,8 +68,13 @@ pub fn ui<const D: usize>(
     table(ui, look, &children, Setting { gap: 14.0, least: 16.0 });
 }
 
-/// Tests of nodes, with the interval in which the ray is in each.
-type Tests = Vec<(NodeId, Option<[f64; 2]>)>;
+/// Test of a node.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Test {
+    node: NodeId,
+    /// Parameters between which the ray is in it; `None` if it misses it.
+    interval: Option<[f64; 2]>,
+}
 
 /// The node whose children are told and their tests: as long as none of its own is
 /// tested, a node is told as a child of its parent.
@@ -76,7 +82,7 @@ fn at_work<const D: usize>(
     tree: &Tree<D>,
     moment: &Moment<D>,
     past: &[Event<D>],
-) -> Option<(NodeId, Tests)> {
+) -> Option<(NodeId, Vec<Test>)> {
     let nodes = moment.stack.iter().rev().map(|frame| frame.node);
     let inner = nodes.filter(|node| !tree.node(*node).is_leaf());
     let mut all = inner.map(|node| (node, tests_of(tree, node, past)));
@@ -85,13 +91,17 @@ fn at_work<const D: usize>(
 }
 
 /// Tests of the children of `parent` since it was entered last.
-fn tests_of<const D: usize>(tree: &Tree<D>, parent: NodeId, past: &[Event<D>]) -> Tests {
+fn tests_of<const D: usize>(tree: &Tree<D>, parent: NodeId, past: &[Event<D>]) -> Vec<Test> {
     let entered = |event: &Event<D>| matches!(event, Event::Visit { node, .. } if *node == parent);
     let start = past.iter().rposition(entered).unwrap_or(past.len());
     let tests = past[start..].iter().filter_map(|event| {
-        if let Event::Test { node, interval, .. } = event { Some((*node, *interval)) } else { None }
+        if let &Event::Test { node, interval, .. } = event {
+            Some(Test { node, interval })
+        } else {
+            None
+        }
     });
-    tests.filter(|(node, _)| tree.parent(*node) == Some(parent)).collect()
+    tests.filter(|test| tree.parent(test.node) == Some(parent)).collect()
 }
 
 #[cfg(test)]
@@ -119,7 +129,7 @@ mod tests {
             let Event::Visit { node, state: Some(_), .. } = *event else { continue };
             let (parent, tests) = at_work(&tree, &moment, &trace.events[..=index]).unwrap();
             assert_eq!(Some(parent), tree.parent(node));
-            assert_eq!(tests.last().map(|test| test.0), Some(node));
+            assert_eq!(tests.last().map(|test| test.node), Some(node));
             n_inner += usize::from(!tree.node(node).is_leaf());
         }
         assert!(n_inner > 2);

@@ -2,10 +2,13 @@
 
 use crate::look::Look;
 use crate::widgets::{caption, captioned, per_axis};
-use eframe::egui::{Align2, FontId, Sense, Stroke, Ui, WidgetInfo, accesskit::Role, pos2, vec2};
-use octoscope_core::explain::{approx, distinct};
+use eframe::egui::{
+    Align2, FontFamily, FontId, Painter, Rangef, Rect, Sense, Stroke, Ui, WidgetInfo,
+    accesskit::Role, pos2, vec2,
+};
 use octoscope_core::geometry::{AXIS_NAMES, Axes};
 use octoscope_core::trace::{Counter, GridCell, Moment};
+use octoscope_figure::views::planes_ahead;
 
 /// Number of cells so far.
 pub fn note<const D: usize>(look: &Look, moment: &Moment<D>) -> String {
@@ -30,52 +33,8 @@ pub fn ui<const D: usize>(ui: &mut Ui, look: &Look, moment: &Moment<D>) {
         caption(ui, look, look.text("grid-none"));
         return;
     };
-    let palette = &look.palette;
-    let shown = grid.left.unwrap_or(grid.next);
     let first = moment.clip.map_or(0.0, |clip| clip.interval[0].max(0.0));
-    let shares = shares(&shown, first);
-    let lit = lit(&grid);
-    let told = told(&grid);
-    let row = 26.0;
-    let size = vec2(ui.available_width(), row * D as f32);
-    let (rect, response) = ui.allocate_exact_size(size, Sense::hover());
-    let spoken: Vec<_> = (0..D).map(|e| format!("tMax {} {}", AXIS_NAMES[e], told[e])).collect();
-    response.widget_info(|| WidgetInfo::labeled(Role::Canvas, true, spoken.join(", ")));
-    let painter = ui.painter_at(rect);
-    let widths = told.iter().map(|text| {
-        let font = FontId::new(13.0, look.mono_strong_family());
-        painter.layout_no_wrap(text.clone(), font, palette.ink).size().x + GAP
-    });
-    let room = widths.fold(ROOM, f32::max).min(rect.width() - LETTER - LEAST);
-    let track = (rect.left() + LETTER)..=(rect.right() - room);
-    let length = track.end() - track.start();
-    for axis in 0..D {
-        let y = rect.top() + row * (axis as f32 + 0.5);
-        let color = palette.axes[axis];
-        let wins = lit.contains(axis);
-        let strong = FontId::new(14.0, look.strong_family());
-        painter.text(pos2(rect.left(), y), Align2::LEFT_CENTER, AXIS_NAMES[axis], strong, color);
-        painter.hline(track.clone(), y, Stroke::new(1.0, palette.grid));
-        if let Some(share) = shares[axis] {
-            let end = track.start() + share * length;
-            let width = if wins { 11.0 } else { 6.0 };
-            painter.hline(
-                *track.start()..=end.max(track.start() + 2.0),
-                y,
-                Stroke::new(width, color),
-            );
-        } else {
-            painter.arrow(pos2(*track.start(), y), vec2(length, 0.0), Stroke::new(1.5, color));
-        }
-        let font = if wins {
-            FontId::new(13.0, look.mono_strong_family())
-        } else {
-            FontId::monospace(13.0)
-        };
-        let ink = if wins { palette.ink } else { palette.quiet };
-        let at = pos2(rect.right(), y);
-        painter.text(at, Align2::RIGHT_CENTER, &told[axis], font, ink);
-    }
+    bars(ui, look, &grid, first);
     let cell = match grid.cell {
         Some(cell) => per_axis(cell.map(|c| c.to_string())),
         None => look.text("grid-outside").into(),
@@ -87,6 +46,67 @@ pub fn ui<const D: usize>(ui: &mut Ui, look: &Look, moment: &Moment<D>) {
         look.texts.format("grid-crossed", &[("axes", axes.join(", ").into())])
     };
     captioned(ui, look, &look.text("grid-cell"), &cell, &crossed);
+}
+
+/// A bar for every axis, from the parameter `first` on, with its numbers behind it.
+fn bars<const D: usize>(ui: &mut Ui, look: &Look, grid: &GridCell<D>, first: f64) {
+    const ROW: f32 = 26.0;
+    let shares = shares(&grid.left.unwrap_or(grid.next), first);
+    let lit = lit(grid);
+    let told = planes_ahead(grid.left, grid.next);
+    let size = vec2(ui.available_width(), ROW * D as f32);
+    let (rect, response) = ui.allocate_exact_size(size, Sense::hover());
+    let spoken: Vec<_> = (0..D).map(|e| format!("tMax {} {}", AXIS_NAMES[e], told[e])).collect();
+    response.widget_info(|| WidgetInfo::labeled(Role::Canvas, true, spoken.join(", ")));
+    let painter = ui.painter_at(rect);
+    let widths = told.iter().map(|text| {
+        let font = FontId::new(13.0, look.mono_strong_family());
+        painter.layout_no_wrap(text.clone(), font, look.palette.ink).size().x + GAP
+    });
+    let room = widths.fold(ROOM, f32::max).min(rect.width() - LETTER - LEAST);
+    for axis in 0..D {
+        let middle = rect.top() + ROW * (axis as f32 + 0.5);
+        let row = Rect::from_center_size(pos2(rect.center().x, middle), vec2(rect.width(), ROW));
+        let track = Rangef::new(row.left() + LETTER, row.right() - room);
+        let bar = Bar { axis, share: shares[axis], wins: lit.contains(axis), told: &told[axis] };
+        bar.paint(&painter, look, row, track);
+    }
+}
+
+/// What is shown of an axis.
+struct Bar<'a> {
+    axis: usize,
+    /// Its length; `None` if it has no end.
+    share: Option<f32>,
+    /// Whether its plane is met first.
+    wins: bool,
+    told: &'a str,
+}
+
+impl Bar<'_> {
+    fn paint(&self, painter: &Painter, look: &Look, row: Rect, track: Rangef) {
+        let palette = &look.palette;
+        let (y, color) = (row.center().y, palette.axes[self.axis]);
+        let strong = FontId::new(14.0, look.strong_family());
+        let (start, letter) = (row.left_center(), AXIS_NAMES[self.axis]);
+        painter.text(start, Align2::LEFT_CENTER, letter, strong, color);
+        painter.hline(track, y, Stroke::new(1.0, palette.grid));
+        if let Some(share) = self.share {
+            let end = (track.min + share * track.span()).max(track.min + 2.0);
+            let width = if self.wins { 11.0 } else { 6.0 };
+            painter.hline(track.min..=end, y, Stroke::new(width, color));
+        } else {
+            let way = vec2(track.span(), 0.0);
+            painter.arrow(pos2(track.min, y), way, Stroke::new(1.5, color));
+        }
+        let (ink, family) = if self.wins {
+            (palette.ink, look.mono_strong_family())
+        } else {
+            (palette.quiet, FontFamily::Monospace)
+        };
+        let font = FontId::new(13.0, family);
+        painter.text(row.right_center(), Align2::RIGHT_CENTER, self.told, font, ink);
+    }
 }
 
 /// How far from `first` to the last of some parameters each lies, from 0 to 1; `None` of
@@ -108,20 +128,6 @@ fn lit<const D: usize>(grid: &GridCell<D>) -> Axes<D> {
     Axes::of(|axis| grid.next[axis] == nearest)
 }
 
-/// Parameters of the planes ahead; of those that are crossed in this step, before and after.
-fn told<const D: usize>(grid: &GridCell<D>) -> [String; D] {
-    std::array::from_fn(|axis| {
-        let next = grid.next[axis];
-        match grid.left.map(|left| left[axis]).filter(|&left| left != next) {
-            Some(left) => {
-                let [left, next] = [0, 1].map(|n| distinct(&[left, next]).swap_remove(n));
-                format!("{left} → {next}")
-            }
-            None => approx(next),
-        }
-    })
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -134,14 +140,12 @@ mod tests {
     }
 
     #[test]
-    fn the_axis_that_is_crossed_is_lit_with_its_parameter_before_and_after() {
+    fn the_axis_that_is_crossed_is_lit() {
         let (cell, crossed) = (Some([17, 18]), Axes::one(1));
         let next = [0.7855, 0.7984];
         let grid = GridCell { enter: 0.748, cell, next, crossed, left: Some([0.7855, 0.748]) };
         assert_eq!(lit(&grid), Axes::one(1));
-        assert_eq!(told(&grid), ["0.7855", "0.748 → 0.7984"]);
         let later = GridCell { left: None, ..grid };
         assert_eq!(lit(&later), Axes::one(0));
-        assert_eq!(told(&later), ["0.7855", "0.7984"]);
     }
 }

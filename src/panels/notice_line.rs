@@ -54,7 +54,7 @@ pub fn for_sentence(ui: &mut Ui, look: &Look, notice: &mut Notice, step: usize) 
     let most = ui.available_width() - CLOSE - BAR - BESIDE;
     let height = ui.min_size().y;
     let text = Words(vec![Span { text: notice.text().to_owned(), ..Span::default() }]);
-    let size = fitting_size(ui, look, &text, [most, height], f32::INFINITY);
+    let size = fitting_size(ui, look, &text, vec2(most, height), f32::INFINITY);
     ui.multiply_opacity(strength);
     let shown = ui.horizontal(|ui| {
         ui.add_space(BAR + BESIDE);

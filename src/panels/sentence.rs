@@ -3,7 +3,7 @@
 use crate::document::Document;
 use crate::look::Look;
 use crate::widgets::{fitting_size, rich_label};
-use eframe::egui::{Id, Ui};
+use eframe::egui::{Id, Ui, Vec2, vec2};
 use octoscope_core::explain::{RichText, Span, sentence as sentence_of, sentences};
 use octoscope_core::text::Language;
 use octoscope_core::trace::Trace;
@@ -28,7 +28,7 @@ pub fn ui<const D: usize>(
     let (tree, ray, trace) = (&document.tree, document.traced_ray(), &document.trace);
     let sentence = whole(look, step, sentence_of(tree, ray, trace, step, language));
     let width = ui.available_width();
-    let room = [width, ui.min_size().y];
+    let room = vec2(width, ui.min_size().y);
     // Nothing moves from step to step, and no type changes.
     let largest = if look.is_for_hall() || width >= NARROW { LARGEST } else { 18.0 };
     let of_all = size_of_walk(ui, look, document, language, room).min(largest);
@@ -58,7 +58,7 @@ fn whole(look: &Look, step: usize, mut sentence: RichText) -> RichText {
 struct SizeOfWalk<const D: usize> {
     trace: Arc<Trace<D>>,
     language: Language,
-    room: [f32; 2],
+    room: Vec2,
     zoom: f32,
     size: f32,
 }
@@ -70,7 +70,7 @@ fn size_of_walk<const D: usize>(
     look: &Look,
     document: &Document<D>,
     language: Language,
-    room: [f32; 2],
+    room: Vec2,
 ) -> f32 {
     /// Sentences of so many steps at most are looked at: longer walks say the same again.
     const STEPS: usize = 2000;

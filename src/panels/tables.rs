@@ -254,7 +254,8 @@ fn fitting<const D: usize>(
 ) -> (views::Table, Setting) {
     let (wide, close) = (setting::<D>(ui), Setting { gap: 4.0, least: 16.0 });
     let by_axes = written(Told::ByAxes);
-    let fits = |setting: &Setting| table_width(ui, look, &by_axes, *setting) <= ui.available_width();
+    let fits =
+        |setting: &Setting| table_width(ui, look, &by_axes, *setting) <= ui.available_width();
     match [wide, close].into_iter().find(fits) {
         Some(setting) => (by_axes, setting),
         None => (written(Told::ByPlace), wide),

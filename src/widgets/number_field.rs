@@ -9,7 +9,7 @@ use eframe::egui::{
     text_edit::TextEditState,
     vec2,
 };
-use octoscope_core::explain::signed_number;
+use octoscope_core::explain::{signed_number, with_minus};
 
 /// Room between a number and the border of its field.
 const PADDING: f32 = 8.0;
@@ -17,7 +17,7 @@ const PADDING: f32 = 8.0;
 /// `x` as short as it reads back, with the minus that is shown everywhere; a field takes
 /// the one of the keyboard as well.
 pub(super) fn number(x: f64) -> String {
-    signed_number(x).replace('-', "−")
+    with_minus(signed_number(x))
 }
 
 /// Field for a number in `color`, called `name` by a screen reader. It takes
@@ -105,7 +105,7 @@ fn shortened(x: f64, fits: impl Fn(&str) -> bool) -> String {
         let ends = (point + 2..mantissa.len()).rev().chain([point]);
         ends.map(|end| format!("{}…{exponent}", &mantissa[..end])).find(|text| fits(text))
     };
-    let scientific = format!("{x:e}").replace('-', "−");
+    let scientific = with_minus(format!("{x:e}"));
     cut(&whole).or_else(|| cut(&scientific)).unwrap_or_else(|| "…".to_owned())
 }
 

@@ -2,7 +2,7 @@
 
 use crate::look::Look;
 use eframe::egui::text::LayoutJob;
-use eframe::egui::{FontFamily, Label, Response, Ui, WidgetInfo, accesskit::Role};
+use eframe::egui::{FontFamily, Label, Response, Ui, Vec2, WidgetInfo, accesskit::Role};
 use octoscope_core::explain::RichText;
 
 /// Shows `text` in type of `size` points, wrapped at `width`; a screen reader says
@@ -35,19 +35,13 @@ pub fn rich_job(text: &RichText, look: &Look, size: f32, width: f32) -> LayoutJo
 
 /// Height of the largest type of a sentence, none larger than `largest`, in which `text` fits
 /// into a room, in points; of the smallest where it fits in none.
-pub fn fitting_size(
-    ui: &Ui,
-    look: &Look,
-    text: &RichText,
-    [width, most]: [f32; 2],
-    largest: f32,
-) -> f32 {
+pub fn fitting_size(ui: &Ui, look: &Look, text: &RichText, room: Vec2, largest: f32) -> f32 {
     const SIZES: [f32; 7] = [22.0, 20.0, 18.0, 17.0, 16.0, 15.0, SMALLEST];
     const SMALLEST: f32 = 14.0;
     let height = |size| {
-        let job = rich_job(text, look, size, width);
+        let job = rich_job(text, look, size, room.x);
         ui.painter().layout_job(job).size().y
     };
     let mut sizes = SIZES.into_iter().filter(|&size| size <= largest);
-    sizes.find(|&size| height(size) <= most).unwrap_or(SMALLEST)
+    sizes.find(|&size| height(size) <= room.y).unwrap_or(SMALLEST)
 }

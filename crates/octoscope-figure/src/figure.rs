@@ -149,14 +149,10 @@ impl Figure {
     /// What the drawing covers, lines and letters included; `None` if nothing is
     /// drawn.
     pub fn extent(&self) -> Option<Extent> {
-        let mut extent = Extent { min: [f64::INFINITY; 2], max: [f64::NEG_INFINITY; 2] };
-        for (point, reach) in self.drawn.iter().flat_map(Drawn::extent) {
-            for e in 0..2 {
-                extent.min[e] = extent.min[e].min(point[e] - reach[e]);
-                extent.max[e] = extent.max[e].max(point[e] + reach[e]);
-            }
-        }
-        (extent.min[0] <= extent.max[0]).then_some(extent)
+        let covered = self.drawn.iter().flat_map(Drawn::extent);
+        Extent::around(covered.flat_map(|(point, reach)| {
+            [-1.0, 1.0].map(|sign| std::array::from_fn(|e| point[e] + sign * reach[e]))
+        }))
     }
 
     /// The same drawing on a page that ends `margin` beyond it.
@@ -190,6 +186,16 @@ pub struct Extent {
 }
 
 impl Extent {
+    /// The smallest that holds all of some points; `None` without any.
+    pub fn around(points: impl IntoIterator<Item = [f64; 2]>) -> Option<Self> {
+        points.into_iter().map(|point| Self { min: point, max: point }).reduce(Self::and)
+    }
+
+    /// Its middle.
+    pub fn middle(self) -> [f64; 2] {
+        std::array::from_fn(|e| 0.5 * (self.min[e] + self.max[e]))
+    }
+
     /// The same, and `margin` more on every side.
     pub fn widened(self, margin: f64) -> Self {
         Self { min: self.min.map(|x| x - margin), max: self.max.map(|x| x + margin) }

@@ -2,7 +2,7 @@
 
 use crate::camera::corners;
 use crate::space::distance;
-use crate::{Camera, Drawn, Form, Page, Part, Style, Theme};
+use crate::{Camera, Drawn, Form, Page, Part};
 use octoscope_core::geometry::Aabb;
 
 /// A part of a plane, which is `whole`, and those of its edges that are edges of
@@ -34,7 +34,7 @@ pub(crate) fn part_of_plane<const D: usize>(
         is_outer(ring[index], ring[next]).then_some(Form::Polyline(line))
     });
     let edges: Vec<Form> = edges.collect();
-    let has_casing = Style::of(Theme::Light, whole.role).casing > 0.0;
+    let has_casing = whole.role.has_casing();
     let casings = edges.iter().filter(|_| has_casing);
     let casings = casings.map(|edge| of_whole(Part::Casing, edge.clone()));
     let area = of_whole(Part::Face(0), Form::Polygon(on_page.clone()));

@@ -124,11 +124,7 @@ impl<'a> Rasteriser<'a> {
         let style = Style::of(self.options.theme, drawn.role);
         let half = (0.5 * style.width + style.casing) * self.options.line_scale;
         let around = |points: &[[f64; 2]]| {
-            let end = |start: f64, pick: fn(f64, f64) -> f64| -> [f64; 2] {
-                std::array::from_fn(|e| points.iter().map(|point| point[e]).fold(start, pick))
-            };
-            let (min, max) = (end(f64::INFINITY, f64::min), end(f64::NEG_INFINITY, f64::max));
-            Extent { min, max }.widened(half)
+            Extent::around(points.iter().copied()).map(|extent| extent.widened(half))
         };
         let is_line = match drawn.part {
             Part::Edge | Part::FineEdge | Part::HiddenEdge | Part::Casing => true,
@@ -138,10 +134,10 @@ impl<'a> Rasteriser<'a> {
         match &drawn.form {
             Form::Polygon(points) if is_line => {
                 let next = points.iter().cycle().skip(1);
-                points.iter().zip(next).map(|(a, b)| around(&[*a, *b])).collect()
+                points.iter().zip(next).filter_map(|(a, b)| around(&[*a, *b])).collect()
             }
-            Form::Polyline(points) if is_line => points.windows(2).map(around).collect(),
-            Form::Polygon(points) | Form::Polyline(points) => vec![around(points)],
+            Form::Polyline(points) if is_line => points.windows(2).filter_map(around).collect(),
+            Form::Polygon(points) | Form::Polyline(points) => around(points).into_iter().collect(),
             Form::Circle { centre, radius } => {
                 vec![Extent { min: *centre, max: *centre }.widened(radius + half)]
             }

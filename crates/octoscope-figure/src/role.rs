@@ -193,6 +193,8 @@ pub enum Role {
     Path,
     /// A node of a diagram.
     Node,
+    /// Ground below letters that stand on lines.
+    Ground,
     /// A formula, so many steps smaller than the largest.
     Formula(u8),
     /// Bar of a fraction, or a bracket.

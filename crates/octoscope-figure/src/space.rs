@@ -5,6 +5,7 @@ mod arrows;
 mod at_work;
 mod away;
 mod boxes;
+mod cells;
 mod codes;
 mod cross;
 mod indices;
@@ -13,18 +14,17 @@ mod kept;
 mod labels;
 mod overlaid;
 mod painted;
+mod points;
 mod rejected;
 
 pub(crate) use codes::BETWEEN;
 
-use crate::camera::corners;
 use crate::ground::{bounds_of, ground, is_ground};
 use crate::parts::Arrow;
-use crate::{Camera, Drawn, Figure, Form, Mark, Page, Part, Projected, Role, Shape, Style, Theme};
+use crate::{Camera, Drawn, Figure, Form, Mark, Page, Part, Role, Shape, Style, Theme};
 use apart::is_apart;
 use arrows::last_point;
 use at_work::{most_of_dots, small_area};
-use cross::cross_out;
 use indices::chosen;
 use inset::drawn_box;
 pub use inset::{edge_part, is_large};
@@ -172,116 +172,42 @@ struct InSpace<const D: usize> {
 impl<const D: usize> Canvas<'_, D> {
     fn draw(&mut self, mark: &Mark<D>) {
         match mark.shape {
-            Shape::Box(bounds) if D == 2 => {
-                let bounds = self.drawn_box(mark, &bounds);
-                let points = self.outline(&bounds);
-                self.keep_box(mark.role, &points);
-                let side = bounds.size()[0] / self.camera.unit(self.page);
-                if has_ground(mark.role) {
-                    self.spare(&points);
-                    let area = Form::Polygon(points.clone());
-                    let face =
-                        if self.is_large(mark, &bounds) { Part::Wash } else { Part::Face(0) };
-                    self.push_at(GROUND, mark, face, area);
-                    let part = self.edge_part(mark, &bounds);
-                    self.push_at(above_space(mark.role), mark, part, Form::Polygon(points));
-                } else {
-                    let is_leaf = matches!(
-                        mark.role,
-                        Role::EmptyLeaf
-                            | Role::FullLeaf
-                            | Role::FaintNode
-                            | Role::Pixel(_)
-                            | Role::Visited { .. }
-                            | Role::Strayed
-                    );
-                    let part = if is_leaf && side < FINE { Part::Fine } else { Part::Whole };
-                    if !is_leaf {
-                        self.spare(&points);
-                    }
-                    let cross = cross_out(mark.role, &points, self.page);
-                    self.push_cased(mark, bounds, part, Form::Polygon(points));
-                    let part = if part == Part::Fine { part } else { Part::Edge };
-                    for line in cross {
-                        self.push(mark, bounds, part, line);
-                    }
-                    if is_apart(mark.role) {
-                        self.name_apart(mark, above_space(mark.role), &[]);
-                    }
-                }
-            }
+            Shape::Box(bounds) if D == 2 => self.draw_cell(mark, &self.drawn_box(mark, &bounds)),
             Shape::Box(bounds) => self.draw_box(mark, &self.drawn_box(mark, &bounds)),
             Shape::Plane { axis, bounds } => self.draw_plane(mark, axis, &bounds),
-            Shape::Segment(ends) => {
-                if let Some(line) = self.camera.project_segment(self.page, ends) {
-                    self.spared.push(line.map(|p| p.at));
-                    self.keep_line(mark.role, line.map(|p| p.at));
-                    let line = Form::Polyline(line.map(|p| p.at).to_vec());
-                    self.push_cased(mark, point_box(ends[0]), Part::Edge, line);
-                }
-            }
-            Shape::Arrow(ends) => {
-                let ends = if mark.role == Role::Ray { self.past_last(ends) } else { ends };
-                // An arrow that leaves the page ends at its border, head and all.
-                if let Some(line) = self.camera.visible_segment(self.page, ends) {
-                    // The ray has its tip there.
-                    let line = match mark.role {
-                        Role::Ray => line,
-                        _ => self.off_border(ends[1], line),
-                    };
-                    self.draw_arrow(mark, ends, line);
-                }
-            }
-            Shape::Point(point) => {
-                let radius = self.radius(mark);
-                let projected = self.camera.project(self.page, point);
-                if let Some(Projected { at, .. }) = projected.filter(|p| self.is_near(p.at, radius))
-                {
-                    if mark.role == Role::Content {
-                        self.spared.push([at; 2]);
-                    } else {
-                        self.taken.push([at, [radius + 1.0; 2]]);
-                    }
-                    self.push(
-                        mark,
-                        point_box(point),
-                        Part::Whole,
-                        Form::Circle { centre: at, radius },
-                    );
-                }
-            }
-            Shape::Tip(ends) => {
-                if let Some(at) = self.camera.tip_handle(self.page, ends) {
-                    let radius = Style::of(Theme::Light, mark.role).radius;
-                    self.taken.push([at, [radius + 1.0; 2]]);
-                    self.push(mark, point_box(ends[1]), Part::Whole, diamond(at, radius));
-                }
-            }
-            Shape::Sphere { centre, radius } => {
-                let [_, up, _] = self.camera.basis();
-                let rim = std::array::from_fn(|e| centre[e] + radius * up[e]);
-                let ends = [centre, rim].map(|p| self.camera.project(self.page, p));
-                if let [Some(middle), Some(rim)] = ends {
-                    let radius = distance(middle.at, rim.at);
-                    let form = Form::Circle { centre: middle.at, radius };
-                    self.push(mark, point_box(centre), Part::Whole, form);
-                }
-            }
-            Shape::Triangle(points) => {
-                let projected: Vec<_> =
-                    points.iter().filter_map(|&p| self.camera.project(self.page, p)).collect();
-                if projected.len() == 3 {
-                    let middle = std::array::from_fn(|e| points.iter().map(|p| p[e] / 3.0).sum());
-                    let form = Form::Polygon(projected.iter().map(|p| p.at).collect());
-                    self.push(mark, point_box(middle), Part::Whole, form);
-                }
-            }
+            Shape::Segment(ends) => self.draw_segment(mark, ends),
+            Shape::Arrow(ends) => self.draw_visible_arrow(mark, ends),
+            Shape::Point(point) => self.draw_point(mark, point),
+            Shape::Tip(ends) => self.draw_tip(mark, ends),
+            Shape::Sphere { centre, radius } => self.draw_sphere(mark, centre, radius),
+            Shape::Triangle(points) => self.draw_triangle(mark, &points),
             // Of spheres in space alone, and these lie in the ground.
             Shape::CutSphere { .. }
             | Shape::Label(_)
             | Shape::LabelIn { .. }
             | Shape::LabelAlong(_) => {}
         }
+    }
+
+    fn draw_segment(&mut self, mark: &Mark<D>, ends: [[f64; D]; 2]) {
+        let Some(line) = self.camera.project_segment(self.page, ends) else { return };
+        let line = line.map(|p| p.at);
+        self.spared.push(line);
+        self.keep_line(mark.role, line);
+        let form = Form::Polyline(line.to_vec());
+        self.push_cased(mark, point_box(ends[0]), Part::Edge, form);
+    }
+
+    /// An arrow that leaves the page ends at its border, head and all.
+    fn draw_visible_arrow(&mut self, mark: &Mark<D>, ends: [[f64; D]; 2]) {
+        let ends = if mark.role == Role::Ray { self.past_last(ends) } else { ends };
+        let Some(line) = self.camera.visible_segment(self.page, ends) else { return };
+        // The ray has its tip there.
+        let line = match mark.role {
+            Role::Ray => line,
+            _ => self.off_border(ends[1], line),
+        };
+        self.draw_arrow(mark, ends, line);
     }
 
     fn drawn_box(&self, mark: &Mark<D>, bounds: &Aabb<D>) -> Aabb<D> {
@@ -304,27 +230,10 @@ impl<const D: usize> Canvas<'_, D> {
         self.spared.extend(outline.iter().zip(next).map(|(a, b)| [*a, *b]));
     }
 
-    /// Radius of a point. Those of a small node are small, so that they do not hide it.
-    fn radius(&self, mark: &Mark<D>) -> f64 {
-        let Style { radius, width, .. } = Style::of(Theme::Light, mark.role);
-        match mark.role {
-            Role::Content if D == 3 => Style::POINT_IN_SPACE - 0.5 * width,
-            Role::EntryPoint | Role::ExitPoint => radius.min(self.dot - 0.5 * width),
-            _ => radius,
-        }
-    }
-
     /// Whether a disc reaches the page.
     fn is_near(&self, [x, y]: [f64; 2], radius: f64) -> bool {
         (-radius..=self.page.width + radius).contains(&x)
             && (-radius..=self.page.height + radius).contains(&y)
-    }
-
-    /// Corners of a plane box on the page, in turn.
-    fn outline(&self, bounds: &Aabb<D>) -> Vec<[f64; 2]> {
-        let corners: Vec<_> =
-            corners(bounds).filter_map(|c| self.camera.project(self.page, c)).collect();
-        [0, 2, 3, 1].into_iter().filter_map(|i| corners.get(i)).map(|p| p.at).collect()
     }
 
     /// Draws a form of a mark that lies in `bounds`.

@@ -169,7 +169,7 @@ fn letters_of_planes_in_space_have_ground_of_their_own() {
                 n_letters += 1;
                 let before = &figure.drawn[n - 1];
                 let Form::Polygon(corners) = &before.form else { panic!("step {step}") };
-                assert!(before.role == Role::Node && before.part == Part::Face(0));
+                assert!(before.role == Role::Ground && before.part == Part::Face(0));
                 assert!((0..2).all(|e| corners[0][e] < at[e] && at[e] < corners[2][e]));
             }
         }

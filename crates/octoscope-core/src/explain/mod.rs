@@ -29,7 +29,7 @@ pub use listing::{Line, Listing, branch, label, listing};
 pub use names::{
     algorithm_authors, algorithm_name, counter_name, end_name, query_name, step_texts,
 };
-pub use number::{approx, distinct, number, shown_number, signed_number};
+pub use number::{approx, distinct, number, shown_number, signed_number, with_minus};
 pub use rich::{RichText, Span};
 pub use sentence::{sentence, sentences};
 pub use table::{trace_latex, trace_markdown};

@@ -1,5 +1,7 @@
 //! Numbers in words.
 
+use std::fmt::Display;
+
 /// Shortest decimal that reads back as `x`; ∞, -∞ and NaN are written out, very large
 /// and very small numbers have an exponent. The sign of a zero is left out: where it is
 /// what one looks for, [`signed_number`] tells it.
@@ -10,7 +12,12 @@ pub fn number(x: f64) -> String {
 
 /// [`number`] as it is shown, with a typographic minus.
 pub fn shown_number(x: f64) -> String {
-    number(x).replace('-', "−")
+    with_minus(number(x))
+}
+
+/// A number as it is written, with a typographic minus for the one of the keyboard.
+pub fn with_minus(number: impl Display) -> String {
+    number.to_string().replace('-', "−")
 }
 
 /// [`number`], but -0 for a zero with a sign.

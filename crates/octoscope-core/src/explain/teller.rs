@@ -7,6 +7,7 @@ use super::words::{
     tuple,
 };
 use crate::event::Event;
+use crate::explain::number::with_minus;
 use crate::geometry::{AXIS_NAMES, Axes, Ray};
 use crate::query::Query;
 use crate::trace::{Disagreement, Frame, Moment, Trace, double_would_differ};
@@ -158,7 +159,7 @@ impl<const D: usize> Teller<'_, D> {
                     (true, false) => "cross-out-one",
                     (false, false) => "cross-out-many",
                 };
-                let cell = tuple(cell.map(|c| c.to_string().replace('-', "−")));
+                let cell = tuple(cell.map(with_minus));
                 let planes = chain(next, ["Max"; D], axes, self.decided());
                 let arguments = [("axes", words.axes(axes)), ("cell", cell), ("planes", planes)];
                 words.say(key, &arguments) + &self.tie(next, axes)

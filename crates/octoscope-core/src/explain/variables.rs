@@ -2,6 +2,7 @@
 
 use super::rich::{RichText, on_axis, strong};
 use super::words::{approx, binary, distinct, signs, t, tuple};
+use crate::explain::number::with_minus;
 use crate::geometry::{AXIS_NAMES, Axes};
 use crate::query::Query;
 use crate::trace::{Cuts, Moment};
@@ -138,7 +139,7 @@ pub fn variables<const D: usize>(
         let last = i64::from(tree.domain().grid_size());
         let code = |c: i64| match u32::try_from(c) {
             Ok(inside) if c < last => binary(inside, levels),
-            Ok(_) | Err(_) => c.to_string().replace('-', "−"),
+            Ok(_) | Err(_) => with_minus(c),
         };
         list.push("to", &tuple(target.to.map(code)));
     }

@@ -1,7 +1,7 @@
 //! Pieces of sentences, marked up.
 
 use super::names::step_texts;
-use super::number::{self, shown_number, signed_number};
+use super::number::{self, shown_number, signed_number, with_minus};
 use super::rich::{on_axis, shortened, strong, with_sub};
 use crate::geometry::{AXIS_NAMES, Axes};
 use crate::text::{Language, Texts};
@@ -96,7 +96,7 @@ pub(super) fn tuple<const D: usize>(parts: [String; D]) -> String {
 
 /// Codes of a place that may lie outside the domain, where one may be −1.
 pub(super) fn grid_place<const D: usize>(codes: [i64; D]) -> String {
-    tuple(codes.map(|c| c.to_string().replace('-', "−")))
+    tuple(codes.map(with_minus))
 }
 
 /// A direction to a neighbour, with its signs: (+1, 0, −1).
@@ -116,7 +116,7 @@ pub(super) fn point<const D: usize>(x: [f64; D]) -> String {
 /// The direction of a ray, in the colours of the axes. The sign of a zero is told: that
 /// it makes no difference is what a student tries out.
 pub(super) fn direction<const D: usize>(d: [f64; D]) -> String {
-    let told = |x: f64| if x == 0.0 { signed_number(x).replace('-', "−") } else { coordinate(x) };
+    let told = |x: f64| if x == 0.0 { with_minus(signed_number(x)) } else { coordinate(x) };
     tuple(d.map(told))
 }
 

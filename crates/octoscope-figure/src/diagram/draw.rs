@@ -284,5 +284,5 @@ pub(super) fn drawn(form: Form, role: Role, node: NodeId) -> Drawn {
 
 /// Background that hides branches.
 pub(super) fn ground(form: Form, node: NodeId) -> Drawn {
-    Drawn { form, role: Role::Node, part: Part::Face(0), node: Some(node) }
+    Drawn { form, role: Role::Ground, part: Part::Face(0), node: Some(node) }
 }

@@ -133,6 +133,7 @@ impl Role {
             Self::Branch => "branch",
             Self::Path => "path",
             Self::Node => "node",
+            Self::Ground => "ground",
             Self::Formula(step) => FORMULAS[usize::from(step).min(FORMULAS.len() - 1)],
             Self::FormulaLine => "formula-line",
         }

@@ -7,7 +7,7 @@ use std::sync::LazyLock;
 impl Role {
     /// One role of every kind, in the order in which they cover each other,
     /// the lowest first.
-    pub const KINDS: [Self; 131] = [
+    pub const KINDS: [Self; 132] = [
         Self::Pixel([128; 3]),
         Self::FaintNode,
         Self::InnerNode,
@@ -130,6 +130,7 @@ impl Role {
         Self::Branch,
         Self::Path,
         Self::Node,
+        Self::Ground,
         Self::Formula(0),
         Self::Formula(1),
         Self::Formula(2),

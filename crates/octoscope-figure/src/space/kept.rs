@@ -3,7 +3,7 @@
 
 use super::{Canvas, distance};
 use crate::sides::{Side, sides_to_eye};
-use crate::{Mark, Role, Shape};
+use crate::{Extent, Mark, Role, Shape};
 
 /// Boxes with sides of less than this, in page units, are covered nowhere.
 const SMALL: f64 = 40.0;
@@ -34,13 +34,9 @@ impl<const D: usize> Canvas<'_, D> {
         let next = outline.iter().cycle().skip(1);
         let lines: Vec<_> = outline.iter().zip(next).map(|(a, b)| [*a, *b]).collect();
         if lines.iter().all(|[from, to]| distance(*from, *to) < SMALL) {
-            let end = |e: usize, pick: fn(f64, f64) -> f64, start: f64| {
-                outline.iter().map(|point| point[e]).fold(start, pick)
-            };
-            let min: [f64; 2] = std::array::from_fn(|e| end(e, f64::min, f64::INFINITY));
-            let max: [f64; 2] = std::array::from_fn(|e| end(e, f64::max, f64::NEG_INFINITY));
-            let middle = std::array::from_fn(|e| 0.5 * (min[e] + max[e]));
-            self.taken.push([middle, std::array::from_fn(|e| 0.5 * (max[e] - min[e]) + 1.0)]);
+            let extent = Extent::around(outline.iter().copied());
+            let taken = extent.map(|all| [all.middle(), all.size().map(|side| 0.5 * side + 1.0)]);
+            self.taken.extend(taken);
         }
         self.kept.extend(lines);
     }

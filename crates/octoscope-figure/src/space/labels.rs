@@ -4,7 +4,7 @@ use super::{Canvas, LEGIBLE, above_space, distance};
 use crate::camera::{clipped, corners};
 use crate::figure::text_reach;
 use crate::numbers::{Kept, Number, Stand, distance_to_segment, stands};
-use crate::{Anchor, Drawn, Form, Mark, Part, Projected, Role, Shape, Style, Theme};
+use crate::{Anchor, Drawn, Extent, Form, Mark, Part, Role, Shape, Style, Theme};
 use octoscope_core::geometry::Aabb;
 use octoscope_core::tree::NodeId;
 use std::collections::HashMap;
@@ -151,13 +151,8 @@ impl<const D: usize> Canvas<'_, D> {
 
     /// Width and height of a box on the page.
     pub(super) fn extent(&self, bounds: &Aabb<D>) -> [f64; 2] {
-        let on_page = corners(bounds).filter_map(|c| self.camera.project(self.page, c));
-        let (mut min, mut max) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
-        for Projected { at, .. } in on_page {
-            min = std::array::from_fn(|e| min[e].min(at[e]));
-            max = std::array::from_fn(|e| max[e].max(at[e]));
-        }
-        std::array::from_fn(|e| (max[e] - min[e]).max(0.0))
+        let on_page = corners(bounds).filter_map(|c| Some(self.camera.project(self.page, c)?.at));
+        Extent::around(on_page).map_or([0.0; 2], Extent::size)
     }
 
     /// Where a label stands beside the tick `at` of its axis: below the x axis,
@@ -240,7 +235,7 @@ impl<const D: usize> Canvas<'_, D> {
         if matches!(mark.role, Role::MidPlane(_) | Role::ExitPlane(_)) {
             let [half_width, half_height] = text_reach(mark.role, text);
             let form = rectangle(at, [half_width + 2.0, half_height]);
-            let (role, part) = (Role::Node, Part::Face(0));
+            let (role, part) = (Role::Ground, Part::Face(0));
             let halo = Drawn { form, role, part, node: mark.node };
             self.drawn.push((above_space(mark.role), halo));
         }

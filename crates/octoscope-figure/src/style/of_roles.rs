@@ -239,7 +239,9 @@ impl Style {
                 Self::default().lettered(p.ink, size, Weight::Regular)
             }
             Role::FormulaLine => line(p.ink, 1.1),
-            Role::Node => Self { fill: Some(p.background), ..line(p.quiet_ink, 1.1) },
+            Role::Node | Role::Ground => {
+                Self { fill: Some(p.background), ..line(p.quiet_ink, 1.1) }
+            }
         };
         style.for_theme(theme)
     }

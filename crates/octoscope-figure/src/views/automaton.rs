@@ -148,9 +148,10 @@ impl<const D: usize> Automaton<D> {
         if let (Some(from), Some((axes, None))) = (self.state, self.step) {
             let halves = self.variants.child_of_state(from, Axes::NONE);
             for axis in axes.iter().filter(|&axis| halves.is_upper(axis)) {
-                let ([x, y], [along, up]) = (place(from), outwards(axis));
+                let ([x, y], [along, up]) = (place(from), outwards::<D>(axis));
                 // From the rim on, as there is nothing to end at.
-                let to = [x + (EXIT + 13.0) * along, y + (EXIT + 13.0) * up];
+                let length = EXIT + RIM;
+                let to = [x + length * along, y + length * up];
                 arrow(sheet, Role::TransitionTaken(axis), [[x, y], to]);
             }
         }
@@ -228,29 +229,37 @@ pub(super) fn view<const D: usize>(subject: &Subject<D>, width: f64) -> Figure {
     sheet.figure([width, bottom])
 }
 
-/// Place of a state: x to the right, y up, z towards the upper right.
+/// From the middle of the diagram half along an axis: x to the right, y up, z towards the
+/// upper right.
+fn half_along<const D: usize>(axis: usize) -> [f64; 2] {
+    let side = if D == 2 { 1.0 } else { 0.68 };
+    match axis {
+        0 => [side, 0.0],
+        1 => [0.0, -side],
+        _ => [0.32, -0.27],
+    }
+}
+
+/// Place of a state.
 fn corner<const D: usize>(state: Child<D>, centre: [f64; 2], reach: f64) -> [f64; 2] {
-    let bit = |axis: usize| if axis < D && state.is_upper(axis) { 1.0 } else { -1.0 };
-    let [x, y] = if D == 2 {
-        [bit(0), -bit(1)]
-    } else {
-        [0.68 * bit(0) + 0.32 * bit(2), -0.68 * bit(1) - 0.27 * bit(2)]
-    };
-    [centre[0] + reach * x, centre[1] + reach * y]
+    let bit = |axis: usize| if state.is_upper(axis) { 1.0 } else { -1.0 };
+    std::array::from_fn(|e| {
+        let off: f64 = (0..D).map(|axis| bit(axis) * half_along::<D>(axis)[e]).sum();
+        centre[e] + reach * off
+    })
 }
 
 /// Where a state's arrow along an axis points, of length 1.
-fn outwards(axis: usize) -> [f64; 2] {
-    match axis {
-        0 => [1.0, 0.0],
-        1 => [0.0, -1.0],
-        _ => [0.764, -0.645],
-    }
+fn outwards<const D: usize>(axis: usize) -> [f64; 2] {
+    let [x, y] = half_along::<D>(axis);
+    [x, y].map(|along| along / x.hypot(y))
 }
 
 /// Room beside the states: at the left and below, and for arrows at the right and above.
 const NEAR: f64 = 20.0;
 const EXIT: f64 = 32.0;
+/// From the middle of a state to its rim.
+const RIM: f64 = 13.0;
 
 /// Arrow between two states, up to their rims.
 fn arrow(sheet: &mut Sheet, role: Role, [from, to]: [[f64; 2]; 2]) {

@@ -39,13 +39,27 @@ pub struct BitTable {
     pub carries: Option<Carries>,
     /// What is concluded from a bit of the last row, below it.
     pub conclusion: Option<Conclusion>,
-    /// Least room for the names of rows: tables one below the other
-    /// have their columns in line so.
-    pub name_room: f64,
-    /// The same for the notes.
-    pub note_room: f64,
+    /// Least room beside the bits: tables one below the other have their columns in
+    /// line so.
+    pub room: Beside,
     /// Whether the row of bit numbers is left out.
     pub headless: bool,
+}
+
+/// Room beside the bits of a table.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Beside {
+    /// For the names of its rows.
+    pub names: f64,
+    /// For the notes after them.
+    pub notes: f64,
+}
+
+impl Beside {
+    /// As much as both need.
+    fn and(self, other: Self) -> Self {
+        Self { names: self.names.max(other.names), notes: self.notes.max(other.notes) }
+    }
 }
 
 /// Ones that are carried or borrowed, written small above the columns.
@@ -104,8 +118,7 @@ impl Measures {
     const WIDEST: f64 = 30.0;
 
     fn of(table: &BitTable, width: f64) -> Self {
-        let name_width = table.name_width().max(table.name_room);
-        let note_width = table.note_width().max(table.note_room);
+        let Beside { names: name_width, notes: note_width } = table.needed().and(table.room);
         let columns = f64::from(table.width);
         let beside = (width - name_width - note_width) / columns;
         let (pitch, note_height) = if beside < Self::NARROW {
@@ -129,17 +142,13 @@ impl BitRow {
 }
 
 /// Gives tables that stand one below the other the same room for names and for notes.
-pub(super) fn in_line<'a>(tables: impl Iterator<Item = &'a mut BitTable>, [name, note]: [f64; 2]) {
-    for table in tables {
-        (table.name_room, table.note_room) = (name, note);
-    }
+pub(super) fn in_line<'a>(tables: impl Iterator<Item = &'a mut BitTable>, room: Beside) {
+    tables.for_each(|table| table.room = room);
 }
 
 /// The room that names and notes of all of these tables need.
-pub(super) fn room_of<'a>(tables: impl Iterator<Item = &'a BitTable>) -> [f64; 2] {
-    tables.fold([0.0; 2], |[name, note]: [f64; 2], table| {
-        [name.max(table.name_width()), note.max(table.note_width())]
-    })
+pub(super) fn room_of<'a>(tables: impl Iterator<Item = &'a BitTable>) -> Beside {
+    tables.map(BitTable::needed).fold(Beside::default(), Beside::and)
 }
 
 impl BitTable {
@@ -154,16 +163,19 @@ impl BitTable {
         carries + n_rows as f64 * spacing.heights()[0]
     }
 
-    /// Room that the names of its rows take.
-    pub fn name_width(&self) -> f64 {
+    /// Room that its names and notes take.
+    pub fn needed(&self) -> Beside {
+        Beside { names: self.name_width(), notes: self.note_width() }
+    }
+
+    fn name_width(&self) -> f64 {
         let names = self.rows.iter().map(|row| metrics::width(Role::Heading, &row.title()));
         let carries = self.carries.iter();
         let carries = carries.map(|c| metrics::width(Role::Note, &c.name.as_str().into()));
         (names.chain(carries).fold(0.0, f64::max) + 10.0).max(22.0)
     }
 
-    /// Room that its notes take.
-    pub fn note_width(&self) -> f64 {
+    fn note_width(&self) -> f64 {
         let notes = self.rows.iter();
         let notes = notes.map(|row| metrics::width(Role::Note, &row.note.as_str().into()));
         notes.fold(0.0, f64::max) + 10.0

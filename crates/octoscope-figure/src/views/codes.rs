@@ -299,13 +299,14 @@ mod tests {
             let mut n_tables = 0;
             for_every_step(&query, |texts, tree, moment, event| {
                 let codes = code_table(texts, tree, moment, Some(event), variants).table;
-                let room = [codes.name_room, codes.note_room];
+                let room = codes.room;
                 let computed = neighbour_tables(texts, tree, moment);
                 let computed = computed.into_iter().flat_map(|computed| computed.tables);
                 let region = region_table(texts, tree, moment).map(|(table, _)| table);
                 for table in computed.chain(region) {
-                    assert_eq!([table.name_room, table.note_room], room, "{event:?}");
-                    assert!(table.name_width() <= room[0] && table.note_width() <= room[1]);
+                    assert_eq!(table.room, room, "{event:?}");
+                    let needed = table.needed();
+                    assert!(needed.names <= room.names && needed.notes <= room.notes);
                     n_tables += 1;
                 }
             });

@@ -11,7 +11,7 @@ pub(super) fn columns<const D: usize>(
     texts: &Texts,
     tree: &Tree<D>,
     moment: &Moment<D>,
-) -> [f64; 2] {
+) -> bits::Beside {
     let codes = codes::bits_of(tree, moment);
     let computed = neighbour::bits_of(texts, tree, moment);
     let region = region::bits_of(tree, moment);

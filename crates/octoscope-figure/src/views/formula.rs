@@ -1,6 +1,6 @@
 //! The formulas of a step: with symbols, and below with its numbers.
 
-use super::formula_breaks::{formula_lines, without_bars};
+use super::formula_breaks::{Widths, formula_lines, without_bars};
 use super::formula_short::{Told, told_in};
 use super::sheet::Sheet;
 use super::subject::Subject;
@@ -137,12 +137,13 @@ const INDENT: f64 = 12.0;
 impl Column {
     fn of(statement: &Statement, most: f64, of: FormulaType, breaks: Lines) -> Self {
         let mut lines = Vec::new();
+        let widths = Widths { first: most, others: most - INDENT };
         for formula in [Some(&statement.symbols), statement.numbers.as_ref()].into_iter().flatten()
         {
             let parts = match breaks {
                 Lines::Whole => vec![formula.clone()],
-                Lines::Broken => formula_lines(formula, of, [most, most - INDENT]),
-                Lines::Low => formula_lines(&without_bars(formula), of, [most, most - INDENT]),
+                Lines::Broken => formula_lines(formula, of, widths),
+                Lines::Low => formula_lines(&without_bars(formula), of, widths),
             };
             lines.extend(parts.into_iter().enumerate().map(|(n, formula)| Line {
                 set: SetFormula::of(&formula, of),

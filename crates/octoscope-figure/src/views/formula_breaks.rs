@@ -12,13 +12,21 @@ enum Breaks {
     Signs,
 }
 
-/// `formula` in lines where it can be broken so, the first of at most `first` page units,
-/// the others of at most `others`: before what is said of its left side, else also before
+/// Widths of the lines of a formula at most, in page units.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Widths {
+    /// Of the first line.
+    pub first: f64,
+    /// Of the others.
+    pub others: f64,
+}
+
+/// `formula` in lines of these widths where it can be broken so: before what is said of its left side, else also before
 /// operations.
 pub fn formula_lines(
     formula: &Formula,
     of: FormulaType,
-    [first, others]: [f64; 2],
+    Widths { first, others }: Widths,
 ) -> Vec<Formula> {
     let whole = || vec![formula.clone()];
     let Formula::Row(parts) = formula else { return whole() };
@@ -178,7 +186,7 @@ mod tests {
 
     fn n_lines(signs: &[Sign], most: f64) -> usize {
         let of = FormulaType::new(0);
-        let lines = formula_lines(&row(signs), of, [most; 2]);
+        let lines = formula_lines(&row(signs), of, Widths { first: most, others: most });
         let parts = |line: &Formula| match line {
             Formula::Row(parts) => parts.len(),
             _ => 1,
@@ -202,10 +210,11 @@ mod tests {
     fn the_first_line_has_all_the_room_and_the_others_less() {
         let (of, formula) = (FormulaType::new(0), row(&[Sign::Equal, Sign::Equal]));
         let whole = SetFormula::of(&formula, of).width;
-        assert_eq!(formula_lines(&formula, of, [whole, whole - 12.0]).len(), 1);
+        let lines = |first| formula_lines(&formula, of, Widths { first, others: first - 12.0 });
+        assert_eq!(lines(whole).len(), 1);
         let first = row(&[Sign::Equal]);
         let width = SetFormula::of(&first, of).width;
-        assert_eq!(formula_lines(&formula, of, [width, width - 12.0])[0], first);
+        assert_eq!(lines(width)[0], first);
     }
 
     #[test]

@@ -30,14 +30,14 @@ mod words;
 mod worksheet;
 
 pub use automaton::Automaton;
-pub use bits::{BitRow, BitTable, Carries, Conclusion, Spacing};
+pub use bits::{Beside, BitRow, BitTable, Carries, Conclusion, Spacing};
 pub use codes::{CodeTable, child_rule, code_table};
 pub use exercise::{Exercise, ExerciseError};
 pub use formula::{FormulaRows, formula_figure, formula_height, formula_line};
 pub use kind::{FigureView, UnknownView, ViewError};
 pub use listing::{Changed, changed_variables};
 pub use neighbour::{NeighbourTables, neighbour_heights, neighbour_tables};
-pub use rail::RailOf;
+pub use rail::{RailOf, planes_ahead};
 pub use region::region_table;
 pub use storyboard::{Layout, Panel, common_extent, storyboard};
 pub use subject::Subject;

@@ -6,6 +6,7 @@ use super::sheet::Sheet;
 use super::subject::Subject;
 use super::words::strong;
 use crate::{Figure, Role};
+use octoscope_core::explain::with_minus;
 use octoscope_core::geometry::AXIS_NAMES;
 use octoscope_core::text::Texts;
 use octoscope_core::trace::{Moment, Target};
@@ -141,7 +142,7 @@ fn sum_rows<const D: usize>(target: &Target<D>, axis: usize) -> Vec<BitRow> {
         note,
         ..BitRow::default()
     };
-    let to_text = to.to_string().replace('-', "−");
+    let to_text = with_minus(to);
     vec![
         row(AXIS_NAMES[axis].to_owned(), from, from.to_string()),
         row(if upwards { "+" } else { "−" }.to_owned(), step, step.to_string()),

@@ -168,10 +168,9 @@ impl<const D: usize> Rail<D> {
 
     /// The value of a plane of an axis; in the step that crosses it, the one before too.
     pub fn value(&self, axis: usize, t: f64) -> String {
-        let before = self.left.map(|left| left[axis]).filter(|&before| before != t);
-        match before {
-            Some(before) => format!("{} → {}", self.told(before), self.told(t)),
-            None => self.told(t),
+        match (self.of, self.far) {
+            (RailOf::Cell(_), Some(next)) => planes_ahead(self.left, next)[axis].clone(),
+            (RailOf::Cell(_) | RailOf::Node(_) | RailOf::LastLeaf(_), _) => self.told(t),
         }
     }
 
@@ -213,6 +212,18 @@ impl<const D: usize> Rail<D> {
         let margin = (high * 0.08 - low * 0.08).max(f64::EPSILON * high.abs().max(1.0) * 16.0);
         [(low - margin).max(f64::MIN), (high + margin).min(f64::MAX)]
     }
+}
+
+/// When the planes ahead of a cell are met, axis by axis, in as few digits as tell them
+/// apart; of those that this step crosses, the parameter before it too, which `left` has.
+pub fn planes_ahead<const D: usize>(left: Option<[f64; D]>, next: [f64; D]) -> [String; D] {
+    let told = distinct(&[next, left.unwrap_or(next)].concat());
+    std::array::from_fn(|axis| match left {
+        Some(left) if left[axis] != next[axis] => {
+            format!("{} → {}", told[D + axis], told[axis])
+        }
+        Some(_) | None => told[axis].clone(),
+    })
 }
 
 #[cfg(test)]

@@ -1,5 +1,6 @@
 //! Formulas as data: what stands over, under and beside what.
 
+use crate::explain::number::with_minus;
 use crate::geometry::AXIS_NAMES;
 
 /// A formula, or a part of one.
@@ -326,7 +327,7 @@ impl From<&str> for Formula {
 /// A whole number.
 impl From<i64> for Formula {
     fn from(number: i64) -> Self {
-        Self::Digits(number.to_string().replace('-', "−"))
+        Self::Digits(with_minus(number))
     }
 }
 

@@ -5,13 +5,21 @@ use crate::views::words::{joined, parameter};
 use crate::{Role, metrics};
 use octoscope_core::explain::RichText;
 
-/// From a bar down to the middle of its labels, and to the top of their letters.
-const DOWN: [f64; 2] = [17.0, 12.0];
+/// How far labels stand from their bar.
+struct Off {
+    /// To the middle of their height.
+    middle: f64,
+    /// To their letters.
+    letters: f64,
+}
+
+/// Of labels below a bar.
+const DOWN: Off = Off { middle: 17.0, letters: 12.0 };
 /// In rows of at least this height names stand above the bars and values below them, both
 /// in larger type.
 pub(super) const HIGH: f64 = 60.0;
-/// From a bar to the middle of its names and of its values, and to their letters, there.
-const APART: [f64; 2] = [21.0, 13.0];
+/// Of names and values there.
+const APART: Off = Off { middle: 21.0, letters: 13.0 };
 /// What names and values are set as there.
 const LARGE: Role = Role::Formula(0);
 
@@ -48,7 +56,7 @@ impl<const D: usize> Drawing<'_, D> {
                     };
                     self.label(t, text, LARGE, is_above)
                 });
-                let off = if is_above { -APART[0] } else { APART[0] };
+                let off = if is_above { -APART.middle } else { APART.middle };
                 self.in_line(labels.collect(), y + off)
             };
             return line(true).into_iter().chain(line(false)).collect();
@@ -72,7 +80,7 @@ impl<const D: usize> Drawing<'_, D> {
                 break;
             }
         }
-        self.in_line(labels, y + DOWN[0])
+        self.in_line(labels, y + DOWN.middle)
     }
 
     /// Where labels may stand.
@@ -105,7 +113,7 @@ impl<const D: usize> Drawing<'_, D> {
         let is_off = (0.5 * (left + right) - label.tick).abs() > OFF;
         let foot = label.tick.max(left + OFF).min(right - OFF);
         let y = self.bar_y(axis);
-        let down = if self.is_high() { APART[1] } else { DOWN[1] };
+        let down = if self.is_high() { APART.letters } else { DOWN.letters };
         let [tick, letters] =
             [TICK, down].map(|down| if label.is_above { y - down } else { y + down });
         is_off.then_some([[label.tick, tick], [foot, letters]])
