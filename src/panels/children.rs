@@ -107,18 +107,16 @@ fn tests_of<const D: usize>(tree: &Tree<D>, parent: NodeId, past: &[Event<D>]) -
 #[cfg(test)]
 mod tests {
     use super::*;
-    use octoscope_core::progress::Progress;
+
     use octoscope_core::query::{Arithmetic, Query};
     use octoscope_core::scenario::{AnyScenario, built_in};
     use octoscope_core::trace::record;
     use octoscope_core::traverse::{Algorithm, Options};
-    use octoscope_core::tree::build;
 
     #[test]
     fn a_child_that_is_visited_is_told_beside_its_siblings_until_its_own_are_tested() {
         let Some(AnyScenario::Quadtree(scenario)) = built_in("quadtree-82") else { panic!() };
-        let (content, grid) = (scenario.source.content().unwrap(), scenario.grid().unwrap());
-        let tree = build(&content, grid, &scenario.recipe, &Progress::default()).unwrap();
+        let tree = scenario.tree().unwrap();
         let (algorithm, options) = (Algorithm::AllChildren, Options::default());
         let query = Query::Ray { algorithm, options, arithmetic: Arithmetic::Doubles };
         let trace = record(&tree, &scenario.ray, &query);

@@ -210,19 +210,18 @@ fn is_top_down(algorithm: Algorithm) -> bool {
 mod tests {
     use super::*;
     use octoscope_core::event::Event;
-    use octoscope_core::progress::Progress;
+
     use octoscope_core::query::Arithmetic;
     use octoscope_core::scenario::{AnyScenario, built_in};
     use octoscope_core::trace::record;
     use octoscope_core::traverse::Options;
-    use octoscope_core::tree::build;
+
     use std::mem::discriminant;
 
     #[test]
     fn a_lecture_shows_bits_where_its_steps_read_them_more_often_than_they_do_anything_else() {
         let Some(AnyScenario::Quadtree(scenario)) = built_in("quadtree-82") else { panic!() };
-        let (content, grid) = (scenario.source.content().unwrap(), scenario.grid().unwrap());
-        let tree = build(&content, grid, &scenario.recipe, &Progress::default()).unwrap();
+        let tree = scenario.tree().unwrap();
         let mut n_by_bits = 0;
         for algorithm in Algorithm::ALL {
             let options = Options::default();

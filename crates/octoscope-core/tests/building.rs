@@ -240,8 +240,7 @@ fn any_number_of_threads_says_what_is_wrong_and_can_be_stopped() {
 }
 
 fn builds<const D: usize>(id: &str, scenario: &Scenario<D>) {
-    let (content, domain) = (scenario.source.content().expect(id), scenario.grid().expect(id));
-    let tree = build(&content, domain, &scenario.recipe, &Progress::default()).expect(id);
+    let tree = scenario.tree().expect(id);
     assert!(tree.leaves().any(|leaf| leaf.is_full()), "{id}");
     let outcome = scenario.query.run(&tree, &scenario.ray, &mut ());
     assert!(matches!(outcome.end, End::LeftRoot | End::Found), "{id}: {outcome:?}");

@@ -10,7 +10,7 @@ use octoscope_core::query::{Arithmetic, Query};
 use octoscope_core::scenario::AnyScenario;
 use octoscope_core::trace::{Trace, record};
 use octoscope_core::traverse::{Algorithm, Method, Options, Variant, Variants};
-use octoscope_core::tree::{Child, Domain, Split, Tree, build, grow};
+use octoscope_core::tree::{Child, Domain, Split, Tree, grow};
 
 /// Tree that is divided down to level 0.
 fn full<const D: usize>(root_level: u8) -> Tree<D> {
@@ -306,9 +306,7 @@ fn misprints_mirror_a_root_away_from_zero_as_the_right_rules_do() {
 fn found(id: &str) -> [Option<(u8, [u32; 2])>; 2] {
     let variant: Variant = id.parse().expect(id);
     let AnyScenario::Quadtree(scenario) = counterexample(variant) else { panic!("{id}") };
-    let content = scenario.source.content().expect("the cells are inline");
-    let domain = scenario.grid().expect("the depth is small");
-    let tree = build(&content, domain, &scenario.recipe, &Progress::default()).expect("few cells");
+    let tree = scenario.tree().expect("few cells");
     [scenario.query, scenario.query.corrected()].map(|query| {
         let node = query.run(&tree, &scenario.ray, &mut ()).node?;
         Some((tree.level(node), tree.code(node)))

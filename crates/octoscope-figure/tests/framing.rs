@@ -5,11 +5,10 @@
 use octoscope_core::gallery::Degenerate;
 use octoscope_core::geometry::{Aabb, Ray};
 use octoscope_core::paper::{counterexample, erratum_of};
-use octoscope_core::progress::Progress;
 use octoscope_core::query::Query;
 use octoscope_core::scenario::{AnyScenario, Scenario, built_in};
 use octoscope_core::traverse::Variant;
-use octoscope_core::tree::{Tree, build};
+use octoscope_core::tree::Tree;
 use octoscope_figure::{Camera, Page, far_end};
 
 /// The space view in the lecture of a projector, with formulas below it and beside it, in
@@ -21,11 +20,6 @@ const PAGES: [Page; 5] = [
     Page { width: 384.0, height: 380.0 },
     Page { width: 240.0, height: 400.0 },
 ];
-
-fn tree_of<const D: usize>(scenario: &Scenario<D>) -> Tree<D> {
-    let (content, grid) = (scenario.source.content().unwrap(), scenario.grid().unwrap());
-    build(&content, grid, &scenario.recipe, &Progress::default()).unwrap()
-}
 
 /// Length on the page of what is seen between two points.
 fn seen<const D: usize>(camera: &Camera<D>, page: Page, ends: [[f64; D]; 2]) -> f64 {
@@ -106,7 +100,7 @@ fn faults_of<const D: usize>(name: &str, scenario: &Scenario<D>) -> Vec<String> 
     if !matches!(scenario.query, Query::Ray { .. }) {
         return Vec::new();
     }
-    faults(name, &tree_of(scenario), &scenario.ray, &scenario.query, USUAL)
+    faults(name, &scenario.tree().unwrap(), &scenario.ray, &scenario.query, USUAL)
 }
 
 #[test]
@@ -122,7 +116,7 @@ fn every_counterexample_shows_where_its_ray_comes_from() {
 }
 
 fn gallery<const D: usize>(scenario: &Scenario<D>) -> Vec<String> {
-    let tree = tree_of(scenario);
+    let tree = scenario.tree().unwrap();
     let rays = Degenerate::ALL.into_iter().filter_map(|kind| Some((kind, kind.ray(&tree)?)));
     rays.flat_map(|(kind, ray)| faults(&format!("{kind:?}"), &tree, &ray, &scenario.query, USUAL))
         .collect()
@@ -142,7 +136,7 @@ fn every_ray_of_the_gallery_shows_where_it_comes_from() {
 #[test]
 fn a_ray_that_passes_the_root_by_far_makes_it_smaller() {
     let AnyScenario::Quadtree(scenario) = built_in("quadtree-82").unwrap() else { panic!() };
-    let tree = tree_of(&scenario);
+    let tree = scenario.tree().unwrap();
     let root = tree.domain().root_box();
     let (centre, side) = (root.centre(), root.size()[0]);
     for off in [1.2, -1.2] {
@@ -163,7 +157,7 @@ fn a_ray_through_a_root_that_is_seen_along_it_is_framed_too() {
         AnyScenario::Octree(scenario) => scenario,
         AnyScenario::Quadtree(_) => panic!("a quadtree"),
     };
-    let tree = tree_of(&scenario);
+    let tree = scenario.tree().unwrap();
     let root = tree.domain().root_box();
     let mut camera = Camera::framing(&root, PAGES[2]);
     let [_, _, back] = camera.basis();

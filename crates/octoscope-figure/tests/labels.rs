@@ -5,11 +5,9 @@
 use octoscope_core::gallery::Degenerate;
 use octoscope_core::geometry::Aabb;
 use octoscope_core::paper::{counterexample, erratum_of};
-use octoscope_core::progress::Progress;
 use octoscope_core::scenario::{AnyScenario, Scenario, built_in};
 use octoscope_core::trace::{Moment, record};
 use octoscope_core::traverse::Variant;
-use octoscope_core::tree::{Tree, build};
 use octoscope_figure::{
     Camera, Drawn, Figure, Form, Mark, Page, Part, Role, Shape, Show, axes, marks, metrics,
     space_figure, space_figure_over,
@@ -93,13 +91,8 @@ fn meets([from, to]: [[f64; 2]; 2], at: [f64; 2], reach: [f64; 2]) -> bool {
     })
 }
 
-fn tree_of<const D: usize>(scenario: &Scenario<D>) -> Tree<D> {
-    let (content, grid) = (scenario.source.content().unwrap(), scenario.grid().unwrap());
-    build(&content, grid, &scenario.recipe, &Progress::default()).unwrap()
-}
-
 fn faults<const D: usize>(name: &str, scenario: &Scenario<D>) -> Vec<String> {
-    let tree = tree_of(scenario);
+    let tree = scenario.tree().unwrap();
     let trace = record(&tree, &scenario.ray, &scenario.query);
     let show = Show::at_first::<D>();
     let mut faults = Vec::new();
@@ -135,8 +128,10 @@ fn along_the_gallery(id: &str) -> Vec<(String, AnyScenario)> {
     let rays = Degenerate::ALL.into_iter().filter_map(|kind| {
         let mut scenario = scenario.clone();
         match &mut scenario {
-            AnyScenario::Quadtree(scenario) => scenario.ray = kind.ray(&tree_of(scenario))?,
-            AnyScenario::Octree(scenario) => scenario.ray = kind.ray(&tree_of(scenario))?,
+            AnyScenario::Quadtree(scenario) => {
+                scenario.ray = kind.ray(&scenario.tree().unwrap())?
+            }
+            AnyScenario::Octree(scenario) => scenario.ray = kind.ray(&scenario.tree().unwrap())?,
         }
         Some((format!("{id} {kind:?}"), scenario))
     });
@@ -166,7 +161,7 @@ fn no_label_of_a_scene_covers_another_and_no_ray_an_axis() {
 /// Marks of a built-in scene in space after a share of its run, and a camera.
 fn in_space(show: &Show, share: f64) -> (Vec<Mark<3>>, Camera<3>) {
     let AnyScenario::Octree(scenario) = built_in("points-3d").unwrap() else { panic!() };
-    let tree = tree_of(&scenario);
+    let tree = scenario.tree().unwrap();
     let trace = record(&tree, &scenario.ray, &scenario.query);
     let step = 1 + (share * (trace.events.len() - 1) as f64) as usize;
     let moment = Moment::after(&tree, &trace, step);
@@ -222,7 +217,7 @@ fn edges_yield_to_a_stronger_box_whoever_draws_that() {
 #[test]
 fn codes_are_written_once_a_cell_and_off_the_ray() {
     let AnyScenario::Quadtree(scenario) = built_in("quadtree-82").unwrap() else { panic!() };
-    let tree = tree_of(&scenario);
+    let tree = scenario.tree().unwrap();
     let trace = record(&tree, &scenario.ray, &scenario.query);
     let show = Show { codes: true, ..Show::at_first::<2>() };
     let camera = Camera::framing(&tree.domain().root_box(), PAGES[2]);

@@ -3,12 +3,11 @@
 #![allow(clippy::unwrap_used, reason = "a test may panic")]
 
 use octoscope_core::geometry::{Aabb, Ray};
-use octoscope_core::progress::Progress;
 use octoscope_core::query::{Arithmetic, Query};
 use octoscope_core::scenario::{AnyScenario, built_in};
 use octoscope_core::trace::{Moment, record};
 use octoscope_core::traverse::{Algorithm, Options};
-use octoscope_core::tree::{NodeId, Tree, build};
+use octoscope_core::tree::{NodeId, Tree};
 use octoscope_figure::{
     Camera, Figure, Form, Mark, Page, Part, Role, Shape, Show, marks, space_figure_over,
 };
@@ -23,8 +22,7 @@ fn plane() -> (Tree<2>, Ray<2>) {
     let Some(AnyScenario::Quadtree(scenario)) = built_in("quadtree-82") else {
         panic!("it is one of a plane");
     };
-    let (content, grid) = (scenario.source.content().unwrap(), scenario.grid().unwrap());
-    let tree = build(&content, grid, &scenario.recipe, &Progress::default()).unwrap();
+    let tree = scenario.tree().unwrap();
     (tree, Ray::new([-0.16, 0.13], [1.0, 0.62]).unwrap())
 }
 
@@ -32,8 +30,7 @@ fn space() -> (Tree<3>, Ray<3>) {
     let Some(AnyScenario::Octree(scenario)) = built_in("points-3d") else {
         panic!("it is one of space");
     };
-    let (content, grid) = (scenario.source.content().unwrap(), scenario.grid().unwrap());
-    let tree = build(&content, grid, &scenario.recipe, &Progress::default()).unwrap();
+    let tree = scenario.tree().unwrap();
     (tree, Ray::new([-0.16, 0.13, 0.2], [1.0, 0.62, 0.41]).unwrap())
 }
 

@@ -112,14 +112,11 @@ fn neighbour(code: Code<2>, direction: [i8; 2], variants: Variants) -> Query<2> 
 mod tests {
     use super::super::verdict;
     use super::*;
-    use crate::progress::Progress;
+
     use crate::trace::record;
-    use crate::tree::build;
 
     fn agrees<const D: usize>(scenario: &Scenario<D>) -> [bool; 2] {
-        let content = scenario.source.content().unwrap();
-        let domain = scenario.grid().unwrap();
-        let tree = build(&content, domain, &scenario.recipe, &Progress::default()).unwrap();
+        let tree = scenario.tree().unwrap();
         let check = |query| {
             let trace = record(&tree, &scenario.ray, &query);
             let verdict = verdict(&tree, &scenario.ray, &trace);

@@ -195,16 +195,9 @@ mod tests {
     use super::*;
     use crate::scenario::{AnyScenario, Scenario};
     use crate::traverse::Variant;
-    use crate::tree::build;
-
-    fn tree_of<const D: usize>(scenario: &Scenario<D>) -> Tree<D> {
-        let content = scenario.source.content().unwrap();
-        let domain = scenario.grid().unwrap();
-        build(&content, domain, &scenario.recipe, &Progress::default()).unwrap()
-    }
 
     fn check<const D: usize>(scenario: &Scenario<D>, variant: Variant) {
-        let tree = tree_of(scenario);
+        let tree = scenario.tree().unwrap();
         let asked = (scenario.ray, scenario.query);
         for seed in [7, 8] {
             let find = |question| find_other(&tree, question, seed, &Progress::default());

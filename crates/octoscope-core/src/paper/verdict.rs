@@ -141,14 +141,12 @@ mod tests {
     use crate::progress::Progress;
     use crate::scenario::{AnyScenario, Scenario};
     use crate::traverse::Variant;
-    use crate::tree::{Cell, Domain, Split, build, grow};
+    use crate::tree::{Cell, Domain, Split, grow};
 
     /// The first wrong event of the counterexample of `variant`.
     fn first_wrong(variant: Variant) -> (usize, Event<2>) {
         let AnyScenario::Quadtree(scenario) = counterexample(variant) else { panic!() };
-        let content = scenario.source.content().unwrap();
-        let domain = scenario.grid().unwrap();
-        let tree = build(&content, domain, &scenario.recipe, &Progress::default()).unwrap();
+        let tree = scenario.tree().unwrap();
         let trace = record(&tree, &scenario.ray, &scenario.query);
         let step = verdict(&tree, &scenario.ray, &trace).first_wrong_step.unwrap();
         (step, trace.events[step - 1])
@@ -245,9 +243,7 @@ mod tests {
     /// Level and code of what has strayed at the end of the counterexample of `variant`.
     fn at_the_end(variant: Variant) -> Vec<Vec<u32>> {
         fn of<const D: usize>(scenario: &Scenario<D>) -> Vec<Vec<u32>> {
-            let content = scenario.source.content().unwrap();
-            let domain = scenario.grid().unwrap();
-            let tree = build(&content, domain, &scenario.recipe, &Progress::default()).unwrap();
+            let tree = scenario.tree().unwrap();
             let (ray, query) = (&scenario.ray, &scenario.query);
             let strayed = verdict(&tree, ray, &record(&tree, ray, query)).strayed;
             let place = |node| [&[u32::from(tree.level(node))][..], &tree.code(node)].concat();

@@ -14,9 +14,11 @@ pub use read::{Fault, ScenarioError, VERSION};
 pub use source::{Parameters, Source, SourceError};
 
 use crate::geometry::Ray;
+use crate::progress::Progress;
 use crate::query::Query;
 use crate::scene::{Content, Cube};
-use crate::tree::{Domain, DomainError, Recipe};
+use crate::tree::{BuildError, Domain, DomainError, Recipe, Tree, build};
+use thiserror::Error;
 
 /// All that a run depends on. Everything else is derived from it.
 #[derive(Clone, Debug, PartialEq)]
@@ -35,6 +37,20 @@ pub struct Scenario<const D: usize> {
     pub step: StepAt,
     /// What a program that shows the scenario wants to keep with it.
     pub view: View,
+}
+
+/// Why a scenario has no tree.
+#[derive(Clone, Debug, Error, PartialEq)]
+pub enum TreeError {
+    /// What it is built from is not there.
+    #[error(transparent)]
+    Source(#[from] SourceError),
+    /// The domain and the depth do not go together.
+    #[error(transparent)]
+    Domain(#[from] DomainError),
+    /// No tree can be built from it.
+    #[error(transparent)]
+    Build(#[from] BuildError),
 }
 
 /// Fields of `"view"`, kept as they are.
@@ -87,6 +103,16 @@ impl<const D: usize> Scenario<D> {
     /// Refuses what [`Domain::new`] refuses.
     pub fn grid(&self) -> Result<Domain<D>, DomainError> {
         self.domain.cut(self.recipe.depth)
+    }
+
+    /// The tree of a scenario that holds all that it is built from; who waits for it
+    /// builds it by [`build`], with a progress that tells how far that is.
+    ///
+    /// # Errors
+    /// See [`TreeError`].
+    pub fn tree(&self) -> Result<Tree<D>, TreeError> {
+        let (content, grid) = (self.source.content()?, self.grid()?);
+        Ok(build(&content, grid, &self.recipe, &Progress::default())?)
     }
 
     /// Fits the domain around the content of a file whose scenario leaves it

@@ -210,13 +210,12 @@ pub(super) fn view<const D: usize>(subject: &Subject<D>, width: f64) -> Figure {
 mod tests {
     use super::super::{figure_texts, neighbour_tables, region_table};
     use super::*;
-    use octoscope_core::progress::Progress;
+
     use octoscope_core::query::{Arithmetic, Query};
     use octoscope_core::scenario::{AnyScenario, built_in};
     use octoscope_core::text::Language;
     use octoscope_core::trace::record;
     use octoscope_core::traverse::{Algorithm, Options};
-    use octoscope_core::tree::build;
 
     /// Shows `check` the texts, the tree and every moment of a query on the 82 points with
     /// the event before it.
@@ -225,8 +224,7 @@ mod tests {
         mut check: impl FnMut(&Texts, &Tree<2>, &Moment<2>, &Event<2>),
     ) {
         let Some(AnyScenario::Quadtree(scenario)) = built_in("quadtree-82") else { panic!() };
-        let (content, grid) = (scenario.source.content().unwrap(), scenario.grid().unwrap());
-        let tree = build(&content, grid, &scenario.recipe, &Progress::default()).unwrap();
+        let tree = scenario.tree().unwrap();
         let texts = Texts::new(Language::English, &[figure_texts(Language::English)]);
         let trace = record(&tree, &scenario.ray, query);
         let mut moment = Moment::default();

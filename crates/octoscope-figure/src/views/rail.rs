@@ -230,10 +230,9 @@ pub fn planes_ahead<const D: usize>(left: Option<[f64; D]>, next: [f64; D]) -> [
 mod tests {
     use super::*;
     use octoscope_core::geometry::Axes;
-    use octoscope_core::progress::Progress;
+
     use octoscope_core::scenario::{AnyScenario, built_in};
     use octoscope_core::trace::GridCell;
-    use octoscope_core::tree::build;
 
     fn slab(near: f64, far: f64) -> Rail<2> {
         let rail = Rail::of_node(NodeId::ROOT, Some([near, far]));
@@ -294,8 +293,7 @@ mod tests {
     #[test]
     fn a_missed_leaf_is_left_before_it_is_entered() {
         let Some(AnyScenario::Quadtree(scenario)) = built_in("quadtree-82") else { panic!() };
-        let (content, grid) = (scenario.source.content().unwrap(), scenario.grid().unwrap());
-        let tree = build(&content, grid, &scenario.recipe, &Progress::default()).unwrap();
+        let tree = scenario.tree().unwrap();
         let ray = Ray::new([-1.0, 3.0], [2.0, -1.0]).unwrap();
         let node = NodeId::ROOT;
         let moment = Moment { current: Some(node), missed: vec![node], ..Moment::default() };
@@ -327,8 +325,7 @@ mod tests {
     #[test]
     fn where_nothing_but_the_interval_is_told_the_planes_are_those_of_the_node() {
         let Some(AnyScenario::Quadtree(scenario)) = built_in("quadtree-82") else { panic!() };
-        let (content, grid) = (scenario.source.content().unwrap(), scenario.grid().unwrap());
-        let tree = build(&content, grid, &scenario.recipe, &Progress::default()).unwrap();
+        let tree = scenario.tree().unwrap();
         let ray = Ray::new([-1.0, 3.0], [2.0, -2.0]).unwrap();
         let interval = Rail::<2>::of_node(NodeId::ROOT, Some([1.0, 1.0]));
         let rail = interval.with_planes(&tree, &ray);

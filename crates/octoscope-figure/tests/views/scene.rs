@@ -1,13 +1,12 @@
 //! Built-in scenes, and what is asked of them.
 
 use octoscope_core::explain::Notation;
-use octoscope_core::progress::Progress;
 use octoscope_core::query::Query;
 use octoscope_core::scenario::Scenario;
 use octoscope_core::text::{Language, Texts};
 use octoscope_core::trace::{Moment, Trace, record};
 use octoscope_core::traverse::{Algorithm, Method, Variant, Variants};
-use octoscope_core::tree::{Tree, build};
+use octoscope_core::tree::Tree;
 use octoscope_figure::views::{Subject, figure_texts};
 use octoscope_figure::{Camera, Figure, Page, Show, axes, cells, marks, space_figure};
 
@@ -19,9 +18,7 @@ pub struct Scene<const D: usize> {
 
 impl<const D: usize> Scene<D> {
     pub fn new(scenario: Scenario<D>) -> Self {
-        let content = scenario.source.content().unwrap();
-        let grid = scenario.grid().unwrap();
-        let tree = build(&content, grid, &scenario.recipe, &Progress::default()).unwrap();
+        let tree = scenario.tree().unwrap();
         Self { scenario, tree }
     }
 

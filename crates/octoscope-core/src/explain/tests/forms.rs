@@ -184,8 +184,7 @@ fn a_printed_rule_is_named_only_where_it_makes_a_difference() {
 /// The sentences of the counterexample of a variant, in English.
 fn printed(variant: Variant) -> Vec<String> {
     fn of<const D: usize>(scenario: &Scenario<D>) -> Vec<String> {
-        let (content, domain) = (scenario.source.content().unwrap(), scenario.grid().unwrap());
-        let tree = build(&content, domain, &scenario.recipe, &Progress::default()).unwrap();
+        let tree = scenario.tree().unwrap();
         let trace = record(&tree, &scenario.ray, &scenario.query);
         let sentences = sentence::sentences(&tree, &scenario.ray, &trace, Language::English);
         sentences.map(|text| text.plain()).collect()

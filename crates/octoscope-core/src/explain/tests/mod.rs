@@ -18,7 +18,7 @@ use crate::scenario::{AnyScenario, Scenario};
 use crate::text::Language;
 use crate::trace::{Moment, record};
 use crate::traverse::{Algorithm, Options, StopAt, Variant, Variants};
-use crate::tree::{Cell, Domain, Split, Tree, build, grow};
+use crate::tree::{Cell, Domain, Split, Tree, grow};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Divides the cells along one diagonal; the last of them is full.

@@ -5,19 +5,17 @@ use crate::space::distance;
 use crate::views::figure_texts;
 use crate::{Palette, Shape, Show, Style, Theme, contrast, marks};
 use octoscope_core::geometry::Ray;
-use octoscope_core::progress::Progress;
 use octoscope_core::query::{Arithmetic, Query};
 use octoscope_core::random::Random;
 use octoscope_core::scenario::{AnyScenario, built_in};
 use octoscope_core::text::Language;
 use octoscope_core::trace::record;
 use octoscope_core::traverse::{Algorithm, Options};
-use octoscope_core::tree::{NodeId, Tree, build};
+use octoscope_core::tree::{NodeId, Tree};
 
 fn quadtree() -> Tree<2> {
     let Some(AnyScenario::Quadtree(scenario)) = built_in("quadtree-82") else { panic!() };
-    let (content, grid) = (scenario.source.content().unwrap(), scenario.grid().unwrap());
-    build(&content, grid, &scenario.recipe, &Progress::default()).unwrap()
+    scenario.tree().unwrap()
 }
 
 fn along(algorithm: Algorithm, segment_end: Option<f64>) -> Query<2> {
@@ -38,8 +36,7 @@ fn rail(tree: &Tree<2>, ray: &Ray<2>, query: &Query<2>, moment: &Moment<2>) -> O
 #[test]
 fn labels_that_are_pushed_away_have_a_line_to_their_marks() {
     let Some(AnyScenario::Octree(scenario)) = built_in("points-3d") else { panic!() };
-    let (content, grid) = (scenario.source.content().unwrap(), scenario.grid().unwrap());
-    let tree = build(&content, grid, &scenario.recipe, &Progress::default()).unwrap();
+    let tree = scenario.tree().unwrap();
     let ray = Ray::new([-0.16, 0.13, 0.2], [1.0, 0.62, 0.41]).unwrap();
     let (algorithm, arithmetic) = (Algorithm::Parametric, Arithmetic::Doubles);
     let query = Query::Ray { algorithm, options: Options::default(), arithmetic };
@@ -76,8 +73,7 @@ fn labels_that_are_pushed_away_have_a_line_to_their_marks() {
 #[test]
 fn frames_of_odd_numbers_do_not_touch() {
     let Some(AnyScenario::Octree(scenario)) = built_in("points-3d") else { panic!() };
-    let (content, grid) = (scenario.source.content().unwrap(), scenario.grid().unwrap());
-    let tree = build(&content, grid, &scenario.recipe, &Progress::default()).unwrap();
+    let tree = scenario.tree().unwrap();
     let ray = Ray::new([-0.16, 0.13, 0.2], [1.0, 0.0, 0.0]).unwrap();
     let trace = record(&tree, &ray, &scenario.query);
     let mut n_pairs = 0;
