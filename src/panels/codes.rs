@@ -37,6 +37,7 @@ pub fn ui<const D: usize>(
     } else {
         format!("{}; {}", codes.morton, child_rule::<D>(&look.texts))
     };
+    let known = Rich::from(known).unbroken().plain();
     ui.label(RichText::new(known).size(13.0).color(look.palette.quiet));
     if let Some(child) = codes.child {
         ui.label(RichText::new(Rich::from(child).unbroken().plain()).size(14.0));

@@ -29,16 +29,9 @@ const BEYOND: f32 = 4.0;
 /// entries row by row, without the head.
 pub fn table(ui: &mut Ui, look: &Look, table: &Table, setting: Setting) -> Vec<Vec<Response>> {
     let painter = ui.painter().clone();
-    let head: Vec<_> = table.head.iter().map(|text| head_of(&painter, look, text)).collect();
-    let rows: Vec<Vec<_>> = table
-        .rows
-        .iter()
-        .map(|row| row.iter().map(|entry| galley_of(&painter, look, entry)).collect())
-        .collect();
-    let widths = widths(&painter, look, table, setting);
-    let highest =
-        rows.iter().chain([&head]).flatten().map(|galley| galley.size().y).fold(ROW, f32::max);
-    let height = highest.ceil();
+    let letters = Letters::of(&painter, look, table);
+    let (widths, height) = (letters.widths(setting), letters.height());
+    let Letters { head, rows } = letters;
     let n_lines = rows.len() + usize::from(!head.is_empty());
     let size = vec2(whole(&widths, setting), height * n_lines as f32);
     let (room, _) = ui.allocate_exact_size(size, Sense::hover());
@@ -80,18 +73,40 @@ pub fn table(ui: &mut Ui, look: &Look, table: &Table, setting: Setting) -> Vec<V
 
 /// How wide a table is when it is shown.
 pub fn table_width(ui: &Ui, look: &Look, table: &Table, setting: Setting) -> f32 {
-    whole(&widths(ui.painter(), look, table, setting), setting)
+    whole(&Letters::of(ui.painter(), look, table).widths(setting), setting)
 }
 
-/// Width of every column.
-fn widths(painter: &Painter, look: &Look, table: &Table, setting: Setting) -> Vec<f32> {
-    let widest = |column: usize| {
-        let head = table.head.get(column).map(|text| head_of(painter, look, text));
-        let entries = table.rows.iter().filter_map(|row| row.get(column));
-        let entries = entries.map(|entry| galley_of(painter, look, entry));
-        entries.chain(head).map(|galley| galley.size().x).fold(setting.least, f32::max)
-    };
-    (0..table.columns.len()).map(widest).collect()
+/// What is written in a table, laid out.
+struct Letters {
+    head: Vec<Arc<Galley>>,
+    rows: Vec<Vec<Arc<Galley>>>,
+}
+
+impl Letters {
+    fn of(painter: &Painter, look: &Look, table: &Table) -> Self {
+        let row = |row: &Vec<Entry>| row.iter().map(|e| galley_of(painter, look, e)).collect();
+        Self {
+            head: table.head.iter().map(|text| head_of(painter, look, text)).collect(),
+            rows: table.rows.iter().map(row).collect(),
+        }
+    }
+
+    /// Width of every column.
+    fn widths(&self, setting: Setting) -> Vec<f32> {
+        let lines = || self.rows.iter().chain([&self.head]);
+        let n_columns = lines().map(Vec::len).max().unwrap_or(0);
+        let widest = |column: usize| {
+            let galleys = lines().filter_map(|line| line.get(column));
+            galleys.map(|galley| galley.size().x).fold(setting.least, f32::max)
+        };
+        (0..n_columns).map(widest).collect()
+    }
+
+    /// Height of every row.
+    fn height(&self) -> f32 {
+        let all = self.rows.iter().chain([&self.head]).flatten();
+        all.map(|galley| galley.size().y).fold(ROW, f32::max).ceil()
+    }
 }
 
 fn whole(widths: &[f32], setting: Setting) -> f32 {

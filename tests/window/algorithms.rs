@@ -1,8 +1,11 @@
 //! Every algorithm is chosen, stepped through and explained.
 
 use crate::desk::{Desk, sample};
+use crate::lecture::each_text;
+use crate::states::Question;
 use eframe::egui::Key;
 use eframe::egui::accesskit::{Role, Toggled};
+use eframe::egui::epaint::ClippedShape;
 use egui_kittest::kittest::{NodeT, Queryable};
 use octoscope_core::explain::algorithm_name;
 use octoscope_core::query::Query;
@@ -148,9 +151,9 @@ fn the_tables_are_shown_for_all_directions() {
     desk.get_by_label("All directions").click();
     desk.run();
     desk.click(Role::Button, "REFLECT");
-    // Eight directions, each by the signs of its axes.
-    for signs in ["−−", "−·", "−+", "·−", "·+", "+−", "+·", "++"] {
-        assert!(desk.texts().iter().any(|text| text == signs), "{signs}");
+    // Eight directions, each by its axes with their signs.
+    for direction in ["−x−y", "−x", "−x+y", "−y", "+y", "+x−y", "+x", "+x+y"] {
+        assert!(desk.texts().iter().any(|text| text == direction), "{direction}");
     }
 }
 
@@ -207,4 +210,28 @@ fn the_oracle_is_shown_as_exact_and_offers_nothing_else() {
     assert_eq!(offers(&desk), [(true, false), (true, true)]);
     desk.choose_algorithm(Algorithm::Parametric, Language::English);
     assert_eq!(offers(&desk), [(false, true), (false, false)], "what was chosen before");
+}
+
+#[test]
+fn the_name_of_every_algorithm_is_shown_whole() {
+    let mut desk = Desk::new();
+    for language in Language::ALL {
+        desk.state_mut().view.language = language;
+        for algorithm in Algorithm::ALL {
+            Question::Ray(algorithm).ask(&mut desk);
+            let name = algorithm_name(algorithm, language);
+            let mut shown = Vec::new();
+            for ClippedShape { shape, .. } in &desk.output().shapes {
+                each_text(shape, &mut |text| {
+                    if text.galley.job.text == name {
+                        shown.push(!text.galley.elided);
+                    }
+                });
+            }
+            assert!(
+                !shown.is_empty() && shown.iter().all(|is_whole| *is_whole),
+                "{name} {shown:?}"
+            );
+        }
+    }
 }
