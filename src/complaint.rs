@@ -118,11 +118,12 @@ fn of_building(texts: &Texts, error: &BuildError) -> String {
         BuildError::Outside { count, first } => outside(texts, *count, *first),
         BuildError::Domain(DomainError::TooFine) => texts.get("error-too-fine"),
         BuildError::Unusable(item) => texts.format("error-unusable", &[("item", (*item).into())]),
+        BuildError::ImageInSpace => texts.get("error-image-in-space"),
+        // What was read has none of these.
         BuildError::Domain(DomainError::NotABox | DomainError::TooDeep(_))
         | BuildError::DepthsDiffer { .. }
         | BuildError::NoCapacity
         | BuildError::PixelCount { .. }
-        | BuildError::ImageInSpace
         | BuildError::Cancelled(_) => {
             texts.format("error-building", &[("details", error.to_string().into())])
         }

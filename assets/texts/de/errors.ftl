@@ -65,4 +65,5 @@ error-too-many-nodes = Der Baum hätte mehr als { $most } Knoten; wählen Sie ei
 error-outside = { $count } der Gegenstände liegen außerhalb des Gebiets, der erste davon ist Nummer { $first } (von 0 gezählt); vergrößern oder verschieben Sie das Gebiet, oder lassen Sie sie weg
 error-unusable = Gegenstand Nummer { $item } (von 0 gezählt) hat eine Koordinate, die nicht endlich ist, eine negative Größe oder Ecken in falscher Reihenfolge; berichtigen Sie ihn oder lassen Sie ihn weg
 error-too-fine = So weit von 0 sind Zellen dieser Größe nicht mehr zu unterscheiden; wählen Sie weniger Stufen oder verschieben Sie das Gebiet
+error-image-in-space = Ein Bild liegt in der Ebene; geben Sie der Szene zwei Dimensionen
 error-building = Der Baum lässt sich nicht bauen (auf Englisch: { $details })

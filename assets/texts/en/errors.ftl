@@ -65,4 +65,5 @@ error-too-many-nodes = The tree would have more than { $most } nodes; use a smal
 error-outside = { $count } of the items lie outside the domain, the first of them is number { $first } (counted from 0); enlarge or move the domain, or leave them out
 error-unusable = Item number { $item } (counted from 0) has a coordinate that is not finite, a negative size or corners in the wrong order; mend it or leave it out
 error-too-fine = Cells of this size cannot be told apart so far from 0; use fewer levels or move the domain
+error-image-in-space = A picture lies in the plane; give the scene two dimensions
 error-building = The tree cannot be built: { $details }
