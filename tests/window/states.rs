@@ -244,11 +244,11 @@ fn over_the_window() -> Vec<State> {
             desk.run_steps(4);
         })
     };
-    let export = |name, view| {
+    let export = |name, view, file: &'static str| {
         State::new(name, move |desk| {
             desk.go_to(&At::Share(0.46));
             desk.state_mut().view.export.view = view;
-            desk.state_mut().view.export.file = FIGURE.to_owned();
+            desk.state_mut().view.export.file = file.to_owned();
             desk.state_mut().view.dialog = Some(Dialog::Export);
             desk.run_steps(4);
             let context = desk.ctx.clone();
@@ -263,8 +263,17 @@ fn over_the_window() -> Vec<State> {
         dialog("find", Dialog::Find(Search { wanted: "eb".to_owned(), chosen: 1 })),
         dialog("find-everything", Dialog::Find(Search::default())),
         dialog("path", Dialog::Path(typed())),
-        export("dialog-export", FigureView::Space),
-        export("dialog-export-table", FigureView::Table),
+        State::new("dialog-path-refused", |desk| {
+            let typed = Typed::new(Purpose::Save, "/no/such/folder/trees.octo".to_owned());
+            desk.state_mut().view.dialog = Some(Dialog::Path(typed));
+            desk.run_steps(2);
+            desk.press(Key::Enter);
+            desk.state_mut().finish_work();
+            desk.run_steps(4);
+        }),
+        export("dialog-export", FigureView::Space, FIGURE),
+        export("dialog-export-folder", FigureView::Space, "/"),
+        export("dialog-export-table", FigureView::Table, FIGURE),
         State::new("notes", |desk| {
             desk.go_to(&At::Share(0.46));
             desk.tap(Key::P);
