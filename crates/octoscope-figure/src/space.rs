@@ -16,6 +16,7 @@ mod overlaid;
 mod painted;
 mod points;
 mod rejected;
+mod ticks;
 
 pub(crate) use codes::BETWEEN;
 
@@ -33,6 +34,7 @@ use octoscope_core::tree::NodeId;
 use overlaid::strong_boxes;
 use painted::painted;
 use rejected::rejected_boxes;
+use ticks::is_tick;
 
 /// Figure of `marks` as `camera` shows them on `page`. In space, boxes of one
 /// tree cover each other as they do for the eye; leaves and solids lie below
@@ -82,7 +84,9 @@ pub fn space_figure_over<const D: usize>(
     // Labels look for room once everything is drawn that they may not cover:
     // those of the axes first, which have but one place, numbers last.
     let is_of_axis = |mark: &&Mark<D>| matches!(mark.role, Role::AxisLabel(_));
-    marks.iter().filter(is_of_axis).for_each(|mark| canvas.write(mark));
+    canvas.write_ticks(marks);
+    let names = marks.iter().filter(is_of_axis).filter(|mark| !is_tick(mark));
+    names.for_each(|mark| canvas.write(mark));
     canvas.write_away(marks, root.as_ref());
     marks.iter().filter(|mark| !is_of_axis(mark)).for_each(|mark| canvas.write(mark));
     canvas.write_indices(marks);

@@ -25,6 +25,39 @@ fn the_numbers_of_the_axes_stand_on_a_page_of_any_size_and_beside_the_root() {
 }
 
 #[test]
+fn the_numbers_of_an_axis_are_even_and_apart_however_small_the_page_and_whatever_the_ray() {
+    let (domain, mut random, mut n_numbers) = (Domain::<2>::unit(7), Random::new(12), 0);
+    for n in 0..400 {
+        let side = 60.0 + f64::from(n % 40) * 8.0;
+        let page = Page { width: side, height: side };
+        let camera = Camera::framing(&domain.root_box(), page);
+        let mut marks = axes(&domain, &Show::default(), &camera);
+        let mut on_page = || [0; 2].map(|_| random.between(-0.4, 1.4));
+        marks.push(Mark::new(Shape::Arrow([on_page(), on_page()]), Role::Ray));
+        let figure = space_figure(&marks, &camera, page);
+        for axis in 0..2 {
+            let of_axis = figure.drawn.iter().filter(|drawn| drawn.role == Role::AxisLabel(axis));
+            let texts = of_axis.filter_map(|drawn| match &drawn.form {
+                Form::Text { at, text, .. } => {
+                    let reach = [metrics::width(drawn.role, text), metrics::size(drawn.role)];
+                    Some((at[axis], 0.5 * reach[axis], text.plain().parse::<f64>().unwrap()))
+                }
+                _ => None,
+            });
+            let mut texts: Vec<_> = texts.collect();
+            texts.sort_by(|a, b| a.2.total_cmp(&b.2));
+            for pair in texts.windows(2) {
+                let apart = (pair[0].0 - pair[1].0).abs() - pair[0].1 - pair[1].1;
+                assert!(apart >= 3.0, "{apart} between {pair:?} on {side}");
+                assert_eq!(pair[1].2 - pair[0].2, texts[1].2 - texts[0].2, "{texts:?}");
+            }
+            n_numbers += texts.len();
+        }
+    }
+    assert!(n_numbers > 1500, "{n_numbers}");
+}
+
+#[test]
 fn axes_are_told_in_the_coordinates_of_the_ray_and_in_codes_where_these_are_shown() {
     let domain = Domain::<2>::new([-100.0, 0.0], 512.0, 5).unwrap();
     let texts = |codes: bool| -> Vec<String> {

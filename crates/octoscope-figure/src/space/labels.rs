@@ -16,18 +16,6 @@ impl<const D: usize> Canvas<'_, D> {
         };
         let place = |world| self.camera.project(self.page, world).map(|p| p.at);
         match mark.shape {
-            Shape::Label(at) if D == 2 && matches!(mark.role, Role::AxisLabel(_)) => {
-                if let Some(at) = place(at) {
-                    let reach = text_reach(mark.role, text);
-                    let at = self.outside(mark.role, at, reach);
-                    // Others tell as much as one that the ray crosses. Digits are low.
-                    let digits = [reach[0], 0.45 * reach[1]];
-                    let at = Some(at).filter(|at| self.n_covered(*at, digits) == 0);
-                    if let Some(at) = self.room(at, reach) {
-                        self.text(mark, at, text);
-                    }
-                }
-            }
             Shape::Label(at) => {
                 let reach = text_reach(mark.role, text);
                 let candidates = place(at).into_iter().flat_map(|[x, y]| {
@@ -155,20 +143,6 @@ impl<const D: usize> Canvas<'_, D> {
         Extent::around(on_page).map_or([0.0; 2], Extent::size)
     }
 
-    /// Where a label stands beside the tick `at` of its axis: below the x axis,
-    /// left of the y axis, on the page if the tick is.
-    fn outside(&self, role: Role, [x, y]: [f64; 2], reach: [f64; 2]) -> [f64; 2] {
-        const GAP: f64 = 7.0;
-        let page = [self.page.width, self.page.height];
-        let is_along_x = matches!(role, Role::AxisLabel(0));
-        let beside = if is_along_x { [x, y + reach[1] + GAP] } else { [x - reach[0] - GAP, y] };
-        let is_on_page = (0..2).all(|e| (0.0..=page[e]).contains(&[x, y][e]));
-        if !is_on_page {
-            return beside;
-        }
-        std::array::from_fn(|e| beside[e].min(page[e] - reach[e]).max(reach[e]))
-    }
-
     /// Writes the labels along lines, as many as there is room for.
     pub(super) fn number(&mut self, marks: &[Mark<D>]) {
         let page = [self.page.width, self.page.height];
@@ -250,14 +224,17 @@ impl<const D: usize> Canvas<'_, D> {
         places: impl IntoIterator<Item = [f64; 2]>,
         reach: [f64; 2],
     ) -> Option<[f64; 2]> {
-        let free = |at: &[f64; 2]| {
-            !self.taken.iter().any(|[other, extent]| {
-                (0..2).all(|e| (at[e] - other[e]).abs() < reach[e] + extent[e])
-            })
-        };
-        let at = places.into_iter().find(free)?;
+        let at = places.into_iter().find(|at| self.is_free(*at, reach))?;
         self.taken.push([at, reach]);
         Some(at)
+    }
+
+    /// Whether a label would cover nothing that it may not cover.
+    pub(super) fn is_free(&self, at: [f64; 2], reach: [f64; 2]) -> bool {
+        !self
+            .taken
+            .iter()
+            .any(|[other, extent]| (0..2).all(|e| (at[e] - other[e]).abs() < reach[e] + extent[e]))
     }
 }
 
