@@ -3,7 +3,7 @@
 use crate::look::Look;
 use crate::widgets::caption;
 use eframe::egui::{
-    Align2, FontId, Pos2, Rect, RichText, Sense, Stroke, Ui, WidgetInfo, accesskit::Role, pos2,
+    FontId, Painter, Pos2, Rect, RichText, Sense, Stroke, Ui, WidgetInfo, accesskit::Role, pos2,
     vec2,
 };
 use octoscope_core::event::{Event, Halves};
@@ -70,42 +70,112 @@ pub fn ui<const D: usize>(ui: &mut Ui, look: &Look, form: Form, past: &[Event<D>
     caption(ui, look, look.text(why));
 }
 
-/// The part's interval with the plane's parameter on it, or beside it.
+/// Where the plane lies on the bar, and what of the bar is to scale.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Scale {
+    /// The t at the left and at the right of the bar.
+    range: [f64; 2],
+    /// The side on which the parameter of the plane lies beyond that, if it does: 0 left,
+    /// 1 right.
+    beyond: Option<usize>,
+}
+
+impl Scale {
+    /// The interval, and the parameter as long as that leaves the interval a share of the
+    /// bar that is seen.
+    fn of([low, high]: [f64; 2], at: f64) -> Self {
+        /// Of the bar the interval takes so much at least.
+        const LEAST: f64 = 0.12;
+        let range = [low.min(at), high.max(at)];
+        if !at.is_nan() && (high - low) / (range[1] - range[0]) >= LEAST {
+            return Self { range, beyond: None };
+        }
+        // What has no place counts as before, as the words say.
+        let beyond = usize::from(at > high);
+        Self { range: [low, high], beyond: Some(beyond) }
+    }
+
+    /// Place of a t on a bar between two places.
+    fn place(&self, t: f64, [left, right]: [f32; 2]) -> f32 {
+        let share = (t - self.range[0]) / (self.range[1] - self.range[0]);
+        left + share as f32 * (right - left)
+    }
+}
+
+/// The part's interval with the plane's parameter on it, or beside it, to scale; where that
+/// would leave too little of the interval, the line to the plane is broken.
 fn bar(ui: &Ui, look: &Look, rect: Rect, at: f64, interval: [f64; 2], axis: usize, halves: Halves) {
+    /// Room beside the bar for a plane beyond a break.
+    const BESIDE: f32 = 44.0;
     let palette = &look.palette;
     let painter = ui.painter_at(rect.expand(2.0));
     let [low, high] = interval;
-    // A quarter of the width on either side is for what lies beyond.
-    let inside = rect.shrink2(vec2(rect.width() * 0.22, 0.0));
+    let scale = Scale::of(interval, at);
+    let room = |side: usize| if scale.beyond == Some(side) { BESIDE } else { 24.0 };
+    let ends = [rect.left() + room(0), rect.right() - room(1)];
+    let [from, to] = interval.map(|t| scale.place(t, ends));
     let y = rect.top() + 25.0;
-    let share = ((at - low) / (high - low)) as f32;
-    let x = if at.is_nan() || at == f64::NEG_INFINITY {
-        rect.left() + 6.0
-    } else {
-        inside.left() + share.clamp(-0.3, 1.3) * inside.width()
+    let x = match scale.beyond {
+        Some(0) => rect.left() + 6.0,
+        Some(_) => rect.right() - 6.0,
+        None => scale.place(at, ends),
     };
-    let x = x.clamp(rect.left() + 6.0, rect.right() - 6.0);
     painter.hline(rect.x_range(), y, Stroke::new(1.0, palette.grid));
-    painter.hline(inside.x_range(), y, Stroke::new(7.0, palette.quiet.gamma_multiply(0.45)));
-    // Both halves are met on either side of the plane.
-    if halves == Halves::Both {
-        painter.hline(inside.left()..=x, y, Stroke::new(7.0, palette.current_line));
-    } else {
-        painter.hline(inside.x_range(), y, Stroke::new(7.0, palette.current_line));
+    if scale.beyond.is_some() {
+        broken(&painter, pos2(0.5 * (x + if x < from { from } else { to }), y), look);
     }
+    painter.hline(from..=to, y, Stroke::new(7.0, palette.quiet.gamma_multiply(0.45)));
+    // Both halves are met on either side of the plane.
+    let end = if halves == Halves::Both { x } else { to };
+    painter.hline(from..=end, y, Stroke::new(7.0, palette.current_line));
     painter.vline(x, y - 11.0..=y + 11.0, Stroke::new(3.0, palette.axes[axis]));
-    let write = |at: Pos2, align: Align2, text: String, color| {
-        painter.text(at, align, text, FontId::monospace(look.type_size(12.0)), color);
+    let write = |at: Pos2, text: String, color, is_above: bool| {
+        let font = FontId::monospace(look.type_size(12.0));
+        let galley = painter.layout_no_wrap(text, font, color);
+        let [wide, high] = [galley.size().x, galley.size().y];
+        let left = (at.x - 0.5 * wide).clamp(rect.left(), (rect.right() - wide).max(rect.left()));
+        let top = if is_above { at.y - high } else { at.y };
+        painter.galley(pos2(left, top), galley, color);
+        left + wide
     };
-    write(pos2(inside.left(), y + 13.0), Align2::CENTER_TOP, approx(low), palette.quiet);
-    write(pos2(inside.right(), y + 13.0), Align2::CENTER_TOP, approx(high), palette.quiet);
-    let align = if x < inside.left() {
-        Align2::LEFT_BOTTOM
-    } else if x > inside.right() {
-        Align2::RIGHT_BOTTOM
-    } else {
-        Align2::CENTER_BOTTOM
-    };
-    let text = format!("t = {}", approx(at));
-    write(pos2(x, y - 12.0), align, text, palette.axes[axis]);
+    // Two numbers below a short interval stand beside each other.
+    let [low, high] = [low, high].map(approx);
+    let right = write(pos2(from, y + 13.0), low, palette.quiet, false);
+    let font = FontId::monospace(look.type_size(12.0));
+    let wide = painter.layout_no_wrap(high.clone(), font, palette.quiet).size().x;
+    let to = to.max(right + 10.0 + 0.5 * wide);
+    write(pos2(to, y + 13.0), high, palette.quiet, false);
+    write(pos2(x, y - 12.0), format!("t = {}", approx(at)), palette.axes[axis], true);
+}
+
+/// Two strokes across a line, as where a drawing leaves something out.
+fn broken(painter: &Painter, at: Pos2, look: &Look) {
+    let palette = &look.palette;
+    painter.hline(at.x - 2.5..=at.x + 2.5, at.y, Stroke::new(3.0, palette.panel));
+    for by in [-2.5, 2.5] {
+        let ends = [pos2(at.x + by - 2.0, at.y + 5.0), pos2(at.x + by + 2.0, at.y - 5.0)];
+        painter.line_segment(ends, Stroke::new(1.5, palette.quiet));
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_bar_is_to_scale_or_says_that_it_is_not() {
+        let ends = [0.0, 100.0];
+        for at in [-3.0, 0.9, 1.0, 1.25, 1.9, 2.0, 4.0, 7.0] {
+            let scale = Scale::of([1.0, 2.0], at);
+            assert_eq!(scale.beyond, None, "{at}");
+            let [a, b, x] = [1.0, 2.0, at].map(|t| scale.place(t, ends));
+            let share = f64::from((x - a) / (b - a));
+            assert!((share - (at - 1.0)).abs() < 1e-4, "{at}: {share}");
+            assert!([a, b, x].iter().all(|x| (-0.01..=100.01).contains(x)), "{at}");
+        }
+        let beyond = |at: f64| Scale::of([1.0, 1.01], at).beyond;
+        assert_eq!([-5.0, 0.0, 2.0, 1e9].map(beyond), [Some(0), Some(0), Some(1), Some(1)]);
+        let unbounded = [f64::NEG_INFINITY, f64::NAN, f64::INFINITY].map(beyond);
+        assert_eq!(unbounded, [Some(0), Some(0), Some(1)]);
+    }
 }

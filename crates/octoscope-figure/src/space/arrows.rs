@@ -55,7 +55,7 @@ impl<const D: usize> Canvas<'_, D> {
     ) {
         const HALF_WIDTH: f64 = 5.0;
         /// Of the arrow the head takes no more than this share.
-        const MOST: f64 = 0.4;
+        const MOST: f64 = 0.3;
         let length = distance(from, to);
         if length < least_length(mark.role) {
             return;
@@ -96,9 +96,10 @@ fn least_length(role: Role) -> f64 {
     if is_way(role) { LEGIBLE } else { 1e-9 }
 }
 
-/// The ends of an arrow, to its right where it may lie on one that leads back.
+/// The ends of an arrow, to its right where it may lie on one that leads back, or on the
+/// direction that is asked for.
 fn beside(role: Role, [from, to]: [[f64; 2]; 2]) -> [[f64; 2]; 2] {
-    const APART: f64 = 3.5;
+    const APART: f64 = 5.5;
     if !is_way(role) {
         return [from, to];
     }
