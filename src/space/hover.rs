@@ -73,7 +73,7 @@ pub fn card<const D: usize>(ui: &mut Ui, look: &Look, view: Rect, tree: &Tree<D>
     let size = lines.iter().fold(Vec2::ZERO, |size, (galley, _)| {
         vec2(size.x.max(galley.size().x), size.y + galley.size().y)
     });
-    let ground = in_corner(view, size + 2.0 * PADDING, told.seen);
+    let ground = in_corner(view, size + 2.0 * PADDING, &told.seen);
     ui.painter().rect_filled(ground, 4.0, look.palette.panel);
     let mut corner = ground.min + PADDING;
     for (galley, plain) in lines {

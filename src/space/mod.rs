@@ -33,9 +33,10 @@ use octoscope_core::geometry::Ray;
 use octoscope_core::query::Query;
 use octoscope_core::trace::Moment;
 use octoscope_core::tree::NodeId;
-use octoscope_figure::{Camera, Mark, Page, Show};
+use octoscope_figure::{Camera, Figure, Mark, Page, Role as MarkRole, Show};
 use placed::Parts;
 use scene::Scene;
+use std::sync::Arc;
 use tree_layers::Appearance;
 
 /// What the view shows and changes.
@@ -75,9 +76,10 @@ pub fn ui<const D: usize>(ui: &mut Ui, look: &Look, space: Space<'_, D>) {
     marks.extend(hover::marks(&document.tree, hovered, under.as_ref()));
     let is_busy = view.playback.playing || ui.input(|input| !input.events.is_empty());
     let pace = if is_busy { Pace::Busy } else { Pace::Rest };
-    paint(ui, look, &scene, marks, layers.map(|layers| (layers, pace)));
+    let figure = paint(ui, look, &scene, marks, layers.map(|layers| (layers, pace)));
     gesture::paint_region_being_drawn(ui, &ui.painter_at(rect), look, &response);
-    tell(ui, look, &scene, view, hovered, under);
+    tell(ui, look, &scene, view, (hovered, under), &figure);
+    tell_away(&response, look, frame, &figure);
 }
 
 /// Where the camera stands after what the user does in this frame, and what the mouse
@@ -128,7 +130,7 @@ fn paint<const D: usize>(
     scene: &Scene<'_, D>,
     mut marks: Vec<Mark<D>>,
     layers: Option<(&mut Layers, Pace)>,
-) {
+) -> Arc<Figure> {
     let painter = ui.painter_at(scene.frame.rect());
     painter.rect_filled(scene.frame.rect(), 0.0, look.palette.background);
     // Boxes that the graphics adapter draws.
@@ -140,7 +142,9 @@ fn paint<const D: usize>(
         marks.extend(scene.cells());
     }
     let parts = Parts { below, marks, camera: *scene.camera, page: scene.frame.page };
-    paint_on_page(&painter, look, scene.appearance.theme, scene.frame, &parts.placed(ui));
+    let figure = parts.placed(ui);
+    paint_on_page(&painter, look, scene.appearance.theme, scene.frame, &figure);
+    figure
 }
 
 /// Tells of the cell that is pointed at, and of what a click on it does.
@@ -149,8 +153,8 @@ fn tell<const D: usize>(
     look: &Look,
     scene: &Scene<'_, D>,
     view: &mut View,
-    hovered: Option<NodeId>,
-    under: Option<Under<D>>,
+    (hovered, under): (Option<NodeId>, Option<Under<D>>),
+    figure: &Figure,
 ) {
     let Scene { document, moment, camera, frame, .. } = *scene;
     let is_move = |event: &Event| matches!(event, Event::PointerMoved(_));
@@ -160,7 +164,9 @@ fn tell<const D: usize>(
     }
     if let Some(node) = hovered {
         let why = why::why(&document.shown(moment), node, view.language);
-        let seen = seen(document, frame, camera, node);
+        let is_of_axis = |role: MarkRole| matches!(role, MarkRole::AxisLabel(_));
+        let axes = frame.places_of(figure, is_of_axis);
+        let seen = Seen { axes, ..seen(document, frame, camera, node) };
         hover::card(ui, look, frame.rect(), &document.tree, &Told { node, why, seen });
     }
     let hint = under.filter(|_| view.pointed == Some(moment.step) && !view.spotlight);
@@ -181,7 +187,17 @@ fn seen<const D: usize>(
     let ray = is_asked.then_some(document.scenario.ray);
     let ends = |ray: Ray<D>| [ray.origin(), ray.at(1.0)].map(|end| frame.place(camera, end));
     let ray = ray.map(ends).and_then(|[from, to]| Some([from?, to?]));
-    Seen { cell, ray }
+    Seen { cell, ray, axes: Vec::new() }
+}
+
+/// Says what the number is at which the ray is broken, where that is pointed at.
+fn tell_away(response: &Response, look: &Look, frame: PageInWindow, figure: &Figure) {
+    const NEAR: f32 = 3.0;
+    let Some(pointer) = response.hover_pos() else { return };
+    let places = frame.places_of(figure, |role| role == MarkRole::RayAway);
+    if places.into_iter().any(|place| place.expand(NEAR).contains(pointer)) {
+        response.clone().on_hover_text_at_pointer(look.text("space-ray-away"));
+    }
 }
 
 /// What is shown in this frame: children move apart, and back together, in a short time.

@@ -2,7 +2,7 @@
 
 use eframe::egui::{Pos2, Rect, vec2};
 use octoscope_core::geometry::Aabb;
-use octoscope_figure::{Camera, Page, corners};
+use octoscope_figure::{Camera, Extent, Figure, Page, Role, corners};
 
 /// Where the page of a figure, or of a camera, lies in the window.
 #[derive(Clone, Copy, Debug)]
@@ -33,6 +33,13 @@ impl PageInWindow {
         corners(of).try_fold(Rect::NOTHING, |covered, corner| {
             Some(covered.union(Rect::from_pos(self.place(camera, corner)?)))
         })
+    }
+
+    /// What the parts of a figure that are of these roles cover in the window.
+    pub fn places_of(&self, figure: &Figure, is_wanted: impl Fn(Role) -> bool) -> Vec<Rect> {
+        let extents = figure.extents_of(is_wanted).into_iter();
+        let ends = |extent: Extent| [extent.min, extent.max].map(|at| self.on_screen(at));
+        extents.map(ends).map(|[min, max]| Rect::from_min_max(min, max)).collect()
     }
 
     /// Place in the window of a point of the page.

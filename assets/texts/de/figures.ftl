@@ -50,6 +50,7 @@ table-what = was geschieht
 chart-step = nach Schritt { $step } von { $of }
 legend-ray = Strahl
 legend-ray-tip = t = 1
+legend-ray-away = Abstand des Strahlursprungs von der Wurzel
 legend-visited = besuchte Blätter, der Reihe nach
 legend-strayed = gemeldet, obwohl falsch
 legend-expected = wäre richtig

@@ -120,6 +120,7 @@ panel-down = Nach unten
 panel-close = Schließen
 space-name = Raumansicht
 space-click-neighbour = Klick: der Nachbar jenseits
+space-ray-away = So weit ist der Ursprung des Strahls von der Wurzel entfernt: er liegt außerhalb des Bilds
 
 scene-source = Woraus der Baum gebaut ist
 scene-inline = eigene Daten

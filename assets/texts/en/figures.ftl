@@ -50,6 +50,7 @@ table-what = what happens
 chart-step = after step { $step } of { $of }
 legend-ray = ray
 legend-ray-tip = t = 1
+legend-ray-away = distance of the ray’s origin from the root
 legend-visited = visited leaves, in order
 legend-strayed = reported although wrong
 legend-expected = would be right

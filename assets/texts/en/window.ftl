@@ -120,6 +120,7 @@ panel-down = Move down
 panel-close = Close
 space-name = Space view
 space-click-neighbour = Click: the neighbour beyond
+space-ray-away = How far the origin of the ray is from the root: it lies beyond the picture
 
 scene-source = What the tree is built from
 scene-inline = own data

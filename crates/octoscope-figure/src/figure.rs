@@ -155,6 +155,13 @@ impl Figure {
         }))
     }
 
+    /// What the drawn parts of these roles cover, one by one.
+    pub fn extents_of(&self, is_wanted: impl Fn(Role) -> bool) -> Vec<Extent> {
+        let parts = self.drawn.iter().filter(|drawn| is_wanted(drawn.role));
+        let alone = |part: &Drawn| Self { page: self.page, drawn: vec![part.clone()] }.extent();
+        parts.filter_map(alone).collect()
+    }
+
     /// The same drawing on a page that ends `margin` beyond it.
     pub fn cropped(self, margin: f64) -> Self {
         match self.extent() {

@@ -1,5 +1,5 @@
 //! Where a ray begins beyond the page: its line is broken there, and the number beside
-//! it tells how far away its origin is.
+//! it tells how far its origin is from the root, whatever part of the ray is seen.
 
 use super::{Canvas, above_space, distance};
 use crate::figure::text_reach;
@@ -15,7 +15,8 @@ const LEAST: f64 = 3.0 * INSET;
 
 impl<const D: usize> Canvas<'_, D> {
     /// Breaks the ray where it comes from beyond the page, and writes how far
-    /// before the border its origin is, in world units; not inside the root, where it is looked at from near.
+    /// from the root its origin is, in world units; not inside the root, where it is looked
+    /// at from near.
     pub(super) fn write_away(&mut self, marks: &[Mark<D>], root: Option<&Aabb<D>>) {
         let arrow = marks.iter().find_map(|mark| match (mark.role, mark.shape) {
             (Role::Ray, Shape::Arrow(ends)) => Some((mark, ends)),
@@ -54,8 +55,8 @@ impl<const D: usize> Canvas<'_, D> {
             let stroke = Form::Polyline(vec![moved(by - 2.5, HALF), moved(by + 2.5, -HALF)]);
             self.push_at(above_space(role), &mark, Part::Edge, stroke);
         }
-        let way = (0..D).map(|e| to[e] - from[e]).fold(0.0, f64::hypot);
-        let text = short(before * way);
+        let Some(root) = root else { return };
+        let text = short(distance_to_box(from, root));
         let reach = text_reach(role, &text);
         let [ring, gap] = [4.0, 5.0];
         let reach = [reach[0] + ring + 0.5 * gap, reach[1]];
@@ -91,6 +92,12 @@ impl<const D: usize> Canvas<'_, D> {
         }
         inside
     }
+}
+
+/// Distance of a point from the nearest point of a box.
+fn distance_to_box<const D: usize>(point: [f64; D], bounds: &Aabb<D>) -> f64 {
+    let beyond = |e: usize| (bounds.min[e] - point[e]).max(point[e] - bounds.max[e]).max(0.0);
+    (0..D).map(beyond).fold(0.0, f64::hypot)
 }
 
 /// Two digits of a length.

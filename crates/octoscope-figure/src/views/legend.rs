@@ -18,9 +18,10 @@ enum Swatch {
 }
 
 /// Roles that are explained where they occur, by their class.
-const ENTRIES: [(&str, Role, Swatch); 20] = [
+const ENTRIES: [(&str, Role, Swatch); 21] = [
     ("ray", Role::Ray, Swatch::Arrow),
     ("ray-tip", Role::RayTip, Swatch::Diamond),
+    ("ray-away", Role::RayAway, Swatch::Disc),
     ("visited", Role::Visited { share: 0.5 }, Swatch::Ramp),
     ("strayed", Role::Strayed, Swatch::Crossed),
     ("expected", Role::Expected, Swatch::Field),
