@@ -80,8 +80,8 @@ fn a_whole_lecture_is_given_by_keyboard_alone() {
     desk.press(Key::Plus);
 
     // A quadtree, stepped through; back and on; a blank screen for a question.
-    desk.find("rings");
-    assert!(desk.step_through() > 20);
+    desk.find("checker-cells");
+    assert!(desk.step_through() > 100);
     desk.press(Key::PageUp);
     desk.press(Key::B);
     assert!(desk.state().view.blank);
