@@ -140,8 +140,8 @@ fn the_verdict_counts_what_holds() {
     // Each is 1.3 times as slow as the one before: all but the statements on Samet, who
     // is slower here, hold in their order; Gargantini is far from equal.
     let told = verdict(&results(5..=8), &texts(Language::English));
-    let expected = "7 published statements were measured: 0 hold here, 3 only in which is faster, \
-                    4 not.";
+    let expected = "7 published statements were measured: none holds here, 3 name the faster \
+                    algorithm rightly but not by how much, 4 do not hold.";
     assert_eq!(told, expected);
     assert_eq!(
         verdict(&Results::default(), &texts(Language::English)),
