@@ -8,7 +8,7 @@ use eframe::egui::{Align2, Pos2, Rect, Vec2, vec2};
 pub struct Seen {
     /// The cell that is spoken of.
     pub cell: Option<Rect>,
-    /// The handles of the ray.
+    /// The ends of the ray, its head included.
     pub ray: Option<[Pos2; 2]>,
     /// Numbers and names of the axes.
     pub axes: Vec<Rect>,

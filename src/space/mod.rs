@@ -33,7 +33,7 @@ use octoscope_core::geometry::Ray;
 use octoscope_core::query::Query;
 use octoscope_core::trace::Moment;
 use octoscope_core::tree::NodeId;
-use octoscope_figure::{Camera, Figure, Mark, Page, Role as MarkRole, Show};
+use octoscope_figure::{Camera, Figure, Mark, Page, Role as MarkRole, Show, far_end};
 use placed::Parts;
 use scene::Scene;
 use std::sync::Arc;
@@ -185,7 +185,8 @@ fn seen<const D: usize>(
     let cell = frame.bounds_of(camera, &document.tree.node_box(node));
     let is_asked = matches!(document.scenario.query, Query::Ray { .. });
     let ray = is_asked.then_some(document.scenario.ray);
-    let ends = |ray: Ray<D>| [ray.origin(), ray.at(1.0)].map(|end| frame.place(camera, end));
+    let head = |ray: &Ray<D>| far_end(&document.tree, ray);
+    let ends = |ray: Ray<D>| [ray.origin(), head(&ray)].map(|end| frame.place(camera, end));
     let ray = ray.map(ends).and_then(|[from, to]| Some([from?, to?]));
     Seen { cell, ray, axes: Vec::new() }
 }
