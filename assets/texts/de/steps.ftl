@@ -65,7 +65,7 @@ sort = { $n ->
 visit-root = Die Traversierung beginnt an der Wurzel, { $node }.
 visit-plain = Kind { $child } wird besucht: { $node }.
 visit-morton = { $number } wird als x + 2y + 4z gelesen, { $rule }, meint also Kind { $child } des Baums; es wird besucht: { $node }.
-visit-mirrored = Zustand { $state } ist Kind { $child } des Baumes, denn f({ $state }) = { $state } xor { $mask }; es wird besucht: { $node }.
+visit-mirrored = Zustand { $state } ist Kind { $child }, denn f({ $state }) = { $state } xor { $mask } = { $child }; es wird besucht: { $node }.
 skip-behind = Der Knoten wird bei { $exit } < 0 verlassen; er liegt also hinter dem Startpunkt und wird übersprungen.
 skip-ahead = Der Knoten wird bei { $exit } ≥ 0 verlassen; er liegt also nicht hinter dem Startpunkt.
 halve = Der Strahl trifft die Mittelebenen des Knotens bei { $mid }.
@@ -104,8 +104,8 @@ step-end-one = { $child } wird an der { $axes }-Ebene verlassen: { $exits }. In 
 step-end-many = { $child } wird an den Ebenen von { $axes } zugleich verlassen: { $exits }. In { $done } ist es die obere Hälfte: Auch der Elternknoten ist erledigt.
 child = Kind { $state }
 state = Zustand { $state }
-up = Das Kind ist erledigt: zurück hinauf zu { $node }.
-up-behind = Der Knoten wird bei { $exit } ≤ 0 verlassen; er liegt also hinter dem Startpunkt und wird übersprungen: zurück hinauf zu { $node }.
+up = { $child } ist erledigt: zurück hinauf zu { $node }.
+up-behind = { $child } wird bei { $exit } ≤ 0 verlassen; es liegt also hinter dem Startpunkt und wird übersprungen: zurück hinauf zu { $node }.
 up-none = Die Wurzel ist erledigt.
 
 enter = Der Strahl ist von t = { $enter } bis t = { $exit } in { $node }.
@@ -117,8 +117,10 @@ cuts = { $n ->
 classify = Bei t = { $at } gilt { $comparisons }: Der Strahl ist in Kind { $child }.
 flip-one = Bei t = { $at } wird die Mittelebene von { $axes } gekreuzt: Ihr Bit kippt, und das nächste Kind ist { $child }.
 flip-many = Bei t = { $at } werden die Mittelebenen von { $axes } zugleich gekreuzt: Ihre Bits kippen zusammen, und das nächste Kind ist { $child }.
-split-near = { $at } liegt nicht zwischen { $enter } und { $exit }, und der Strahl bleibt auf der Seite seines Startpunkts: Nur die { $half } wird betreten.
-split-far = { $at } kommt nicht nach dem Eintritt bei { $enter }: Die Ebene ist passiert, nur die { $half } wird betreten.
+split-near = { $at } liegt nicht vor dem Austritt bei { $exit }: Die Ebene wird nicht erreicht, nur die { $half } wird betreten.
+split-behind = { $at } ≤ 0: Die Ebene wird nach dem Startpunkt nicht getroffen, nur die { $half } wird betreten.
+split-still = Entlang { $axis } bewegt sich der Strahl nicht: Nur die Hälfte seines Startpunkts wird betreten, die { $half }.
+split-far = { $at } liegt nicht nach dem Eintritt bei { $enter }: Die Ebene ist passiert, nur die { $half } wird betreten.
 split-both = { $at } liegt zwischen { $enter } und { $exit }: Zuerst wird die { $half } betreten, die andere wartet auf dem Stapel.
 split-gem-after = { $at } > { $exit }: Das Gem nimmt nur die Hälfte auf der Seite des Startpunkts, die { $half }.
 split-gem-behind = { $at } < 0: Das Gem nimmt nur die Hälfte auf der Seite des Startpunkts, die { $half }.
@@ -181,6 +183,10 @@ found-leaf = Gefunden: { $node }, ein Blatt.
 found-node = Gefunden: { $node }, ein Knoten mit Kindern.
 end-missed = Der Strahl trifft kein Blatt: Die Traversierung endet.
 end-left-root = Der Strahl hat die Wurzel verlassen: Die Traversierung endet nach { $n ->
+    [one] einem Blatt
+   *[other] { $n } Blättern
+}.
+end-printed = Kein Knoten ist mehr übrig: Die Traversierung endet nach { $n ->
     [one] einem Blatt
    *[other] { $n } Blättern
 }.

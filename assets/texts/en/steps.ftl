@@ -65,7 +65,7 @@ sort = { $n ->
 visit-root = The traversal begins at the root, { $node }.
 visit-plain = Child { $child } is visited: { $node }.
 visit-morton = { $number } is read as x + 2y + 4z, { $rule }, which means child { $child } of the tree; it is visited: { $node }.
-visit-mirrored = State { $state } is child { $child } of the tree, as f({ $state }) = { $state } xor { $mask }; it is visited: { $node }.
+visit-mirrored = State { $state } is child { $child }, as f({ $state }) = { $state } xor { $mask } = { $child }; it is visited: { $node }.
 skip-behind = The node is left at { $exit } < 0, so it lies behind the origin and is skipped.
 skip-ahead = The node is left at { $exit } ≥ 0, so it does not lie behind the origin.
 halve = The ray meets the mid planes of the node at { $mid }.
@@ -95,8 +95,8 @@ step-end-one = { $child } is left at the { $axes } plane: { $exits }. In { $done
 step-end-many = { $child } is left at the { $axes } planes at once: { $exits }. In { $done } it is the upper half, so the parent is done, too.
 child = Child { $state }
 state = State { $state }
-up = The child is done: back up to { $node }.
-up-behind = The node is left at { $exit } ≤ 0, so it lies behind the origin and is skipped: back up to { $node }.
+up = { $child } is done: back up to { $node }.
+up-behind = { $child } is left at { $exit } ≤ 0, so it lies behind the origin and is skipped: back up to { $node }.
 up-none = The root is done.
 
 enter = The ray is in { $node } from t = { $enter } to t = { $exit }.
@@ -108,7 +108,9 @@ cuts = { $n ->
 classify = At t = { $at }, { $comparisons }: the ray is in child { $child }.
 flip-one = At t = { $at } the mid plane of { $axes } is crossed: its bit is flipped, and the next child is { $child }.
 flip-many = At t = { $at } the mid planes of { $axes } are crossed at once: their bits are flipped together, and the next child is { $child }.
-split-near = { $at } does not lie between { $enter } and { $exit }, and the ray stays on the side of its origin: only the { $half } is entered.
+split-near = { $at } comes no earlier than the exit at { $exit }: the plane is not reached, and only the { $half } is entered.
+split-behind = { $at } ≤ 0: the plane is not met after the origin, and only the { $half } is entered.
+split-still = The ray does not move along { $axis }: only the half of its origin is entered, the { $half }.
 split-far = { $at } comes no later than the entry at { $enter }: the plane is passed, and only the { $half } is entered.
 split-both = { $at } lies between { $enter } and { $exit }: the { $half } is entered first, the other one waits on the stack.
 split-gem-after = { $at } > { $exit }: the gem takes the half on the side of the origin alone, the { $half }.
@@ -172,6 +174,10 @@ found-leaf = The search has found { $node }, a leaf.
 found-node = The search has found { $node }, which has children.
 end-missed = The ray meets no leaf: the traversal ends.
 end-left-root = The ray has left the root: the traversal ends after { $n ->
+    [one] one leaf
+   *[other] { $n } leaves
+}.
+end-printed = No node is left on the way: the traversal ends after { $n ->
     [one] one leaf
    *[other] { $n } leaves
 }.

@@ -116,6 +116,8 @@ impl<const D: usize> Teller<'_, D> {
         let is_upper = child.map_or(taken.upper.contains(axis), |child| child.is_upper(axis));
         let is_gem = self.trace.query.variants_at_work().has(Variant::Gem);
         let key = match (halves, is_gem) {
+            (Halves::Near, false) if self.ray.direction()[axis] == 0.0 => "split-still",
+            (Halves::Near, false) if at <= 0.0 => "split-behind",
             (Halves::Near, false) => "split-near",
             (Halves::Far, false) => "split-far",
             (Halves::Both, false) => "split-both",
@@ -133,7 +135,8 @@ impl<const D: usize> Teller<'_, D> {
                 ("at", equation(&t(axis, "m"), &values[0])),
                 ("enter", strong(&values[1])),
                 ("exit", strong(&values[2])),
-                ("half", words.say(half, &[("axis", axis_name)])),
+                ("half", words.say(half, &[("axis", axis_name.clone())])),
+                ("axis", axis_name),
             ],
         )
     }

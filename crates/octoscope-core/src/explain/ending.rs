@@ -12,7 +12,10 @@ impl<const D: usize> Teller<'_, D> {
             End::Missed => words.texts.get("end-missed"),
             End::LeftRoot => {
                 let n = self.before.leaves.len() as u64;
-                words.texts.format("end-left-root", &[("n", n.into())])
+                // A rule as printed may end without the ray having been in the root.
+                let is_printed = self.trace.query.variants_at_work().iter().any(|v| v.is_misprint());
+                let key = if is_printed { "end-printed" } else { "end-left-root" };
+                words.texts.format(key, &[("n", n.into())])
             }
             End::FirstFull => words.texts.get("end-first-full"),
             End::SegmentEnd => {

@@ -117,14 +117,15 @@ impl<const D: usize> Teller<'_, D> {
             }
             Event::Step { state, exits, axes, next } => self.step(state, exits, axes, next),
             Event::Up { node: Some(node) } => {
-                let to = ("node", words.node(node));
-                match self.left_behind() {
-                    Some((axis, exit)) => {
-                        let exit = equation(&t(axis, "1"), &approx(exit));
-                        words.say("up-behind", &[to, ("exit", exit)])
-                    }
-                    None => words.say("up", &[to]),
-                }
+                let done = self.before.current.and_then(|done| words.tree.child_index(done));
+                let state = done.map_or(String::new(), |child| child.0.to_string());
+                let child = words.say("child", &[("state", state)]);
+                let mut arguments = vec![("child", child), ("node", words.node(node))];
+                let Some((axis, exit)) = self.left_behind() else {
+                    return words.say("up", &arguments);
+                };
+                arguments.push(("exit", equation(&t(axis, "1"), &approx(exit))));
+                words.say("up-behind", &arguments)
             }
             Event::Up { node: None } => words.texts.get("up-none"),
             Event::Enter { node, interval: [enter, exit], .. } => {

@@ -267,8 +267,8 @@ fn a_child_behind_the_origin_is_left_with_a_reason() {
         &ray,
         &query,
         [
-            "The node is left at t_x1 = −4 ≤ 0, so it lies behind the origin and is skipped: back up to the node (0, 0, 0) of level 3.",
-            "Der Knoten wird bei t_x1 = −4 ≤ 0 verlassen; er liegt also hinter dem Startpunkt und wird übersprungen: zurück hinauf zu Knoten (0, 0, 0) auf Stufe 3.",
+            "Child 1 is left at t_x1 = −4 ≤ 0, so it lies behind the origin and is skipped: back up to the node (0, 0, 0) of level 3.",
+            "Kind 1 wird bei t_x1 = −4 ≤ 0 verlassen; es liegt also hinter dem Startpunkt und wird übersprungen: zurück hinauf zu Knoten (0, 0, 0) auf Stufe 3.",
         ],
     );
 }

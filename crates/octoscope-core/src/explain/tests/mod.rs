@@ -173,7 +173,16 @@ fn read(token: &str) -> Option<f64> {
     digits.replace('∞', "inf").parse().ok().filter(|x: &f64| !x.is_nan())
 }
 
-/// Checks each "x < y" and "x < name = y" of a text; returns how many there are.
+/// The number, or the "a xor b", at the end of `tokens`.
+fn read_left(tokens: &[&str]) -> Option<f64> {
+    let right = read(tokens.last()?)?;
+    let ["xor", _] = tokens[tokens.len().saturating_sub(2)..] else { return Some(right) };
+    let left = read(tokens.iter().rev().nth(2)?.rsplit('(').next()?)?;
+    Some(f64::from(left as u32 ^ right as u32))
+}
+
+/// Checks each "x < y", "x < name = y" and "x xor y = z" of a text; returns how many
+/// there are.
 #[track_caller]
 fn check_relations(text: &str, context: &str) -> usize {
     let tokens: Vec<&str> = text.split_whitespace().collect();
@@ -183,7 +192,7 @@ fn check_relations(text: &str, context: &str) -> usize {
             let is_named = tokens.get(at + 2).is_some_and(|token| *token == "=");
             read(tokens.get(at + 3)?).filter(|_| is_named)
         });
-        let (Some(left), Some(right)) = (read(tokens[at - 1]), right) else { continue };
+        let (Some(left), Some(right)) = (read_left(&tokens[..at]), right) else { continue };
         let holds = match tokens[at] {
             "<" => left < right,
             ">" => left > right,

@@ -71,8 +71,8 @@ fn a_mirrored_state_is_told_with_its_child() {
         &ray,
         &along(Algorithm::Parametric),
         [
-            "State 2 is child 0 of the tree, as f(2) = 2 xor 2; it is visited: the node (0, 0) of level 2.",
-            "Zustand 2 ist Kind 0 des Baumes, denn f(2) = 2 xor 2; es wird besucht: Knoten (0, 0) auf Stufe 2.",
+            "State 2 is child 0, as f(2) = 2 xor 2 = 0; it is visited: the node (0, 0) of level 2.",
+            "Zustand 2 ist Kind 0, denn f(2) = 2 xor 2 = 0; es wird besucht: Knoten (0, 0) auf Stufe 2.",
         ],
     );
 }
