@@ -29,7 +29,7 @@ use crate::space::Layers;
 use crate::view::{Dialog, Preset, View};
 use crate::widgets::refused_number;
 use crate::{complaint, render, save, theme, with_document};
-use eframe::egui::{CentralPanel, Context, Frame, Id, Key, Ui, ViewportCommand};
+use eframe::egui::{CentralPanel, Context, Event, Frame, Id, Key, Ui, ViewportCommand};
 use exporting::Exporting;
 use jobs::Task;
 use keeping::Keeping;
@@ -89,6 +89,8 @@ pub struct App {
     edited: Option<Id>,
     /// Which keys were taken after the last frame.
     taken: Taken,
+    /// What was typed for a dialog that was not there yet.
+    held_back: Vec<Event>,
     /// Layers on the graphics adapter; `None` without one.
     layers: Option<Layers>,
 }
@@ -173,6 +175,7 @@ impl App {
             was_covered: false,
             edited: None,
             taken: Taken::default(),
+            held_back: Vec::new(),
             layers,
         };
         app.go_to_start();
@@ -326,6 +329,7 @@ impl eframe::App for App {
         self.take_answers(&context);
         self.open_dropped(&context);
         self.leave_field(&context);
+        self.give_held_back(&context);
         let mut commands = Vec::new();
         let dt_secs = f64::from(context.input(|input| input.stable_dt)).min(0.25);
         self.view.playback.advance(dt_secs, self.document.n_events());
@@ -349,6 +353,7 @@ impl eframe::App for App {
                 wrong => self.notice.say(wrong),
             }
         }
+        self.hold_back(&context, &commands);
         for command in commands {
             self.obey(&context, command);
         }

@@ -308,9 +308,27 @@ impl Command {
 
 /// Keys that a focused control keeps for itself: it is operated or left by them.
 pub fn belongs_to_focus(shortcut: &KeyboardShortcut) -> bool {
+    use Key::{ArrowDown, ArrowLeft, ArrowRight, ArrowUp, End, Enter, Escape, Home, Space, Tab};
+    let operates = matches!(
+        shortcut.logical_key,
+        ArrowDown | ArrowLeft | ArrowRight | ArrowUp | End | Enter | Escape | Home | Space | Tab
+    );
+    shortcut.modifiers == Modifiers::NONE && operates
+}
+
+/// Keys that an open list or menu keeps for itself; letters, as they may be meant for it.
+pub fn belongs_to_list(shortcut: &KeyboardShortcut) -> bool {
     let function_key = matches!(shortcut.logical_key, Key::F1 | Key::F11);
     let presenter_key = matches!(shortcut.logical_key, Key::PageUp | Key::PageDown);
     shortcut.modifiers == Modifiers::NONE && !function_key && !presenter_key
+}
+
+impl Command {
+    /// Whether what is typed after it is meant for a dialog, and for no command.
+    pub fn opens_dialog(self) -> bool {
+        use Command::{About, Export, Find, Keys, Lab, Open, Save, SaveAs};
+        matches!(self, About | Export | Find | Keys | Lab | Open | Save | SaveAs)
+    }
 }
 
 #[cfg(test)]

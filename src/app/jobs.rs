@@ -19,7 +19,7 @@ use std::path::{Path, PathBuf};
 /// What a job is to do.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Task {
-    /// Open what the window is started with.
+    /// Open what the window begins with in place of what was open last.
     Start,
     /// Open what is shown instead of the present document.
     Open,
@@ -38,7 +38,9 @@ pub(super) enum Task {
 impl App {
     /// Opens a file on another thread.
     pub fn open(&mut self, context: &Context, path: PathBuf) {
-        self.begin_to_open(context, path, Task::Open);
+        let is_restoring = matches!(self.job, Some((_, Task::Restore)));
+        let task = if is_restoring { Task::Start } else { Task::Open };
+        self.begin_to_open(context, path, task);
     }
 
     /// The same by a path that was typed.
@@ -172,10 +174,10 @@ impl App {
         };
         let Some((job, task)) = self.job.take() else { return };
         self.take_result(result, task, &job.context);
-        if task == Task::Restore
-            && let Some(path) = self.started_on.take()
-        {
-            self.open(&job.context, path);
+        // Whatever is opened instead of what was open last, nothing follows that.
+        let start = self.started_on.take().filter(|_| task == Task::Restore);
+        if let Some(path) = start {
+            self.begin_to_open(&job.context, path, Task::Start);
         }
     }
 
@@ -204,7 +206,7 @@ impl App {
                 } else {
                     self.tell_failure(&error, task);
                 }
-                if matches!(task, Task::Start | Task::Open | Task::OpenTyped) {
+                if task == Task::Start {
                     self.restore_instead(context);
                 }
             }
@@ -230,9 +232,15 @@ impl App {
         }
         self.document = document;
         (self.tracing, self.judging) = (None, None);
-        self.unrestored = None;
+        // What no file has is tried again by the next start until it is there.
+        let is_safe = |last: &Last| last.unchanged.is_none();
+        if task == Task::Restore || self.unrestored.as_ref().is_some_and(is_safe) {
+            self.unrestored = None;
+        }
         self.saved = self.document.as_opened();
-        self.notice.clear();
+        if task != Task::Start {
+            self.notice.clear();
+        }
         let kept = changed.map(|title| {
             let title = title.trim_end_matches(" *").to_owned();
             self.look.texts.format("status-kept", &[("title", title.into())])

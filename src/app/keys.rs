@@ -1,11 +1,11 @@
 //! Which keys are commands, and which commands can be obeyed now.
 
 use super::App;
-use crate::command::{COMMANDS, Command, belongs_to_focus};
+use crate::command::{COMMANDS, Command, belongs_to_focus, belongs_to_list};
 use crate::document::Found;
 use crate::view::Standpoint;
 use crate::with_document;
-use eframe::egui::{Context, Key, Popup};
+use eframe::egui::{Context, Event, Key, KeyboardShortcut, Popup};
 
 /// Which keys are no commands, because something else takes them.
 #[derive(Clone, Copy, Default)]
@@ -14,9 +14,10 @@ pub(super) struct Taken {
     all: bool,
     /// Escape, by what lies over the picture: it closes that first.
     escape: bool,
-    /// Those by which a control is operated or left, as it is focused, or as it has opened
-    /// a list or a menu.
+    /// Those by which a control is operated or left, as it is focused.
     by_control: bool,
+    /// All without Ctrl, by an open list or menu.
+    by_list: bool,
 }
 
 impl App {
@@ -25,38 +26,66 @@ impl App {
         Taken {
             all: context.text_edit_focused() || self.view.dialog.is_some(),
             escape: Popup::is_any_open(context) || self.view.blank || !self.notice.is_empty(),
-            by_control: context.memory(|memory| memory.focused().is_some())
-                || Popup::is_any_open(context),
+            by_control: context.memory(|memory| memory.focused().is_some()),
+            by_list: Popup::is_any_open(context),
         }
     }
 
     /// Commands whose keys were pressed in the frame that is being shown. What a click
     /// in it has brought takes keys as well as what was there before: in a slow frame
-    /// both come together.
+    /// both come together. What follows the key of a dialog is left for the dialog.
     pub(super) fn pressed(&self, context: &Context) -> Vec<Command> {
         let (before, now) = (self.taken, self.taken(context));
         if before.all || now.all {
             return Vec::new();
         }
         let focused = before.by_control || now.by_control;
+        let listed = before.by_list || now.by_list;
         let escape_is_free = !before.escape && !now.escape && self.is_enabled(Command::BackToRay);
         context.input_mut(|input| {
             let keys =
                 COMMANDS.iter().flat_map(|row| row.keys.iter().map(|key| (row.command, key)));
             let free = keys.filter(|(_, key)| match key.logical_key {
                 Key::Escape => escape_is_free,
-                _ => !(focused && belongs_to_focus(key)),
+                _ => !(focused && belongs_to_focus(key) || listed && belongs_to_list(key)),
             });
             // Longer shortcuts first: Ctrl+Shift+S is not Ctrl+S.
             let mut free: Vec<_> = free.collect();
             free.sort_by_key(|(_, key)| !key.modifiers.shift);
             // Each press counts, also where a slow frame brings several.
-            let given = free.into_iter().flat_map(|(command, key)| {
-                let n_presses = input.count_and_consume_key(key.modifiers, key.logical_key);
-                std::iter::repeat_n(command, n_presses)
-            });
-            given.collect()
+            let (mut given, mut kept) = (Vec::new(), Vec::new());
+            for event in std::mem::take(&mut input.events) {
+                let is_for_dialog =
+                    given.last().is_some_and(|command: &Command| command.opens_dialog());
+                match command_of(&event, &free).filter(|_| !is_for_dialog) {
+                    Some(command) => {
+                        given.push(command);
+                        if command.opens_dialog() {
+                            kept.clear();
+                        }
+                    }
+                    None => kept.push(event),
+                }
+            }
+            input.events = kept;
+            given
         })
+    }
+
+    /// Keeps what was typed after the key of a dialog for the next frame, which shows it.
+    pub(super) fn hold_back(&mut self, context: &Context, commands: &[Command]) {
+        if commands.last().is_some_and(|command| command.opens_dialog()) {
+            let typed = |event: &Event| matches!(event, Event::Key { .. } | Event::Text(_));
+            self.held_back = context
+                .input(|input| input.events.iter().filter(|event| typed(event)).cloned().collect());
+            context.request_repaint();
+        }
+    }
+
+    /// Types what was held back, before what was typed since.
+    pub(super) fn give_held_back(&mut self, context: &Context) {
+        let held = std::mem::take(&mut self.held_back);
+        context.input_mut(|input| drop(input.events.splice(0..0, held)));
     }
 
     /// Why a command whose key was pressed cannot be obeyed now, where that does not show.
@@ -144,4 +173,13 @@ impl App {
             | Command::About => true,
         }
     }
+}
+
+/// The command whose key `event` presses, the first one in `free`.
+fn command_of(event: &Event, free: &[(Command, &KeyboardShortcut)]) -> Option<Command> {
+    let Event::Key { key, modifiers, pressed: true, .. } = event else { return None };
+    let is_pressed = |shortcut: &KeyboardShortcut| {
+        *key == shortcut.logical_key && modifiers.matches_logically(shortcut.modifiers)
+    };
+    free.iter().find(|(_, shortcut)| is_pressed(shortcut)).map(|(command, _)| *command)
 }

@@ -1,7 +1,8 @@
 //! What was open last, when the window is opened again.
 
 use crate::desk::{Desk, Storage, sample};
-use eframe::egui::{Key, Modifiers};
+use eframe::egui::{Context, Key, Modifiers};
+use octoscope::app::App;
 use octoscope::document::AnyDocument;
 use octoscope::files::{Chosen, Purpose};
 use octoscope::view::Dialog;
@@ -127,6 +128,47 @@ fn a_start_on_a_file_keeps_what_no_file_has() {
     assert!(desk.says("Ctrl+Z brings it back"), "{:?}", desk.texts());
     desk.press_with(Modifiers::COMMAND, Key::Z);
     assert_eq!(desk.space().scenario, before.space().scenario);
+}
+
+#[test]
+fn a_start_on_a_file_keeps_what_no_file_has_until_it_opens_again() {
+    let folder = tempdir().unwrap();
+    let data = folder.path().join("knot.obj");
+    let mut before = on_copy(folder.path(), "knot.obj");
+    before.press(Key::R);
+    let left = before.left();
+    fs::remove_file(&data).unwrap();
+
+    let mut meanwhile = Desk::started_on(&left, "scene:quadtree-82");
+    assert_eq!(meanwhile.plane().tree.n_leaves(), 97);
+    assert!(meanwhile.says("knot.obj"), "{:?}", meanwhile.texts());
+    assert_eq!(meanwhile.left(), left);
+    meanwhile.open("typo.octo");
+    meanwhile.press(Key::Escape);
+    assert_eq!(meanwhile.plane().tree.n_leaves(), 97);
+
+    fs::copy(sample("knot.obj"), &data).unwrap();
+    let again = Desk::started(&meanwhile.left());
+    assert_eq!(again.space().scenario, before.space().scenario);
+    assert!(again.state().is_changed());
+}
+
+#[test]
+fn what_is_opened_while_the_last_comes_back_does_not_lose_it() {
+    let mut before = Desk::with_file(sample("knot.obj"));
+    before.press(Key::R);
+    let left = before.left();
+    let meanwhile = |path: &Path| {
+        let open = |app: &mut App| app.open(&Context::default(), path.to_owned());
+        let mut desk = Desk::starting_with(&left, open);
+        desk.state_mut().finish_work();
+        desk.run();
+        desk
+    };
+    assert_eq!(meanwhile(&sample("lecture.octo")).left(), left);
+    // What cannot be opened brings it back.
+    let failed = meanwhile(Path::new("typo.octo"));
+    assert_eq!(failed.space().scenario, before.space().scenario);
 }
 
 #[test]

@@ -25,6 +25,38 @@ fn a_command_is_found_and_given() {
     assert_eq!(desk.state().view.dialog, None);
 }
 
+/// A key with what it types, as a keyboard gives them.
+fn typed(letter: char) -> [Event; 2] {
+    let key = Key::from_name(&letter.to_uppercase().to_string()).unwrap();
+    [pressed(key, Modifiers::NONE), Event::Text(letter.to_string())]
+}
+
+fn pressed(key: Key, modifiers: Modifiers) -> Event {
+    Event::Key { key, physical_key: None, pressed: true, repeat: false, modifiers }
+}
+
+#[test]
+fn what_is_typed_faster_than_frames_are_drawn_is_searched_for() {
+    for n_in_a_frame in [99, 12, 5] {
+        let mut desk = Desk::new();
+        let letters = "cylinders".chars().flat_map(typed);
+        let mut events = vec![pressed(Key::K, Modifiers::COMMAND)];
+        events.extend(letters.chain([pressed(Key::Enter, Modifiers::NONE)]));
+        for frame in events.chunks(n_in_a_frame) {
+            for event in frame {
+                desk.event(event.clone());
+            }
+            desk.step();
+        }
+        desk.run();
+        desk.state_mut().finish_work();
+        desk.run();
+        assert_eq!(desk.state().view.dialog, None);
+        assert!(desk.says("4320 cylinders"), "{:?}", desk.texts());
+        assert_eq!(desk.step_number(), 0);
+    }
+}
+
 #[test]
 fn the_arrow_keys_choose_among_the_hits() {
     let mut desk = Desk::new();

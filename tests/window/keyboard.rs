@@ -137,3 +137,12 @@ fn a_whole_lecture_is_given_by_keyboard_alone() {
     desk.run();
     assert_eq!(desk.state().view.dialog, None);
 }
+
+#[test]
+fn letters_are_commands_also_while_a_control_has_the_focus() {
+    let mut desk = Desk::new();
+    desk.press(Key::Tab);
+    assert!(desk.ctx.memory(|memory| memory.focused().is_some()));
+    desk.press(Key::B);
+    assert!(desk.state().view.blank);
+}

@@ -12,11 +12,14 @@ use eframe::egui::{
 /// Edits what is searched for and lists what is found; the arrow keys choose.
 /// Returns what Enter or a click takes.
 pub fn ui(ui: &mut Ui, look: &Look, search: &mut Search) -> Option<Target> {
-    let hits = find(&search.wanted, look.texts.language());
     let moved = steps(ui);
-    let field = TextEdit::singleline(&mut search.wanted).hint_text(look.text("find-hint"));
+    // Before it is shown: what was typed right after the key of the search is for it.
+    let id = ui.unique_id().with("wanted");
+    ui.memory_mut(|memory| memory.request_focus(id));
+    let hint = RichText::new(look.text("find-hint")).color(look.palette.quiet);
+    let field = TextEdit::singleline(&mut search.wanted).id(id).hint_text(hint);
     let field = text_field(ui, look, field.desired_width(f32::INFINITY));
-    field.request_focus();
+    let hits = find(&search.wanted, look.texts.language());
     let name = look.text("command-find");
     ui.ctx().accesskit_node_builder(field.id, |node| node.set_label(name));
     if field.changed() {
