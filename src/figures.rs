@@ -145,15 +145,18 @@ fn exercise<const D: usize>(document: &Document<D>, wanted: &Wanted<D>) -> anyho
     Ok(worksheet(&document.tree, &exercise, picture, &texts, (fields, width)))
 }
 
-/// Gives `document` the ray of an exercise.
+/// Asks of `document` what a worksheet does: to follow the ray of an exercise, or its own,
+/// by rules that are right.
 ///
 /// # Errors
 /// Says that no ray through its tree can be followed by hand.
 pub fn take_exercise<const D: usize>(
     document: &mut Document<D>,
-    number: u64,
+    number: Option<u64>,
 ) -> anyhow::Result<()> {
-    document.scenario.ray = Exercise::ray_of(&document.tree, number)?;
+    if let Some(number) = number {
+        document.scenario.ray = Exercise::ray_of(&document.tree, number)?;
+    }
     document.scenario.query = Query::default();
     document.refresh(0);
     Ok(())

@@ -204,16 +204,16 @@ impl Request {
         })
     }
 
-    /// The document with all that its figures show, and with the ray of the exercise, if
-    /// a worksheet of one is asked for.
+    /// The document with all that its figures show, and with the question of a worksheet,
+    /// if one is asked for.
     fn shown_document(
         &self,
         document: &AnyDocument,
         progress: &Progress,
     ) -> anyhow::Result<AnyDocument> {
         let mut shown = document.clone();
-        if let (FigureView::Worksheet, Some(number)) = (self.view, self.exercise.0) {
-            with_document!(&mut shown, d => take_exercise(d, number)?);
+        if self.view == FigureView::Worksheet {
+            with_document!(&mut shown, d => take_exercise(d, self.exercise.0)?);
         }
         if self.marks_results() {
             with_document!(&mut shown, d => d.find_right_nodes(progress))?;
@@ -288,7 +288,8 @@ impl Request {
 
     /// Whether the figure marks what a misprint reports and should not.
     fn marks_results(&self) -> bool {
-        self.view.shows_space() || self.view == FigureView::Tree
+        let is_solved = self.view != FigureView::Worksheet;
+        self.view.shows_space() && is_solved || self.view == FigureView::Tree
     }
 
     /// What is shown of a tree of dimension D.

@@ -1,10 +1,12 @@
 //! What a request draws, and what it says it cannot.
 
 use super::*;
-use crate::open::open_built_in;
+use crate::open::{open_built_in, open_scenario};
 use octoscope_core::event::End;
+use octoscope_core::paper::counterexample;
 use octoscope_core::query::Query;
-use octoscope_core::traverse::Method;
+use octoscope_core::traverse::{Method, Variant};
+use std::path::Path;
 use std::sync::Arc;
 
 #[test]
@@ -21,6 +23,22 @@ fn a_figure_of_a_misprint_shows_what_would_be_right_where_a_frame_would_not_do()
     let cancelled = Progress::default();
     cancelled.cancel();
     assert!(in_space(last).svg(&any, last, &cancelled).is_err());
+}
+
+#[test]
+fn a_worksheet_does_not_show_its_solution() {
+    let any = open_scenario(counterexample(Variant::B2), Path::new(""), &Progress::default());
+    let any = any.unwrap();
+    let solved = in_space(0).svg(&any, 0, &Progress::default()).unwrap();
+    assert!(solved.contains("expected"));
+    for number in [None, Some(17)] {
+        let exercise = (number, Fields::Empty);
+        let request = Request { view: FigureView::Worksheet, exercise, ..in_space(0) };
+        let svg = request.svg(&any, 0, &Progress::default()).unwrap();
+        assert!(!svg.contains("expected"));
+        let english = texts(Language::English);
+        assert_eq!(with_document!(&any, d => request.left_out(&**d, &english)), None);
+    }
 }
 
 fn in_space(step: usize) -> Request {
