@@ -6,9 +6,8 @@
 //! click picks what the present query asks for.
 
 use super::ask::{ask_point, ask_region, click};
-use super::grasp::Grasp;
+use super::grasp::{Grasp, drawn_arrow};
 use super::pick::{leaf_at, side_at};
-use crate::document::Document;
 use crate::look::Look;
 use crate::short_number::rounded;
 use crate::widgets::acted_at;
@@ -19,7 +18,7 @@ use octoscope_core::geometry::Ray;
 use octoscope_core::locate::Direction;
 use octoscope_core::query::Query;
 use octoscope_core::tree::NodeId;
-use octoscope_figure::{arrow_end, far_end};
+use octoscope_figure::far_end;
 
 /// Points within which a handle, the shaft or a side is hit.
 const REACH: f32 = 14.0;
@@ -31,8 +30,10 @@ pub(super) const SIDE_REACH: f32 = 8.0;
 enum Grip {
     Origin,
     Tip,
-    /// The head of the arrow.
-    Head,
+    /// The head of the arrow of a ray whose direction has this length.
+    Head {
+        length: f64,
+    },
     Shaft,
     Camera,
     Region(Pos2),
@@ -95,7 +96,7 @@ pub fn handle<const D: usize>(
     {
         match grip_at(ui, grasp, at) {
             Grip::Camera | Grip::Region(_) => click(grasp, at),
-            Grip::Origin | Grip::Tip | Grip::Head | Grip::Shaft => {}
+            Grip::Origin | Grip::Tip | Grip::Head { .. } | Grip::Shaft => {}
         }
     }
     if let Some(at) = response.hover_pos() {
@@ -103,8 +104,10 @@ pub fn handle<const D: usize>(
         ui.set_cursor_icon(match (over, grip) {
             (Grip::Region(_), _) => CursorIcon::Crosshair,
             (Grip::Camera, _) => CursorIcon::Default,
-            (Grip::Origin | Grip::Tip | Grip::Head | Grip::Shaft, None) => CursorIcon::Grab,
-            (Grip::Origin | Grip::Tip | Grip::Head | Grip::Shaft, Some(_)) => CursorIcon::Grabbing,
+            (Grip::Origin | Grip::Tip | Grip::Head { .. } | Grip::Shaft, None) => CursorIcon::Grab,
+            (Grip::Origin | Grip::Tip | Grip::Head { .. } | Grip::Shaft, Some(_)) => {
+                CursorIcon::Grabbing
+            }
         });
         let is_free = grip.is_none() && matches!(over, Grip::Camera | Grip::Region(_));
         let is_free = is_free && has_moved(ui, response, at);
@@ -178,15 +181,6 @@ fn grip_at<const D: usize>(ui: &Ui, grasp: &Grasp<'_, D>, at: Pos2) -> Grip {
     Grip::Camera
 }
 
-/// Where the arrow of the ray ends.
-fn head<const D: usize>(document: &Document<D>) -> [f64; D] {
-    let end = match document.scenario.query {
-        Query::Ray { options, .. } => options.end(),
-        Query::Point { .. } | Query::Region { .. } | Query::Neighbour { .. } => None,
-    };
-    arrow_end(&document.tree, &document.scenario.ray, end)
-}
-
 /// The part of the ray at `at`: the nearest handle, else the shaft.
 fn ray_grip_at<const D: usize>(grasp: &Grasp<'_, D>, at: Pos2) -> Option<Grip> {
     let Grasp { frame, camera, document } = grasp;
@@ -194,15 +188,17 @@ fn ray_grip_at<const D: usize>(grasp: &Grasp<'_, D>, at: Pos2) -> Option<Grip> {
     let ends = [ray.origin(), ray.at(1.0)];
     let tip = camera.tip_handle(frame.page, ends).map(|tip| (Grip::Tip, frame.on_screen(tip)));
     let origin = frame.place(camera, ends[0]).map(|origin| (Grip::Origin, origin));
-    let head = frame.place(camera, head(document)).map(|head| (Grip::Head, head));
+    let head = Grip::Head { length: length(ray.direction()) };
+    let arrow = drawn_arrow(document, camera, frame.page);
+    let head = arrow.map(|arrow| (head, frame.on_screen(arrow.on_page[1])));
     let handles = [tip, origin, head].into_iter().flatten();
     let distances = handles.map(|(grip, place)| (grip, place.distance(at)));
     let nearest = distances.min_by(|a, b| a.1.total_cmp(&b.1));
     if let Some((grip, _)) = nearest.filter(|(_, distance)| *distance < REACH) {
         return Some(grip);
     }
-    let arrow = [ends[0], far_end(&document.tree, &ray)];
-    let [from, to] = camera.visible_segment(frame.page, arrow)?.map(|p| frame.on_screen(p));
+    let line = [ends[0], far_end(&document.tree, &ray)];
+    let [from, to] = camera.visible_segment(frame.page, line)?.map(|p| frame.on_screen(p));
     (distance_to_segment(at, from, to) < SHAFT_REACH).then_some(Grip::Shaft)
 }
 
@@ -212,10 +208,16 @@ fn depth_of<const D: usize>(grasp: &Grasp<'_, D>, grip: Grip) -> [f64; D] {
     let Grasp { frame, camera, document } = grasp;
     let ray = document.scenario.ray;
     let [width, height] = [frame.page.width, frame.page.height];
-    let in_sight = |at: [f64; 2]| (0.0..=width).contains(&at[0]) && (0.0..=height).contains(&at[1]);
+    /// What is drawn at the border is in sight.
+    const BORDER: f64 = 1e-6;
+    let is_within = |x: f64, most: f64| (-BORDER..=most + BORDER).contains(&x);
+    let in_sight = |at: [f64; 2]| is_within(at[0], width) && is_within(at[1], height);
     let held = match grip {
         Grip::Tip => Some(ray.at(1.0)),
-        Grip::Head => Some(head(document)),
+        Grip::Head { .. } => {
+            let arrow = drawn_arrow(document, camera, frame.page);
+            arrow.map(|arrow| camera.point_at(frame.page, arrow.ends, arrow.on_page[1]))
+        }
         Grip::Origin | Grip::Shaft | Grip::Camera | Grip::Region(_) => None,
     };
     let is_in_sight =
@@ -253,9 +255,9 @@ fn drag<const D: usize>(
             let through = depth_of(grasp, grip);
             Some((ray.origin(), frame.world(camera, at, through)))
         }
-        Grip::Head => {
+        Grip::Head { length } => {
             let through = depth_of(grasp, grip);
-            turn_to(grasp, frame.world(camera, at, through));
+            turn_to(grasp, frame.world(camera, at, through), length);
             None
         }
         Grip::Shaft => {
@@ -275,7 +277,7 @@ fn drag<const D: usize>(
         let direction = match grip {
             // Moved as a whole it keeps its direction to the last bit.
             Grip::Shaft => ray.direction(),
-            Grip::Origin | Grip::Tip | Grip::Head | Grip::Camera | Grip::Region(_) => {
+            Grip::Origin | Grip::Tip | Grip::Head { .. } | Grip::Camera | Grip::Region(_) => {
                 std::array::from_fn(|e| rounded(tip[e] - origin[e], resolution))
             }
         };
@@ -286,19 +288,23 @@ fn drag<const D: usize>(
     }
 }
 
-/// Turns the ray towards a point; its direction keeps its length.
-fn turn_to<const D: usize>(grasp: &mut Grasp<'_, D>, point: [f64; D]) {
+/// Turns the ray towards a point; its direction gets this length.
+fn turn_to<const D: usize>(grasp: &mut Grasp<'_, D>, point: [f64; D], long: f64) {
     let ray = grasp.document.scenario.ray;
     let towards: [f64; D] = std::array::from_fn(|e| point[e] - ray.origin()[e]);
-    // Squares of very large or small components would be no numbers.
-    let [length, far] = [ray.direction(), towards].map(|way| way.into_iter().fold(0.0, f64::hypot));
+    let by = long / length(towards);
     let resolution = grasp.camera.unit(grasp.frame.page);
-    let direction = towards.map(|x| rounded(x, resolution) * (length / far));
-    let direction = direction.map(|x| rounded(x, resolution * (length / far)));
+    let direction = towards.map(|x| rounded(x, resolution) * by);
+    let direction = direction.map(|x| rounded(x, resolution * by));
     // Towards its origin it cannot be turned.
     if let Ok(turned) = Ray::new(ray.origin(), direction) {
         grasp.document.scenario.ray = turned;
     }
+}
+
+/// Length of a vector, also where squares of its components would be no numbers.
+fn length<const D: usize>(way: [f64; D]) -> f64 {
+    way.into_iter().fold(0.0, f64::hypot)
 }
 
 /// Pans the plane; orbits space, or pans it with the other buttons or Ctrl.

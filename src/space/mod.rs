@@ -27,13 +27,12 @@ pub use base::Layers;
 use card::Seen;
 use eframe::egui::{Event, Rect, Response, Sense, Ui, WidgetInfo, accesskit::Role};
 use gesture::Under;
-use grasp::Grasp;
+use grasp::{Grasp, drawn_arrow};
 use hover::Told;
-use octoscope_core::geometry::Ray;
 use octoscope_core::query::Query;
 use octoscope_core::trace::Moment;
 use octoscope_core::tree::NodeId;
-use octoscope_figure::{Camera, Figure, Mark, Page, Role as MarkRole, Show, far_end};
+use octoscope_figure::{Camera, Figure, Mark, Page, Role as MarkRole, Show};
 use placed::Parts;
 use scene::Scene;
 use std::sync::Arc;
@@ -184,10 +183,8 @@ fn seen<const D: usize>(
 ) -> Seen {
     let cell = frame.bounds_of(camera, &document.tree.node_box(node));
     let is_asked = matches!(document.scenario.query, Query::Ray { .. });
-    let ray = is_asked.then_some(document.scenario.ray);
-    let head = |ray: &Ray<D>| far_end(&document.tree, ray);
-    let ends = |ray: Ray<D>| [ray.origin(), head(&ray)].map(|end| frame.place(camera, end));
-    let ray = ray.map(ends).and_then(|[from, to]| Some([from?, to?]));
+    let arrow = is_asked.then(|| drawn_arrow(document, camera, frame.page)).flatten();
+    let ray = arrow.map(|arrow| arrow.on_page.map(|end| frame.on_screen(end)));
     Seen { cell, ray, axes: Vec::new() }
 }
 

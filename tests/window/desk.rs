@@ -8,7 +8,7 @@ use octoscope::document::{AnyDocument, Document};
 use octoscope::text::texts;
 use octoscope::widgets::PageInWindow;
 use octoscope_core::scenario::AnyScenario;
-use octoscope_figure::{Camera, Page};
+use octoscope_figure::{Camera, Page, far_end, last_point};
 use std::collections::HashMap;
 use std::ops::{Deref, DerefMut};
 use std::path::{Path, PathBuf};
@@ -165,13 +165,18 @@ impl Desk {
 
     /// Drags from one place to the other, with `modifiers` held.
     pub fn drag(&mut self, [from, to]: [Pos2; 2], modifiers: Modifiers) {
+        let path = [0.0, 0.25, 0.5, 0.75, 1.0].map(|share| from + (to - from) * share);
+        self.drag_along(&path, modifiers);
+    }
+
+    /// Drags from place to place.
+    pub fn drag_along(&mut self, path: &[Pos2], modifiers: Modifiers) {
+        let [from, .., to] = path else { panic!("a drag has two ends") };
         self.event(Event::ModifiersChanged(modifiers));
-        self.hover_at(from);
-        self.button(from, modifiers, Button::Down);
-        for share in [0.25, 0.5, 0.75, 1.0] {
-            self.hover_at(from + (to - from) * share);
-        }
-        self.button(to, modifiers, Button::Up);
+        self.hover_at(*from);
+        self.button(*from, modifiers, Button::Down);
+        path[1..].iter().for_each(|place| self.hover_at(*place));
+        self.button(*to, modifiers, Button::Up);
         self.event(Event::ModifiersChanged(Modifiers::NONE));
         self.run();
     }
@@ -215,6 +220,16 @@ impl Desk {
         let (view, camera) = self.plane_view();
         let ray = self.plane().scenario.ray;
         view.on_screen(camera.tip_handle(view.page, [ray.origin(), ray.at(1.0)]).unwrap())
+    }
+
+    /// Place in the window of the head of the ray in the open quadtree.
+    pub fn head_of_ray(&self) -> Pos2 {
+        let (view, camera) = self.plane_view();
+        let Document { tree, scenario, .. } = self.plane();
+        let ends = [scenario.ray.origin(), far_end(tree, &scenario.ray)];
+        let root = tree.domain().root_box();
+        let last = last_point([ends[0], scenario.ray.at(1.0)], Some(&root));
+        view.on_screen(camera.ray_arrow(view.page, ends, last).unwrap().on_page[1])
     }
 
     fn plane_view(&self) -> (PageInWindow, Camera<2>) {

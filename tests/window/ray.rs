@@ -8,11 +8,11 @@ use egui_kittest::kittest::{NodeT, Queryable};
 use octoscope::document::AnyDocument;
 use octoscope::text::texts;
 use octoscope_core::gallery::{Degenerate, snap};
-use octoscope_core::geometry::Ray;
+use octoscope_core::geometry::{Aabb, Ray};
 use octoscope_core::query::{Arithmetic, Query};
 use octoscope_core::text::Language;
 use octoscope_core::tree::NodeId;
-use octoscope_figure::far_end;
+use octoscope_figure::{Camera, Page, far_end};
 
 fn leaves(desk: &Desk) -> Vec<NodeId> {
     desk.plane().trace.leaves().map(|(leaf, _)| leaf).collect()
@@ -49,6 +49,42 @@ fn dragging_the_head_of_the_arrow_turns_the_ray() {
         assert!(way.dot(wanted) > 0.999, "{way} {wanted}");
         assert!(way.dot((head - from).normalized()) < 0.999, "{length} turns nothing");
     }
+}
+
+#[test]
+fn the_head_is_grabbed_where_it_is_drawn_though_the_ray_leads_off_the_page() {
+    let mut desk = Desk::new();
+    let near = Aabb { min: [-0.2, 0.0], max: [0.3, 0.5] };
+    let page = Page { width: 600.0, height: 500.0 };
+    desk.state_mut().view.plane_camera = Some(Camera::framing(&near, page));
+    desk.run();
+    let ray = desk.plane().scenario.ray;
+    let head = desk.head_of_ray();
+    let end = desk.place(far_end(&desk.plane().tree, &ray));
+    assert!(head.distance(end) > 100.0, "the end of the ray is off the page: {end} {head}");
+    desk.drag([head, head + vec2(-20.0, 60.0)], Modifiers::NONE);
+    let turned = desk.plane().scenario.ray;
+    assert_eq!(turned.origin(), ray.origin());
+    let [before, after] = [ray, turned].map(|ray| ray.direction()[0].hypot(ray.direction()[1]));
+    assert!((after / before - 1.0).abs() < 1e-3, "{before} {after}");
+    assert_ne!(turned.direction(), ray.direction());
+}
+
+#[test]
+fn the_ray_keeps_its_length_however_long_it_is_turned() {
+    let mut desk = Desk::new();
+    let ray = desk.plane().scenario.ray;
+    let head = desk.head_of_ray();
+    let path = (0..=300).map(|n| {
+        let turn = f64::from(n) * 0.2;
+        head + vec2((-0.2 * turn) as f32, (3.0 * turn.sin() + turn) as f32)
+    });
+    desk.drag_along(&path.collect::<Vec<_>>(), Modifiers::NONE);
+    let turned = desk.plane().scenario.ray;
+    assert_eq!(turned.origin(), ray.origin());
+    assert_ne!(turned.direction(), ray.direction());
+    let [before, after] = [ray, turned].map(|ray| ray.direction()[0].hypot(ray.direction()[1]));
+    assert!((after / before - 1.0).abs() < 1e-3, "{before} {after}");
 }
 
 #[test]

@@ -1,7 +1,33 @@
-//! Where the handle on a ray's tip is drawn, and therefore taken hold of.
+//! Where the handle on a ray's tip and the head of its arrow are drawn, and therefore
+//! taken hold of.
 
 use crate::camera::clipped;
+use crate::marks::interval;
 use crate::{Camera, Page};
+use octoscope_core::geometry::{Aabb, Ray};
+
+/// The arrow of a ray as it is drawn.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RayArrow<const D: usize> {
+    /// Where it begins and ends.
+    pub ends: [[f64; D]; 2],
+    /// Its part on the page.
+    pub on_page: [[f64; 2]; 2],
+}
+
+/// Where a ray from the first point to a tip has its tip or leaves the root, whichever is
+/// later.
+pub fn last_point<const D: usize>(
+    [from, tip]: [[f64; D]; 2],
+    root: Option<&Aabb<D>>,
+) -> Option<[f64; D]> {
+    let ray = Ray::new(from, std::array::from_fn(|e| tip[e] - from[e])).ok()?;
+    let exit = root.and_then(|root| interval(&ray, root)).map_or(1.0, |[_, exit]| exit);
+    Some(ray.at(exit.clamp(1.0, f64::MAX)))
+}
+
+/// Length of the head of an arrow, in page units.
+pub(crate) const HEAD: f64 = 14.0;
 
 /// Least distance of the tip's handle from the origin, in page units: both can
 /// be told apart and taken hold of.
@@ -10,6 +36,41 @@ pub const HANDLE_DISTANCE: f64 = 40.0;
 const INSET: f64 = 16.0;
 
 impl<const D: usize> Camera<D> {
+    /// The arrow of a ray that ends at the second of `ends`: so long that its head lies beyond
+    /// the `last` point on it, unless it is asked for up to a place before that point; what
+    /// leads off the page is left out, so that its head is at the border. `None` if nothing
+    /// of it is on the page.
+    pub fn ray_arrow(
+        &self,
+        page: Page,
+        ends: [[f64; D]; 2],
+        last: Option<[f64; D]>,
+    ) -> Option<RayArrow<D>> {
+        let ends = last.map_or(ends, |last| self.past(page, ends, last));
+        Some(RayArrow { ends, on_page: self.visible_segment(page, ends)? })
+    }
+
+    /// The arrow, so long that its head lies beyond its `last` point.
+    fn past(&self, page: Page, [from, to]: [[f64; D]; 2], last: [f64; D]) -> [[f64; D]; 2] {
+        const ROOM: f64 = 8.0;
+        const MOST: f64 = 8.0;
+        let is_short = (0..D).map(|e| (to[e] - last[e]) * (last[e] - from[e])).sum::<f64>() < 0.0;
+        if is_short {
+            return [from, to];
+        }
+        let longer = |by: f64| std::array::from_fn(|e| last[e] + by * (to[e] - last[e]));
+        let reach = |end: [f64; D]| {
+            let [last, end] = [last, end].map(|place| Some(self.project(page, place)?.at));
+            let [last, end] = [last?, end?];
+            Some((end[0] - last[0]).hypot(end[1] - last[1]))
+        };
+        let mut by = 1.0;
+        while by < MOST && reach(longer(by)).is_some_and(|reach| reach < HEAD + ROOM) {
+            by *= 1.25;
+        }
+        [from, longer(by)]
+    }
+
     /// Place on the page of the handle for the tip of a ray from `origin` to
     /// `tip`: at the tip; or farther along the ray if the tip is too near to
     /// the origin; or where the ray leaves the page if the tip is not on it.
@@ -73,6 +134,29 @@ mod tests {
             check([[0.25, 0.25], [0.25 + length, 0.25 - 0.5 * length]]);
             check([[0.25; 3], [0.25 - length, 0.25, 0.25 + length]]);
             check([[0.25; 3], [0.25, 0.25 - length, 0.25]]);
+        }
+    }
+
+    #[track_caller]
+    fn check_head<const D: usize>(camera: Camera<D>, ends: [[f64; D]; 2]) {
+        let arrow = camera.ray_arrow(PAGE, ends, None).unwrap();
+        let head = arrow.on_page[1];
+        assert!((0.0..=800.0).contains(&head[0]) && (0.0..=600.0).contains(&head[1]));
+        let point = camera.point_at(PAGE, arrow.ends, head);
+        let seen = camera.project(PAGE, point).unwrap().at;
+        assert!((0..2).all(|e| (seen[e] - head[e]).abs() < 1e-6), "{seen:?} {head:?}");
+        // It lies on the ray.
+        let along = |e: usize| (point[e] - ends[0][e]) / (ends[1][e] - ends[0][e]);
+        assert!((1..D).all(|e| (along(e) - along(0)).abs() < 1e-9), "{point:?}");
+    }
+
+    #[test]
+    fn the_head_is_a_point_of_the_ray_also_where_that_leads_off_the_page() {
+        for far in [0.2, 1.5, 40.0] {
+            check_head(camera(), [[0.25, 0.25], [0.25 + far, 0.25 - 0.6 * far]]);
+            check_head(camera(), [[0.25; 3], [0.25 - far, 0.25 + 0.3 * far, 0.25 + 0.6 * far]]);
+            let parallel = Camera { lens: crate::Lens::Orthographic, ..camera() };
+            check_head(parallel, [[0.25; 3], [0.25 + far, 0.25 - far, 0.25 + 0.1 * far]]);
         }
     }
 

@@ -59,7 +59,7 @@ pub use diagram::{Diagram, DiagramLens, DiagramNode, DiagramOf, NodeKind, tree_d
 pub use figure::{Anchor, Drawn, Extent, Figure, Form, Part};
 pub use formula::{FormulaType, SetFormula, ShownNumber};
 pub use gif::{Gif, GifError};
-pub use handle::HANDLE_DISTANCE;
+pub use handle::{HANDLE_DISTANCE, RayArrow, last_point};
 pub use inside::scenario_inside;
 pub use mark::{Mark, Shape};
 pub use marks::{arrow_end, cross_out, far_end, marks, node_mark};

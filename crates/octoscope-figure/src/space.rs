@@ -21,10 +21,10 @@ mod ticks;
 pub(crate) use codes::BETWEEN;
 
 use crate::ground::{bounds_of, ground, is_ground};
+use crate::handle::last_point;
 use crate::parts::Arrow;
 use crate::{Camera, Drawn, Figure, Form, Mark, Page, Part, Role, Shape, Style, Theme};
 use apart::is_apart;
-use arrows::last_point;
 use at_work::{most_of_dots, small_area};
 use indices::chosen;
 use inset::drawn_box;
@@ -204,12 +204,13 @@ impl<const D: usize> Canvas<'_, D> {
 
     /// An arrow that leaves the page ends at its border, head and all.
     fn draw_visible_arrow(&mut self, mark: &Mark<D>, ends: [[f64; D]; 2]) {
-        let ends = if mark.role == Role::Ray { self.past_last(ends) } else { ends };
-        let Some(line) = self.camera.visible_segment(self.page, ends) else { return };
-        // The ray has its tip there.
-        let line = match mark.role {
-            Role::Ray => line,
-            _ => self.off_border(ends[1], line),
+        let (ends, line) = if mark.role == Role::Ray {
+            let arrow = self.camera.ray_arrow(self.page, ends, self.last);
+            let Some(arrow) = arrow else { return };
+            (arrow.ends, arrow.on_page)
+        } else {
+            let Some(line) = self.camera.visible_segment(self.page, ends) else { return };
+            (ends, self.off_border(ends[1], line))
         };
         self.draw_arrow(mark, ends, line);
     }

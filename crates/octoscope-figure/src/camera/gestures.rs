@@ -17,6 +17,26 @@ impl<const D: usize> Camera<D> {
         Ray::new(std::array::from_fn(|e| on_page[e] - direction[e]), direction).ok()
     }
 
+    /// The point of the line through `ends` that is seen at a place on the page, on this line.
+    pub fn point_at(&self, page: Page, ends: [[f64; D]; 2], at: [f64; 2]) -> [f64; D] {
+        let scale = self.scale(page);
+        let on_page = [at[0] - 0.5 * page.width, 0.5 * page.height - at[1]];
+        let [from, to] = ends.map(|end| self.eye(end));
+        // In a perspective what lies farther from the eye is smaller.
+        let size = |eye: [f64; 3]| match self.effective_lens() {
+            Lens::Orthographic => 1.0,
+            Lens::Perspective => eye[2] / self.distance(),
+        };
+        let share = |e: usize| {
+            let way = |eye: [f64; 3]| scale * eye[e] - on_page[e] * size(eye);
+            [-way(from), way(to) - way(from)]
+        };
+        let [x, y] = [share(0), share(1)];
+        let [above, below] = if x[1].abs() > y[1].abs() { x } else { y };
+        let share = if below == 0.0 { 0.0 } else { above / below };
+        std::array::from_fn(|e| ends[0][e] + share * (ends[1][e] - ends[0][e]))
+    }
+
     /// Turns by a drag of (`dx`, `dy`) page units: the world follows the hand.
     pub fn orbit(&mut self, page: Page, dx: f64, dy: f64) {
         use std::f64::consts::{FRAC_PI_2, PI};

@@ -1,38 +1,12 @@
-//! Arrows of a scene, and how far that of the ray reaches.
+//! Arrows of a scene.
 
 use super::{Canvas, above_space, distance};
 use crate::camera::clipped;
-use crate::marks::interval;
+use crate::handle::HEAD;
 use crate::parts::Arrow;
 use crate::{Drawn, Form, Mark, Page, Part, Role};
-use octoscope_core::geometry::{Aabb, Ray};
-
-/// Length of the head of an arrow, in page units.
-const HEAD: f64 = 14.0;
 
 impl<const D: usize> Canvas<'_, D> {
-    /// The ray, so long that its head lies beyond the last point on it; a ray whose end is
-    /// asked for before that point ends there.
-    pub(super) fn past_last(&self, [from, to]: [[f64; D]; 2]) -> [[f64; D]; 2] {
-        const ROOM: f64 = 8.0;
-        const MOST: f64 = 8.0;
-        let Some(last) = self.last else { return [from, to] };
-        let is_short = (0..D).map(|e| (to[e] - last[e]) * (last[e] - from[e])).sum::<f64>() < 0.0;
-        if is_short {
-            return [from, to];
-        }
-        let longer = |by: f64| std::array::from_fn(|e| last[e] + by * (to[e] - last[e]));
-        let reach = |end: [f64; D]| {
-            let [last, end] = [last, end].map(|place| self.camera.project(self.page, place));
-            Some(distance(last?.at, end?.at))
-        };
-        let mut by = 1.0;
-        while by < MOST && reach(longer(by)).is_some_and(|reach| reach < HEAD + ROOM) {
-            by *= 1.25;
-        }
-        [from, longer(by)]
-    }
-
     /// The part of an arrow to `end` that lies on the page; where that leads beyond the
     /// page, its head keeps off the border.
     pub(super) fn off_border(&self, end: [f64; D], [from, to]: [[f64; 2]; 2]) -> [[f64; 2]; 2] {
@@ -106,14 +80,4 @@ fn beside(role: Role, [from, to]: [[f64; 2]; 2]) -> [[f64; 2]; 2] {
     let length = distance(from, to);
     let right = [-(to[1] - from[1]) / length, (to[0] - from[0]) / length];
     [from, to].map(|end| std::array::from_fn(|e| end[e] + APART * right[e]))
-}
-
-/// Where a ray has its tip or leaves the root, whichever is later.
-pub(super) fn last_point<const D: usize>(
-    [from, tip]: [[f64; D]; 2],
-    root: Option<&Aabb<D>>,
-) -> Option<[f64; D]> {
-    let ray = Ray::new(from, std::array::from_fn(|e| tip[e] - from[e])).ok()?;
-    let exit = root.and_then(|root| interval(&ray, root)).map_or(1.0, |[_, exit]| exit);
-    Some(ray.at(exit.clamp(1.0, f64::MAX)))
 }
