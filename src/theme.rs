@@ -194,8 +194,10 @@ mod tests {
                 let ratio = contrast(border, palette.panel);
                 assert!(ratio >= 3.0, "{theme:?} {ratio:.2}");
             }
-            let selected = contrast(palette.accent, palette.lit.over(palette.field));
-            assert!(selected >= 3.0, "what is selected in {theme:?}: {selected:.2}");
+            for ground in [palette.accent, palette.rejected] {
+                let selected = contrast(palette.on_accent, ground);
+                assert!(selected >= 4.5, "what is selected in {theme:?}: {selected:.2}");
+            }
         }
     }
 

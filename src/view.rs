@@ -139,9 +139,21 @@ impl View {
     /// How much larger at most: whoever sits at a large screen wants to see more, too.
     const MOST_LARGER: f32 = 1.5;
 
-    /// Larger or smaller type and lines, within the limits.
-    pub fn change_scale(&mut self, factor: f32) {
-        self.scale = (self.scale * factor).clamp(Self::SCALES[0], Self::SCALES[1]);
+    /// Larger or smaller type and lines in a window that would be of `room` points if the
+    /// factor were 1; whether the limits leave room for that.
+    pub fn change_scale(&mut self, factor: f32, room: Vec2) -> bool {
+        let (scale, before) = (self.scale, self.zoom(room));
+        let within = |scale: f32| scale.clamp(Self::SCALES[0], Self::SCALES[1]);
+        // What lies beyond what the window allows is passed over.
+        let next = |scale: &f32| Some(within(scale * factor)).filter(|next| next != scale);
+        for scale in std::iter::successors(next(&scale), next) {
+            self.scale = scale;
+            if self.zoom(room) != before {
+                return true;
+            }
+        }
+        self.scale = scale;
+        false
     }
 
     /// What the space view shows of trees of dimension D.
@@ -320,6 +332,21 @@ mod tests {
         assert_eq!(view.zoom(Vec2::new(400.0, 300.0)), 1.0);
         view.scale = 0.7;
         assert_eq!(view.zoom(Vec2::new(400.0, 300.0)), 0.7);
+    }
+
+    #[test]
+    fn type_is_changed_as_far_as_the_window_allows_and_at_once_back() {
+        let room = Vec2::new(1024.0, 768.0);
+        let mut view = View { preset: Preset::Lecture, scale: 2.5, ..View::default() };
+        let largest = view.zoom(room);
+        assert!(!view.change_scale(1.1, room));
+        assert_eq!(view.scale, 2.5);
+        assert!(view.change_scale(1.0 / 1.1, room));
+        assert!(view.zoom(room) < largest);
+        assert!(view.change_scale(1.1, room));
+        assert_eq!(view.zoom(room), largest);
+        while view.change_scale(1.0 / 1.1, room) {}
+        assert_eq!(view.scale, View::SCALES[0]);
     }
 
     #[test]

@@ -106,8 +106,8 @@ impl App {
             Command::NextLanguage => {
                 self.view.language = following(&Language::ALL, self.view.language);
             }
-            Command::ScaleUp => self.view.change_scale(1.1),
-            Command::ScaleDown => self.view.change_scale(1.0 / 1.1),
+            Command::ScaleUp => self.change_scale(context, 1.1, "status-largest"),
+            Command::ScaleDown => self.change_scale(context, 1.0 / 1.1, "status-smallest"),
             Command::ScaleReset => self.view.scale = 1.0,
             Command::Blank => self.view.blank = !self.view.blank,
             Command::Spotlight => self.view.spotlight = !self.view.spotlight,
@@ -119,6 +119,14 @@ impl App {
             Command::Find => self.view.dialog = Some(Dialog::Find(Search::default())),
             Command::Keys => self.view.dialog = Some(Dialog::Keys),
             Command::About => self.view.dialog = Some(Dialog::About),
+        }
+    }
+
+    /// Makes type and lines larger or smaller, or says that it is at its limit.
+    fn change_scale(&mut self, context: &Context, factor: f32, limit: &str) {
+        let room = context.content_rect().size() * context.zoom_factor();
+        if !self.view.change_scale(factor, room) {
+            self.notice.say(self.look.text(limit));
         }
     }
 

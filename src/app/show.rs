@@ -12,7 +12,7 @@ use eframe::egui::{Align, Context, Frame, Layout, Margin, Panel, Rangef, Ui, vec
 /// Height of the sentence in a hall, of three lines that are read from the back row or two
 /// of the largest type; of the sentence with what has happened below it.
 const SENTENCE_IN_HALL: f32 = 66.0;
-const SENTENCE_AND_NOTICE: f32 = 72.0;
+const SENTENCE_AND_NOTICE: f32 = 74.0;
 
 impl App {
     /// Shows all panels.
@@ -69,8 +69,9 @@ impl App {
                     return;
                 }
             }
+            let is_pointing = self.view.pointed == Some(step);
             with_document!(&self.document, d => {
-                sentence::ui(ui, &self.look, d, self.view.language, step);
+                sentence::ui(ui, &self.look, d, self.view.language, step, is_pointing);
             });
         });
         if !hall {

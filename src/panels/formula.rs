@@ -3,7 +3,7 @@
 use crate::command::Command;
 use crate::look::Look;
 use crate::shortcut;
-use crate::widgets::{paint_formula, rich_job, rich_label};
+use crate::widgets::{hint_over, paint_formula, rich_job, rich_label};
 use eframe::egui::{Rect, Sense, Ui, WidgetInfo, accesskit::Role, vec2};
 use octoscope_core::explain::{Notation, RichText, Statement, spoken};
 use octoscope_figure::Page;
@@ -49,7 +49,10 @@ pub fn ui(ui: &mut Ui, look: &Look, statements: &[Statement], notation: Notation
     let arguments = [("notation", name.into()), ("key", key.into())];
     let why = look.texts.format("notation-now", &arguments);
     let place = Rect::from_min_size(corner, size);
-    paint_formula(ui, look, place, &figure, response.on_hover_text_at_pointer(why));
+    let number = paint_formula(ui, look, place, &figure, &response);
+    // Above all formulas: what is pointed at and the sentence below are read on.
+    let (x_range, hint) = number.map_or((rect.x_range(), why), |(at, told)| (at.x_range(), told));
+    hint_over(ui, &response, Rect::from_x_y_ranges(x_range, rect.y_range()), &hint);
 }
 
 /// Words in the room of the formulas of a step that has none: the first of them, and of the

@@ -2,7 +2,7 @@
 
 use crate::document::Document;
 use crate::look::Look;
-use crate::widgets::{fitting_size, rich_label};
+use crate::widgets::{fitting_size, hint_over, rich_label, span_under};
 use eframe::egui::{Id, Ui, Vec2, vec2};
 use octoscope_core::explain::{RichText, Span, sentence as sentence_of, sentences};
 use octoscope_core::text::Language;
@@ -16,14 +16,15 @@ const NARROW: f32 = 640.0;
 const LARGEST: f32 = 22.0;
 
 /// The sentence of `step`, in large type, before the first step with the key
-/// that begins; a screen reader is told when it changes. Pointing at it shows the
-/// numbers that it tells in short with all their digits.
+/// that begins; a screen reader is told when it changes. A number that is told in short
+/// shows all its digits where it is pointed at, if somebody `is_pointing` at this step.
 pub fn ui<const D: usize>(
     ui: &mut Ui,
     look: &Look,
     document: &Document<D>,
     language: Language,
     step: usize,
+    is_pointing: bool,
 ) {
     let (tree, ray, trace) = (&document.tree, document.traced_ray(), &document.trace);
     let sentence = whole(look, step, sentence_of(tree, ray, trace, step, language));
@@ -33,10 +34,10 @@ pub fn ui<const D: usize>(
     let largest = if look.is_for_hall() || width >= NARROW { LARGEST } else { 18.0 };
     let of_all = size_of_walk(ui, look, document, language, room).min(largest);
     let size = fitting_size(ui, look, &sentence, room, of_all);
-    let mut response = rich_label(ui, look, &sentence, size, width);
-    let digits = digits(&sentence);
-    if !digits.is_empty() {
-        response = response.on_hover_text(digits.join("\n"));
+    let response = rich_label(ui, look, &sentence, size, width);
+    let under = span_under(ui, look, &sentence, size, width, &response);
+    if let Some(digits) = under.filter(|_| is_pointing).and_then(|span| digits(&sentence.0[span])) {
+        hint_over(ui, &response, response.rect, &digits);
     }
     ui.ctx().accesskit_node_builder(response.id, |node| {
         node.set_live(eframe::egui::accesskit::Live::Polite);
@@ -103,16 +104,7 @@ fn n_letters(text: &RichText) -> usize {
     text.0.iter().map(|span| span.text.chars().count()).sum()
 }
 
-/// The numbers that are told in short, each once, with all their digits.
-fn digits(sentence: &RichText) -> Vec<String> {
-    let mut digits = Vec::new();
-    for span in &sentence.0 {
-        if let Some(whole) = &span.whole {
-            let line = format!("{} ≈ {whole}", span.text);
-            if !digits.contains(&line) {
-                digits.push(line);
-            }
-        }
-    }
-    digits
+/// A number that is told in short, with all its digits.
+fn digits(span: &Span) -> Option<String> {
+    span.whole.as_ref().map(|whole| format!("{} ≈ {whole}", span.text))
 }

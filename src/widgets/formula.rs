@@ -7,17 +7,22 @@ use octoscope_core::explain::{Formula, Misprint, shown_number, spoken_formula};
 use octoscope_figure::views::formula_line;
 use octoscope_figure::{Figure, ShownNumber};
 
-/// Paints `figure` into `rect`; a number under the pointer tells all its digits.
-pub fn paint_formula(ui: &Ui, look: &Look, rect: Rect, figure: &Figure, response: Response) {
+/// Paints `figure` into `rect`. Returns where the number under the pointer is, and all its
+/// digits.
+pub fn paint_formula(
+    ui: &Ui,
+    look: &Look,
+    rect: Rect,
+    figure: &Figure,
+    response: &Response,
+) -> Option<(Rect, String)> {
     paint_figure(ui, look, rect, figure);
-    let Some(pointer) = response.hover_pos() else { return };
-    let is_under = |shown: &&ShownNumber| {
-        let corner = |at: [f64; 2]| rect.min + vec2(at[0] as f32, at[1] as f32);
-        Rect::from_min_max(corner(shown.min), corner(shown.max)).contains(pointer)
-    };
-    if let Some(shown) = figure.numbers().iter().find(is_under) {
-        response.on_hover_text(shown_number(shown.value));
-    }
+    let pointer = response.hover_pos()?;
+    let corner = |at: [f64; 2]| rect.min + vec2(at[0] as f32, at[1] as f32);
+    let place = |shown: &ShownNumber| Rect::from_min_max(corner(shown.min), corner(shown.max));
+    let numbers = figure.numbers();
+    let shown = numbers.iter().find(|shown| place(shown).contains(pointer))?;
+    Some((place(shown), shown_number(shown.value)))
 }
 
 /// Distance of two rules that stand side by side.
@@ -91,5 +96,7 @@ fn line(ui: &mut Ui, look: &Look, formula: &Formula, figure: &Figure) {
     let (rect, response) = room(ui, figure.page, Sense::hover());
     let name = spoken_formula(formula, look.texts.language());
     response.widget_info(|| WidgetInfo::labeled(Role::Label, true, name.as_str()));
-    paint_formula(ui, look, rect, figure, response);
+    if let Some((_, digits)) = paint_formula(ui, look, rect, figure, &response) {
+        response.on_hover_text(digits);
+    }
 }

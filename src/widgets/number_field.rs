@@ -45,7 +45,7 @@ pub fn number_field(
                 value: *value,
                 shown: &|x| if x == *value { short.clone() } else { number(x) },
                 read: &parse,
-                wrong: &|typed, holds| wrong(look, typed, holds),
+                wrong: &|typed| wrong(look, typed),
             };
             let field = DragValue::new(&mut edited).speed(drag_speed).max_decimals(6);
             let typed = typed_field(ui, look, field.clip_text(true), &typing);
@@ -72,12 +72,11 @@ pub fn number_field(
     response.on_hover_text(format!("{name} = {}", number(*value)))
 }
 
-/// What is wrong with a text that is no number; `value` holds in its place.
-fn wrong(look: &Look, typed: &str, value: f64) -> String {
-    let value = ("value", number(value).into());
+/// What is wrong with a text that is no number.
+fn wrong(look: &Look, typed: &str) -> String {
     match typed.trim() {
-        "" => look.texts.format("number-missing", &[value]),
-        typed => look.texts.format("number-refused", &[("typed", typed.to_owned().into()), value]),
+        "" => look.text("number-missing"),
+        typed => look.texts.format("number-refused", &[("typed", typed.to_owned().into())]),
     }
 }
 

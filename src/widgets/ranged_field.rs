@@ -40,11 +40,11 @@ pub(super) fn field_in_range<N: Numeric>(
         let is_wanted = |x: &f64| (least..=most).contains(x) && (!N::INTEGRAL || x.fract() == 0.0);
         parse(text).filter(is_wanted)
     };
-    let wrong = |typed: &str, holds: f64| {
+    let wrong = |typed: &str| {
         let key = if N::INTEGRAL { "whole-refused" } else { "range-refused" };
-        let texts = [("typed", typed.trim().to_owned().into()), ("value", number(holds).into())];
+        let typed = ("typed", typed.trim().to_owned().into());
         let ends = [("least", number(least).into()), ("most", number(most).into())];
-        look.texts.format(key, &[texts, ends].concat())
+        look.texts.format(key, &[vec![typed], ends.to_vec()].concat())
     };
     let decimals = if N::INTEGRAL { 0 } else { 2 };
     let typing = Typing { value: now, shown: &|x| number(x), read: &read, wrong: &wrong };

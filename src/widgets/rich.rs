@@ -14,6 +14,35 @@ pub fn rich_label(ui: &mut Ui, look: &Look, text: &RichText, size: f32, width: f
     response
 }
 
+/// The index of the span under the pointer in a text that [`rich_label`] has shown.
+pub fn span_under(
+    ui: &Ui,
+    look: &Look,
+    text: &RichText,
+    size: f32,
+    width: f32,
+    shown: &Response,
+) -> Option<usize> {
+    let pointer = shown.hover_pos()? - shown.rect.min.to_vec2();
+    let galley = ui.painter().layout_job(rich_job(text, look, size, width));
+    let mut n_before = 0;
+    for row in &galley.rows {
+        if row.rect().y_range().contains(pointer.y) {
+            let mut lefts = row.glyphs.iter().map(|glyph| row.pos.x + glyph.pos.x);
+            let is_inside = row.rect().x_range().contains(pointer.x);
+            let letter = lefts.rposition(|left| left <= pointer.x).filter(|_| is_inside)?;
+            let letter = n_before + letter;
+            let ends = text.0.iter().scan(0, |end, span| {
+                *end += span.text.chars().count();
+                Some(*end)
+            });
+            return ends.into_iter().position(|end| letter < end);
+        }
+        n_before += row.char_count_including_newline().0;
+    }
+    None
+}
+
 /// Layout of `text` in type of `size` points; wraps at `width`.
 pub fn rich_job(text: &RichText, look: &Look, size: f32, width: f32) -> LayoutJob {
     let mut job = LayoutJob::default();

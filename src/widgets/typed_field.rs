@@ -1,6 +1,7 @@
 //! A field for a number that keeps what was typed until it is one.
 
-use super::fields::border_while_edited;
+use super::fields::{outline_if_edited, while_edited};
+use super::number_field::number;
 use crate::look::Look;
 use eframe::egui::{
     Context, DragValue, Id, Key, Modifiers, Response, Stroke, Ui, accesskit::Invalid,
@@ -15,8 +16,8 @@ pub struct Typing<'a> {
     pub shown: &'a dyn Fn(f64) -> String,
     /// What a text says; `None` if it is no number that is wanted here.
     pub read: &'a dyn Fn(&str) -> Option<f64>,
-    /// What is wrong with a text while a number holds in its place, and what to do.
-    pub wrong: &'a dyn Fn(&str, f64) -> String,
+    /// What is wrong with a text, and what to do.
+    pub wrong: &'a dyn Fn(&str) -> String,
 }
 
 /// What was typed into a field and is no number.
@@ -25,8 +26,8 @@ struct Kept {
     text: Option<String>,
     /// The number at that time, by its bits.
     value: u64,
-    /// Whether the field was left since then.
-    was_left: bool,
+    /// Whether it was confirmed as if it were one.
+    is_confirmed: bool,
     /// Whether it was left by Escape; that frame may be drawn twice.
     is_given_up: bool,
 }
@@ -40,10 +41,10 @@ pub struct Typed {
     pub restored: Option<f64>,
 }
 
-/// Shows `field`, which may be dragged and typed into. What is typed and left there
-/// without being a number stays in it, marked, until it is mended, or given up by Escape,
-/// or the number changes; what is wrong is said ([`refused_number`]) when it is left, and
-/// as long as it is pointed at or edited. The number itself is then what it was before it was edited.
+/// Shows `field`, which may be dragged and typed into. What is confirmed by Enter without
+/// being a number stays in it, marked, and is edited on until it is mended, or given up by
+/// Escape, or the field is left, or the number changes; what is wrong is said
+/// ([`refused_number`]). Whatever ends that, the number is then what it was before.
 pub fn typed_field(ui: &mut Ui, look: &Look, field: DragValue<'_>, typing: &Typing<'_>) -> Typed {
     let field_id = ui.next_auto_id();
     let of_field = field_id.with("typed");
@@ -51,7 +52,7 @@ pub fn typed_field(ui: &mut Ui, look: &Look, field: DragValue<'_>, typing: &Typi
     let bits = typing.value.to_bits();
     let kept: Kept = ui.data(|data| data.get_temp(of_field)).unwrap_or_default();
     let mut kept = if kept.value == bits { kept } else { Kept::default() };
-    let refused = kept.text.clone().filter(|_| kept.was_left);
+    let refused = kept.text.clone().filter(|_| kept.is_confirmed);
     let last_read = RefCell::new(None);
     let field = field
         .custom_formatter(|x, _| match &refused {
@@ -69,27 +70,31 @@ pub fn typed_field(ui: &mut Ui, look: &Look, field: DragValue<'_>, typing: &Typi
             read
         });
     let style = ui.style().clone();
+    let border = if refused.is_some() { look.palette.rejected } else { look.palette.accent };
+    while_edited(ui, look, border);
     if refused.is_some() {
         let color = look.palette.rejected;
-        border_while_edited(ui, look, color);
         let visuals = ui.visuals_mut();
         visuals.override_text_color = Some(color);
         let widgets = &mut visuals.widgets;
         for state in [&mut widgets.inactive, &mut widgets.hovered, &mut widgets.active] {
             state.bg_stroke = Stroke::new(1.5, color);
         }
-    } else {
-        border_while_edited(ui, look, look.palette.accent);
     }
     let has_focus = |ui: &Ui| ui.memory(|memory| memory.has_focus(field_id));
     let was_focused = has_focus(ui);
     let response = ui.add(field);
+    outline_if_edited(ui, &response, border);
     // By the tabulator it is left at once, and tells so a frame later only.
     let is_left = response.lost_focus() || was_focused && !has_focus(ui);
     ui.set_style(style);
     if let Some(now) = last_read.into_inner() {
         kept = now;
     }
+    let told = |text: &str, holds: u64, what: &str| {
+        let value = ("value", number(f64::from_bits(holds)).into());
+        format!("{} {}", (typing.wrong)(text), look.texts.format(what, &[value]))
+    };
     let (mut said, mut restored) = (None, None);
     if is_left {
         if kept.is_given_up || ui.input(|input| input.key_pressed(Key::Escape)) {
@@ -101,22 +106,23 @@ pub fn typed_field(ui: &mut Ui, look: &Look, field: DragValue<'_>, typing: &Typi
             restored = before;
             let value = before.map_or(bits, f64::to_bits);
             kept = Kept { value, is_given_up: true, ..Kept::default() };
-        } else if let Some(text) = &kept.text {
-            kept.was_left = true;
+        } else if let Some(text) = kept.text.clone() {
             restored = before;
-            kept.value = before.map_or(kept.value, f64::to_bits);
+            let value = before.map_or(kept.value, f64::to_bits);
             if ui.input(|input| input.key_pressed(Key::Enter)) {
                 // It is edited on.
                 response.request_focus();
+                kept = Kept { value, is_confirmed: true, ..kept };
+            } else {
+                said = Some(told(&text, value, "number-restored"));
+                kept = Kept { value, ..Kept::default() };
             }
-            said = Some((typing.wrong)(text, f64::from_bits(kept.value)));
         }
     }
     kept.is_given_up &= !response.has_focus();
-    let holds = f64::from_bits(kept.value);
-    let wrong = kept.text.as_deref().filter(|_| kept.was_left);
-    let wrong = wrong.map(|text| (typing.wrong)(text, holds));
-    if refused != kept.text.clone().filter(|_| kept.was_left) {
+    let wrong = kept.text.as_deref().filter(|_| kept.is_confirmed);
+    let wrong = wrong.map(|text| told(text, kept.value, "number-meanwhile"));
+    if refused != kept.text.clone().filter(|_| kept.is_confirmed) {
         ui.ctx().request_repaint();
     }
     ui.data_mut(|data| data.insert_temp(of_field, kept));
@@ -125,10 +131,8 @@ pub fn typed_field(ui: &mut Ui, look: &Look, field: DragValue<'_>, typing: &Typi
             node.set_invalid(Invalid::True);
             node.set_description(wrong.clone());
         });
-        if response.has_focus() || response.hovered() {
-            said = Some(wrong);
-        }
-    } else if refused.is_some() {
+        said = Some(wrong);
+    } else if refused.is_some() && said.is_none() {
         // It is mended.
         said = Some(String::new());
     }

@@ -150,9 +150,9 @@ fn numbers_are_typed_as_decimals_fractions_and_hexadecimal_floats() {
 fn what_is_no_number_is_refused_with_what_would_be_one() {
     let mut desk = Desk::new();
     for (typed, said) in [
-        ("nonsense", "“nonsense” is no finite number"),
-        ("inf", "“inf” is no finite number"),
-        ("1/0", "“1/0” is no finite number"),
+        ("nonsense", "“nonsense” is no number"),
+        ("inf", "“inf” is no number"),
+        ("1/0", "“1/0” is no number"),
         (" ", "A number is missing"),
     ] {
         let ray = desk.plane().scenario.ray;
@@ -180,7 +180,7 @@ fn a_key_says_why_it_does_nothing() {
 }
 
 #[test]
-fn what_is_no_number_stays_in_its_field_until_it_is_mended_or_given_up() {
+fn what_is_no_number_stays_in_its_field_until_it_is_mended_given_up_or_left() {
     let mut desk = Desk::new();
     let before = desk.plane().scenario.ray.origin();
     let shown = |desk: &Desk| {
@@ -202,14 +202,17 @@ fn what_is_no_number_stays_in_its_field_until_it_is_mended_or_given_up() {
 
     desk.type_into("origin y", "up");
     desk.press(Key::Tab);
-    assert_eq!(shown(&desk), "up", "also where it is left");
-    assert!(desk.says("“up” is no finite number"));
-    desk.click(Role::SpinButton, "origin y");
+    assert_eq!(shown(&desk), "0.5", "left by Tab");
+    assert!(desk.says("“up” is no number") && desk.says("0.5 holds again"), "{:?}", desk.texts());
+    desk.type_into("origin y", "up");
+    assert_eq!(shown(&desk), "up");
+    desk.click(Role::SpinButton, "origin x");
+    assert_eq!(shown(&desk), "0.5", "left by a click");
+    desk.type_into("origin y", "up");
     desk.press(Key::Escape);
     assert_eq!((shown(&desk).as_str(), desk.plane().scenario.ray.origin()[1]), ("0.5", 0.5));
 
     desk.type_into("origin y", "up");
-    desk.press(Key::Tab);
     // What has changed otherwise is shown.
     let AnyDocument::Plane(document) = desk.state_mut().document_mut() else { panic!() };
     document.scenario.ray = Ray::new(before, [1.0, 0.5]).unwrap();
@@ -232,7 +235,7 @@ fn what_is_refused_or_given_up_gives_back_the_number_that_was_there_before() {
         desk.press(end);
         assert_eq!(desk.plane().scenario.ray, before, "{end:?}");
         let holds = octoscope_core::explain::number(before.origin()[1]);
-        let is_said = desk.says(&format!("Until then {holds} holds"));
+        let is_said = desk.says(&format!("{holds} holds again"));
         assert_eq!(is_said, end == Key::Tab, "{:?}", desk.texts());
     }
 }

@@ -27,10 +27,24 @@ fn the_rail_and_the_sentence_tell_all_digits_when_pointed_at() {
     assert!(desk.texts().iter().any(|text| text == &format!("t_x0 = {digits}")), "{digits}");
     let is_sentence = |node: &Node<'_>| node.accesskit_node().author_id() == Some("sentence");
     let sentence = desk.nodes().into_iter().find(is_sentence).unwrap().rect();
-    desk.point_at(sentence.center());
-    (0..40).for_each(|_| desk.step());
-    let shown = desk.texts().iter().any(|text| text.contains(" ≈ "));
-    assert!(shown, "{:?}", desk.texts());
+    let mut tells_at = |share: f32, height: f32| {
+        let at = sentence.left_top() + sentence.size() * vec2(share, height);
+        desk.point_at(at);
+        (0..40).for_each(|_| desk.step());
+        desk.texts().iter().any(|text| text.contains(" ≈ "))
+    };
+    let first_line = 12.0 / sentence.height();
+    let numbers: Vec<f32> = (1..60).map(|n| n as f32 / 60.0).collect();
+    let at_number = numbers.into_iter().find(|&share| tells_at(share, first_line));
+    let at_number = at_number.expect("a number is told in short");
+    assert!(!tells_at(0.999, 0.99), "where nothing is");
+    assert!(tells_at(at_number, first_line));
+    // Whoever goes on by keyboard is not pointing.
+    for _ in 0..2 {
+        desk.press(Key::ArrowRight);
+        (0..40).for_each(|_| desk.step());
+        assert!(!desk.texts().iter().any(|text| text.contains(" ≈ ")), "{}", desk.sentence());
+    }
 }
 
 #[test]
