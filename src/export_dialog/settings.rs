@@ -148,8 +148,10 @@ fn languages(ui: &mut Ui, look: &Look, language: &mut Language) {
 }
 
 fn steps(ui: &mut Ui, look: &Look, choice: &mut Choice, last_step: usize) {
+    // A table ends with the step that it is of.
+    let is_table = choice.view == FigureView::Table;
     let steps = [
-        (StepChoice::Here, "export-here"),
+        (StepChoice::Here, if is_table { "export-up-to-here" } else { "export-here" }),
         (StepChoice::Range, "export-range"),
         (StepChoice::All, "export-all"),
     ];

@@ -3,7 +3,7 @@
 use super::asked::Colouring;
 use super::drawing::Raster;
 use super::measure::{NOTHING, UNKNOWN, WRONG};
-use octoscope_figure::{Colour, Theme, ramp};
+use octoscope_figure::{Colour, Theme, contrast, ramp};
 
 /// Colour of every cell, over the background of the theme.
 pub fn colours(theme: Theme, colouring: Colouring, raster: &Raster) -> Vec<Colour> {
@@ -56,7 +56,35 @@ impl Scale {
             }
             Colouring::Differences if value == WRONG => palette.rejected,
             Colouring::Differences if value == UNKNOWN => palette.quiet_ink,
-            Colouring::Differences => palette.grid.faded(0.6).over(palette.background),
+            Colouring::Differences => right(&palette),
+        }
+    }
+}
+
+/// Colour of a ray that is right: grey, as far from nothing as from what is wrong.
+fn right(palette: &octoscope_figure::Palette) -> Colour {
+    let greys = (1..=20).map(|n| palette.ink.faded(0.05 * f64::from(n)).over(palette.background));
+    let apart =
+        |grey: Colour| contrast(grey, palette.background).min(contrast(grey, palette.rejected));
+    greys.max_by(|a, b| apart(*a).total_cmp(&apart(*b))).unwrap_or(palette.grid)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::measure::RIGHT;
+    use super::*;
+
+    #[test]
+    fn right_and_wrong_and_nothing_are_told_apart_in_every_theme() {
+        let colouring = Colouring::Differences;
+        let scale = Scale { colouring, range: [RIGHT, WRONG], n_wrong: 1, n_unknown: 0 };
+        for theme in Theme::ALL {
+            let [nothing, right, wrong] =
+                [NOTHING, RIGHT, WRONG].map(|value| scale.colour(theme, value));
+            for [a, b] in [[nothing, right], [right, wrong], [nothing, wrong]] {
+                let ratio = contrast(a, b);
+                assert!(ratio >= 2.4, "{theme:?}: {ratio:.2}");
+            }
         }
     }
 }

@@ -11,8 +11,8 @@ use crate::shortcut;
 use crate::view::{Dialog, Typed};
 use crate::widgets::{default_button, progress_bar, text_field};
 use eframe::egui::{
-    Align2, Area, Context, Frame, Grid, Id, Key, Label, Modal, Order, RichText, ScrollArea,
-    Spinner, TextEdit, Ui,
+    Align2, Area, Context, Frame, Grid, Id, Key, KeyboardShortcut, Label, Margin, Modal, Order,
+    RichText, ScrollArea, Spinner, Stroke, TextEdit, Ui,
     text::{CCursor, CCursorRange},
     text_edit::TextEditState,
     vec2,
@@ -82,7 +82,8 @@ pub fn ui(
                 answer = Some(Answer::Path(typed.clone()));
                 close = true;
             }
-            close |= ui.button(look.text("dialog-close")).clicked();
+            let leave = if confirm.is_some() { "dialog-cancel" } else { "dialog-close" };
+            close |= ui.button(look.text(leave)).clicked();
         });
     });
     if close || response.should_close() {
@@ -200,7 +201,7 @@ fn keys(ui: &mut Ui, look: &Look) {
     });
     let groups: Vec<_> = groups.into_iter().filter(|(_, rows)| !rows.is_empty()).collect();
     let columns = if ui.available_width() >= 2.0 * COLUMN {
-        let n_lines: Vec<_> = groups.iter().map(|(_, rows)| 1 + rows.len()).collect();
+        let n_lines: Vec<_> = groups.iter().map(|(_, rows)| 2 + rows.len()).collect();
         let is_left = balanced(&n_lines);
         let (left, right) = groups.iter().zip(is_left).partition::<Vec<_>, _>(|(_, left)| *left);
         [left, right].map(|column| column.into_iter().map(|(group, _)| group).collect()).to_vec()
@@ -237,16 +238,34 @@ fn balanced(n_lines: &[usize]) -> Vec<bool> {
 
 /// A column of keys, all of them below each other.
 fn keys_of(ui: &mut Ui, look: &Look, column: usize, groups: &[&(Menu, Vec<&Row>)]) {
+    /// Room above the name of a group.
+    const ABOVE: f32 = 7.0;
     Grid::new(("keys", column)).num_columns(2).spacing([24.0, 1.0]).show(ui, |ui| {
-        for (menu, rows) in groups {
-            ui.label(RichText::new(look.text(menu.id())).color(look.palette.quiet));
+        for (n, (menu, rows)) in groups.iter().enumerate() {
+            ui.vertical(|ui| {
+                ui.add_space(if n == 0 { 0.0 } else { ABOVE });
+                let name = RichText::new(look.text(menu.id())).family(look.strong_family());
+                ui.label(name.color(look.palette.ink));
+            });
             ui.end_row();
             for row in rows {
                 ui.label(look.text(row.id));
-                ui.label(RichText::new(shortcut::all_shown(look, row.keys)).monospace());
+                ui.horizontal(|ui| {
+                    ui.spacing_mut().item_spacing.x = 6.0;
+                    row.keys.iter().for_each(|key| cap(ui, look, key));
+                });
                 ui.end_row();
             }
         }
+    });
+}
+
+/// A key with its modifiers, by itself: signs on keys are not taken for signs between them.
+fn cap(ui: &mut Ui, look: &Look, key: &KeyboardShortcut) {
+    let frame = Frame::new().fill(look.palette.field).corner_radius(3.0);
+    let frame = frame.stroke(Stroke::new(1.0, look.palette.hairline));
+    frame.inner_margin(Margin::symmetric(5, 0)).show(ui, |ui| {
+        ui.label(RichText::new(shortcut::shown(look, key)).monospace());
     });
 }
 

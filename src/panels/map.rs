@@ -246,6 +246,9 @@ fn explained<const D: usize>(
         legend::ui(ui, look, done.colouring, raster, is_marked);
     }
     let by = match asked.colouring {
+        Colouring::Sequence | Colouring::Leaves if asked.query.is_misprinted() => {
+            "map-by-batch-right"
+        }
         Colouring::Sequence | Colouring::Leaves => "map-by-batch",
         Colouring::Steps | Colouring::Comparisons => "map-by-algorithm",
         Colouring::Differences => "map-by-both",

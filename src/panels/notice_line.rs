@@ -11,9 +11,9 @@ use octoscope_core::explain::{RichText as Words, Span};
 use std::time::Duration;
 
 /// Height of type in the slot.
-const SIZE: f32 = 13.0;
+const SIZE: f32 = 15.0;
 /// Height of the slot: that of a line.
-const LINE: f32 = 18.0;
+const LINE: f32 = 20.0;
 /// The slot takes at most so many lines from the sentence, which needs the rest; all of a
 /// longer text is told where it is pointed at.
 const MOST_LINES: usize = 2;
@@ -98,7 +98,7 @@ fn strength(context: &Context, notice: &mut Notice) -> Option<f32> {
 /// What has happened, in so many lines of at most this width.
 fn job(look: &Look, notice: &Notice, most: f32, max_rows: usize) -> LayoutJob {
     let font = FontId::proportional(look.type_size(SIZE));
-    let mut job = LayoutJob::simple(notice.text().to_owned(), font, look.palette.accent, most);
+    let mut job = LayoutJob::simple(notice.text().to_owned(), font, look.palette.ink, most);
     job.wrap.max_rows = max_rows;
     job
 }

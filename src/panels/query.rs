@@ -146,9 +146,12 @@ fn ray_query<const D: usize>(
         (choice, look.text(key), look.text(why))
     });
     ui.horizontal(|ui| {
-        let mut shown = if is_fixed { Arithmetic::Exact } else { *arithmetic };
-        ui.add_enabled_ui(!is_fixed, |ui| explained_segments(ui, &mut shown, &choices));
-        *arithmetic = if is_fixed { *arithmetic } else { shown };
+        if is_fixed {
+            let [_, (_, exact, why)] = &choices;
+            ui.label(RichText::new(exact).size(14.0)).on_hover_text(why);
+        } else {
+            explained_segments(ui, arithmetic, &choices);
+        }
         // Apart: it is no third choice beside them.
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             rules::<D>(ui, look, *algorithm, &mut options.variants);

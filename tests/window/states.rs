@@ -138,7 +138,15 @@ fn presets() -> Vec<State> {
             }
         })
     };
-    all.map(state).collect()
+    let large = SCENES.map(|(dimension, scene)| {
+        State::new(format!("lecture-largest-{dimension}"), move |desk| {
+            open(desk, scene, Preset::Lecture);
+            desk.go_to(&At::Share(0.46));
+            (0..5).for_each(|_| desk.press(Key::Plus));
+            desk.run();
+        })
+    });
+    all.map(state).chain(large).collect()
 }
 
 /// Every question in the usual preset, in that of bits and in a lecture.
@@ -235,13 +243,16 @@ fn pictures() -> Vec<State> {
 /// Where an export goes, wherever the program is started.
 pub const FIGURE: &str = "/home/ada/figure.svg";
 
+/// After so many steps a dialog is there, not half transparent as it comes.
+const FADED_IN: usize = 10;
+
 /// Dialogs, labs and notes.
 fn over_the_window() -> Vec<State> {
     let dialog = |name: &str, dialog: Dialog| {
         State::new(format!("dialog-{name}"), move |desk| {
             desk.state_mut().view.dialog = Some(dialog.clone());
             // A caret blinks: it never settles.
-            desk.run_steps(4);
+            desk.run_steps(FADED_IN);
         })
     };
     let export = |name, view, file: &'static str| {
@@ -250,16 +261,19 @@ fn over_the_window() -> Vec<State> {
             desk.state_mut().view.export.view = view;
             desk.state_mut().view.export.file = file.to_owned();
             desk.state_mut().view.dialog = Some(Dialog::Export);
-            desk.run_steps(4);
+            desk.run_steps(FADED_IN);
             let context = desk.ctx.clone();
             desk.state_mut().finish_preview(&context);
-            desk.run_steps(4);
+            desk.run_steps(FADED_IN);
         })
     };
     let mut states = vec![
         dialog("keys", Dialog::Keys),
         dialog("about", Dialog::About),
-        dialog("error", Dialog::Error("lecture.octo: line 3: a number is missing".to_owned())),
+        State::new("dialog-error", |desk| {
+            desk.open("/no/such/folder/lecture.csv");
+            desk.run_steps(FADED_IN);
+        }),
         dialog("find", Dialog::Find(Search { wanted: "eb".to_owned(), chosen: 1 })),
         dialog("find-everything", Dialog::Find(Search::default())),
         dialog("path", Dialog::Path(typed())),
@@ -269,7 +283,7 @@ fn over_the_window() -> Vec<State> {
             desk.run_steps(2);
             desk.press(Key::Enter);
             desk.state_mut().finish_work();
-            desk.run_steps(4);
+            desk.run_steps(FADED_IN);
         }),
         export("dialog-export", FigureView::Space, FIGURE),
         export("dialog-export-folder", FigureView::Space, "/"),
@@ -277,7 +291,7 @@ fn over_the_window() -> Vec<State> {
         State::new("notes", |desk| {
             desk.go_to(&At::Share(0.46));
             desk.tap(Key::P);
-            desk.run_steps(4);
+            desk.run_steps(FADED_IN);
         }),
         State::new("blank", |desk| desk.tap(Key::B)),
     ];

@@ -78,4 +78,4 @@ grid-count = { $n ->
 }
 grid-cell = Zelle
 grid-outside = außerhalb
-grid-crossed = über { $axes }
+grid-crossed = durch Ebene { $axes }

@@ -162,7 +162,7 @@ erratum-b-31-printed = Auf der untersten Stufe
 erratum-b-31-right = An einem Blatt auf beliebiger Stufe; verglichen werden die Mittelebenen
 erratum-b-31-why = Große Blätter liegen oberhalb der untersten Stufe.
 
-erratum-b-32-title = Teile der Arbeit
+erratum-b-32-title = Teile des Aufsatzes
 erratum-b-32-printed = Drei Kapitel, ein zweiter und ein letzter Teil
 erratum-b-32-right = Die Abschnitte, wie sie nummeriert sind
 erratum-b-32-why = Die Worte der Einleitung passen nicht zu den Abschnitten.

@@ -26,11 +26,11 @@ start-one-by-one = { " " }Ebenen, die zugleich getroffen werden, werden eine nac
 start-averaged = { " " }Das t einer Mittelebene ist das Mittel aus denen der nahen und der fernen Ebene.
 start-push = { " " }Der Austrittspunkt wird aus jedem Blatt hinausgeschoben.
 start-gem = { " " }Die Hälften werden mit den Vergleichen des Gems gewählt.
-start-point-codes = Das Blatt, dem ein Punkt gehört, wird mit Ortscodes gesucht.
-start-point-comparison = Das Blatt, dem ein Punkt gehört, wird durch Vergleich mit den Mittelebenen gesucht.
+start-point-codes = Das Blatt, dem der Punkt { $point } gehört, wird mit Ortscodes gesucht.
+start-point-comparison = Das Blatt, dem der Punkt { $point } gehört, wird durch Vergleich mit den Mittelebenen gesucht.
 start-region = Der kleinste Knoten, der einen Bereich enthält, wird mit Ortscodes gesucht.
-start-neighbour-tables = Der Nachbar eines Knotens wird mit Tabellen gesucht.
-start-neighbour = Der Nachbar eines Knotens wird mit Ortscodes gesucht.
+start-neighbour-tables = Der Nachbar von { $node } in Richtung { $direction } wird mit Tabellen gesucht.
+start-neighbour = Der Nachbar von { $node } in Richtung { $direction } wird mit Ortscodes gesucht.
 quadtree = Quadtree
 octree = Octree
 
@@ -90,7 +90,7 @@ first-printed = { $by } tritt der Strahl im Zustand { $state } ein.
 selection-printed = { $by } werden die Kinder besucht, die zu { $states } gehören.
 states-one = Zustand { $states }
 states-many = den Zuständen { $states }
-first-none = { $comparisons }, also ist kein Bit 1: Der Strahl { $inside ->
+first-none = { $comparisons }, also ist kein Bit gesetzt: Der Strahl { $inside ->
     [yes] beginnt
    *[no] tritt
 } im Zustand 0{ $inside ->

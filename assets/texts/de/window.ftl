@@ -185,10 +185,12 @@ scene-counts-triangles = { $items ->
 
 ray-origin = Startpunkt
 ray-direction = Richtung
-number-missing = Hier fehlt eine Zahl. Richtig wäre etwa −0.25, 3/4, 1e-3 oder 0x1.8p-1. Bis dahin gilt { $value }; Esc bringt sie zurück.
-number-refused = „{ $typed }“ ist keine endliche Zahl. Richtig wäre etwa −0.25, 3/4, 1e-3 oder 0x1.8p-1. Bis dahin gilt { $value }; Esc bringt sie zurück.
-whole-refused = „{ $typed }“ ist keine ganze Zahl von { $least } bis { $most }: schreiben Sie eine. Bis dahin gilt { $value }; Esc bringt sie zurück.
-range-refused = „{ $typed }“ ist keine Zahl von { $least } bis { $most }: schreiben Sie eine. Bis dahin gilt { $value }; Esc bringt sie zurück.
+number-missing = Hier fehlt eine Zahl. Richtig wäre etwa −0.25, 3/4, 1e-3 oder 0x1.8p-1.
+number-refused = „{ $typed }“ ist keine Zahl. Richtig wäre etwa −0.25, 3/4, 1e-3 oder 0x1.8p-1.
+whole-refused = „{ $typed }“ ist keine ganze Zahl von { $least } bis { $most }: schreiben Sie eine.
+range-refused = „{ $typed }“ ist keine Zahl von { $least } bis { $most }: schreiben Sie eine.
+number-meanwhile = Bis dahin gilt { $value }; Esc bringt sie zurück.
+number-restored = Es gilt wieder { $value }.
 ray-refused = Ein Strahl braucht eine Richtung ungleich null; die letzte bleibt.
 
 query-ray = Strahl
@@ -223,8 +225,8 @@ arithmetic-doubles-why = Die Parameter t sind 64-Bit-Gleitkommazahlen und werden
 arithmetic-exact = exakt
 arithmetic-exact-why = Die Parameter t werden als exakte Brüche verglichen; die Schritte sagen, wo Gleitkommazahlen irren würden.
 arithmetic-fixed-why = Jedes Blatt wird immer exakt geprüft: Am Ergebnis werden die anderen Verfahren gemessen.
-point-codes = durch Codes
-point-comparison = durch Vergleiche
+point-codes = mit Codes
+point-comparison = mit Vergleichen
 reach-equal = gleich groß oder größer
 reach-leaf = Blatt
 reach-every-leaf = alle Blätter
@@ -333,6 +335,7 @@ job-trace = Ein langer Lauf wird aufgezeichnet
 job-build = Der Baum wird gebaut
 job-broken = Die Arbeit endete ohne Ergebnis. Versuchen Sie es noch einmal; geschieht es wieder, melden Sie es bitte.
 job-cancel = Abbrechen
+dialog-cancel = Abbrechen
 dialog-close = Schließen
 dialog-error = Das ging nicht
 notes-title = Octoscope-Notizen
@@ -341,13 +344,13 @@ notes-next = Danach
 notes-end = Hier endet der Ablauf.
 notes-restart = neu starten
 find-theme = Farbschema: { $theme }
-find-hint = Befehl, Szene, Verfahren oder Druckfehler
-find-nothing = Nichts heißt so. Zu finden sind Befehle, Szenen, Verfahren und Fehler der Arbeit, auf Deutsch oder Englisch.
+find-hint = Befehl, Szene, Verfahren oder Fehler des Aufsatzes
+find-nothing = Nichts heißt so. Zu finden sind Befehle, Szenen, Verfahren und Fehler des Aufsatzes, auf Deutsch oder Englisch.
 find-disabled = Für diesen Befehl gibt es gerade nichts zu tun.
 find-command = Befehl
 find-scene = Szene
 find-algorithm = Verfahren
-find-erratum = Fehler der Arbeit
+find-erratum = Fehler des Aufsatzes
 dialog-keys = Tasten
 dialog-about = Über Octoscope
 dialog-export = Ansicht exportieren
@@ -388,6 +391,7 @@ export-theme = Farben
 export-background = Hintergrund
 export-transparent = transparent
 export-steps = Schritte
+export-up-to-here = bis zu diesem
 export-here = dieser
 export-range = von … bis
 export-all = alle
@@ -423,7 +427,7 @@ status-copied-image = Die Abbildung liegt als Bild in der Zwischenablage.
 status-copied-svg = Die Abbildung liegt als SVG-Text in der Zwischenablage.
 status-copied-table = Die Tabelle der Schritte liegt in der Zwischenablage.
 status-copied-command = Der Befehl liegt in der Zwischenablage.
-about-text = Octoscope zeigt geordnete Durchläufe von Quadtrees und Octrees Schritt für Schritt. Gegenstand ist die Seminararbeit „Ray Tracing mit Octrees“ von M. Kirschmann, Ulm, mit den Verfahren, die sie nennt.
+about-text = Octoscope zeigt geordnete Durchläufe von Quadtrees und Octrees Schritt für Schritt. Gegenstand ist der Aufsatz „Ray Tracing mit Octrees“ von M. Kirschmann, Ulm, mit den Verfahren, die er nennt.
 about-licence = Version { $version }, unter der MIT- oder der Apache-Lizenz 2.0.
 drop-here = Datei loslassen, um sie zu öffnen
 status-no-ray = Diese Anfrage hat keinen Strahl. „Strahl“ unter Anfrage bringt den letzten zurück.
@@ -432,6 +436,8 @@ status-rule-printed = Regel { $rule } wie gedruckt
 status-detour = Die gedruckte Regel kommt auf einem Umweg zum richtigen Ergebnis; er beginnt hier.
 status-no-misprint = Alle Regeln gelten in ihrer richtigen Form; kein Druckfehler führt in die Irre. Die Werkstatt zum Aufsatz schaltet Druckfehler ein.
 status-only-in-space = Das gilt für Octrees: Ein Quadtree wird nur von einer Seite gesehen.
+status-largest = Größer wird die Schrift in diesem Fenster nicht.
+status-smallest = Kleiner wird die Schrift nicht.
 status-cancelled = Abgebrochen.
 status-saving = { $name } wird gespeichert …
 status-saved = Gespeichert als { $name }
@@ -460,7 +466,7 @@ paper-other-cell = Andere Zelle suchen, bei der sie abweichen
 paper-no-other = Nichts anderes gefunden, bei dem gedruckte und richtige Regel abweichen; ein Baum mit mehr Stufen könnte helfen.
 paper-printed = Wie gedruckt
 paper-right = Berichtigt
-paper-all = Alle Errata von „Ray Tracing mit Octrees“
+paper-all = Alle Fehler des Aufsatzes „Ray Tracing mit Octrees“
 paper-severity-wrong = führt zu einem falschen Ergebnis
 paper-severity-misleading = führt den Leser irre
 paper-severity-cosmetic = ein bloßer Schreibfehler
@@ -488,24 +494,25 @@ map-ray = Ganzer Strahl: { $leaves ->
 }
 map-ray-long = Sein Lauf ist zu lang, um ihn hier zu zählen
 map-axis-angle = Winkel der Richtung (°)
-map-axis-offset = Abstand von der Mitte (Länge)
+map-axis-offset = Abstand von der Mitte
 map-axis-turn = Zur Seite (°)
 map-axis-rise = Nach oben (°)
 map-extent-picture = Die Sehstrahlen der Raumansicht
-map-sequence-legend = Gleiche Farbe: dieselben Blätter in derselben Reihenfolge
+map-sequence-legend = Andere Farbe: andere Blätter oder andere Reihenfolge
 map-legend-nothing = Kein Blatt
 map-legend-right = Richtig
-map-legend-ray = Der jetzige Strahl
+map-legend-ray = Aktueller Strahl
 map-differences-legend = { $wrong ->
-    [0] Keiner von { $rays } Strahlen geht falsch
-    [one] 1 von { $rays } Strahlen geht falsch
-   *[other] { $wrong } von { $rays } Strahlen gehen falsch
+    [0] Keiner von { $rays } Strahlen wird falsch verfolgt
+    [one] 1 von { $rays } Strahlen wird falsch verfolgt
+   *[other] { $wrong } von { $rays } Strahlen werden falsch verfolgt
 }
 map-unknown-legend = { $rays ->
     [one] Grau: Ein Lauf wurde nach einer Million Schritten abgebrochen, bis dahin richtig
    *[other] Grau: { $rays } Läufe wurden nach einer Million Schritten abgebrochen, bis dahin richtig
 }
 map-by-batch = Für viele Strahlen zugleich berechnet, exakt
+map-by-batch-right = Farben: die richtige Suche, für viele Strahlen zugleich berechnet. Nur die Zeile darüber folgt der gedruckten Regel
 map-by-algorithm = Im gezeigten Verfahren gezählt, Strahl für Strahl
 map-by-both = Das gezeigte Verfahren, verglichen mit einer exakten Suche
 map-progress = Die Karte entsteht

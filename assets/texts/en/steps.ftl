@@ -26,11 +26,11 @@ start-one-by-one = { " " }Planes that are met at once are crossed one by one.
 start-averaged = { " " }The t of a mid plane is the mean of those of the near and the far plane.
 start-push = { " " }The exit point is pushed out of each leaf.
 start-gem = { " " }The halves are chosen by the comparisons of the gem.
-start-point-codes = The leaf that owns a point is searched by location codes.
-start-point-comparison = The leaf that owns a point is searched by comparing it with mid planes.
+start-point-codes = The leaf that owns the point { $point } is searched by location codes.
+start-point-comparison = The leaf that owns the point { $point } is searched by comparing it with mid planes.
 start-region = The smallest node that holds a region is searched by location codes.
-start-neighbour-tables = The neighbour of a node is searched by tables.
-start-neighbour = The neighbour of a node is searched by location codes.
+start-neighbour-tables = The neighbour of { $node } in the direction { $direction } is searched by tables.
+start-neighbour = The neighbour of { $node } in the direction { $direction } is searched by location codes.
 quadtree = quadtree
 octree = octree
 

@@ -6,7 +6,7 @@ use crate::shortcut;
 use crate::view::Search;
 use crate::widgets::text_field;
 use eframe::egui::{
-    Align, Button, Event, Key, Label, Modifiers, RichText, ScrollArea, TextEdit, Ui,
+    Align, Atoms, Button, Event, Key, Label, Modifiers, RichText, ScrollArea, TextEdit, Ui,
 };
 
 /// Edits what is searched for and lists what is found; the arrow keys choose.
@@ -51,7 +51,7 @@ pub fn ui(ui: &mut Ui, look: &Look, search: &mut Search) -> Option<Target> {
     taken
 }
 
-/// Name of a hit, at its right the key or the kind.
+/// Name of a hit and in brackets what matches instead of it, at its right the key or the kind.
 fn row<'a>(ui: &Ui, look: &Look, hit: &Hit, chosen: bool) -> Button<'a> {
     let key = match hit.target {
         Target::Command(command) => command.row().keys.first(),
@@ -61,14 +61,19 @@ fn row<'a>(ui: &Ui, look: &Look, hit: &Hit, chosen: bool) -> Button<'a> {
         | Target::Erratum(_)
         | Target::Reading(_) => None,
     };
-    let side = match (&hit.other, key) {
-        (Some(other), _) => other.clone(),
-        (None, Some(key)) => shortcut::shown(look, key),
-        (None, None) => look.text(hit.target.kind()),
+    let side = match key {
+        Some(key) => shortcut::shown(look, key),
+        None => look.text(hit.target.kind()),
     };
-    let side = RichText::new(side).size(13.0);
-    let side = if chosen { side } else { side.color(look.palette.quiet) };
-    Button::selectable(chosen, hit.name.clone())
+    let quiet = |text: String| {
+        let text = RichText::new(text).size(13.0);
+        if chosen { text } else { text.color(look.palette.quiet) }
+    };
+    let side = quiet(side);
+    let other = hit.other.clone().map(|other| quiet(format!("({other})")));
+    let mut name = Atoms::new(hit.name.clone());
+    other.into_iter().for_each(|other| name.push_right(other));
+    Button::selectable(chosen, name)
         .right_text(side)
         .wrap()
         .min_size(eframe::egui::vec2(ui.available_width(), 26.0))

@@ -2,7 +2,7 @@
 
 use super::rich::RichText;
 use super::teller::Teller;
-use super::words::{Words, direction, point};
+use super::words::{Words, direction, point, signs};
 use crate::geometry::Ray;
 use crate::locate::NeighbourMethod;
 use crate::query::{PointMethod, Query};
@@ -80,16 +80,22 @@ fn question<const D: usize>(words: &Words<D>, ray: &Ray<D>, trace: &Trace<D>) ->
                 ("algorithm", words.texts.get(&format!("by-{}", algorithm.id()))),
             ],
         ),
-        Query::Point { method: PointMethod::Codes, .. } => words.texts.get("start-point-codes"),
-        Query::Point { method: PointMethod::Comparison, .. } => {
-            words.texts.get("start-point-comparison")
+        Query::Point { at, method, .. } => {
+            let key = match method {
+                PointMethod::Codes => "start-point-codes",
+                PointMethod::Comparison => "start-point-comparison",
+            };
+            words.say(key, &[("point", point(at))])
         }
         Query::Region { .. } => words.texts.get("start-region"),
-        Query::Neighbour { method: NeighbourMethod::Codes, .. } => {
-            words.texts.get("start-neighbour")
-        }
-        Query::Neighbour { method: NeighbourMethod::Tables, .. } => {
-            words.texts.get("start-neighbour-tables")
+        Query::Neighbour { level, code, direction, method, .. } => {
+            let key = match method {
+                NeighbourMethod::Codes => "start-neighbour",
+                NeighbourMethod::Tables => "start-neighbour-tables",
+            };
+            let level = level.min(words.tree.domain().root_level());
+            let node = words.node_at(level, code);
+            words.say(key, &[("node", node), ("direction", signs(direction.components()))])
         }
     }
 }

@@ -69,12 +69,18 @@ impl<'a, const D: usize> Words<'a, D> {
         self.named("the-node-first", id)
     }
 
+    /// A node of this level and code in the middle of a sentence, in the tree or not.
+    pub fn node_at(&self, level: u8, code: Code<D>) -> String {
+        self.called("the-node", level, code)
+    }
+
     fn named(&self, key: &str, id: NodeId) -> String {
-        let level = self.tree.level(id).to_string();
-        self.say(
-            key,
-            &[("code", tuple(self.tree.code(id).map(|c| c.to_string()))), ("level", level)],
-        )
+        self.called(key, self.tree.level(id), self.tree.code(id))
+    }
+
+    fn called(&self, key: &str, level: u8, code: Code<D>) -> String {
+        let code = tuple(code.map(|c| c.to_string()));
+        self.say(key, &[("code", code), ("level", level.to_string())])
     }
 
     /// Codes in binary, as many digits as the root has levels.

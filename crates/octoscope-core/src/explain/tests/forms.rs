@@ -141,7 +141,7 @@ fn equal_numbers_are_told_as_equal_whatever_they_are_compared_in() {
             &query(arithmetic),
             [
                 "t_ym = 0.25 = t_x0 = 0.25, so no bit is 1: the ray enters in state 0.",
-                "t_ym = 0.25 = t_x0 = 0.25, also ist kein Bit 1: Der Strahl tritt im Zustand 0 ein.",
+                "t_ym = 0.25 = t_x0 = 0.25, also ist kein Bit gesetzt: Der Strahl tritt im Zustand 0 ein.",
             ],
         );
     }
@@ -176,7 +176,7 @@ fn a_printed_rule_is_named_only_where_it_makes_a_difference() {
         &with(Algorithm::Parametric, Variant::B10),
         [
             "t_ym = 1.5 > t_x0 = 0.25, so no bit is 1: the ray enters in state 0.",
-            "t_ym = 1.5 > t_x0 = 0.25, also ist kein Bit 1: Der Strahl tritt im Zustand 0 ein.",
+            "t_ym = 1.5 > t_x0 = 0.25, also ist kein Bit gesetzt: Der Strahl tritt im Zustand 0 ein.",
         ],
     );
 }
