@@ -25,6 +25,7 @@ mod limits;
 mod links;
 mod map;
 mod notices;
+mod numbers;
 mod panels;
 mod paper;
 mod pictures;

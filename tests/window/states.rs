@@ -143,6 +143,8 @@ fn presets() -> Vec<State> {
             open(desk, scene, Preset::Lecture);
             desk.go_to(&At::Share(0.46));
             (0..5).for_each(|_| desk.press(Key::Plus));
+            // What is said of that in the place of the sentence.
+            desk.press(Key::Escape);
             desk.run();
         })
     });
