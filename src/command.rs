@@ -198,6 +198,7 @@ pub const COMMANDS: &[Row] = &[
     panel(PanelKind::WayDown, "panel-way-down"),
     panel(PanelKind::Links, "panel-links"),
     panel(PanelKind::Halves, "panel-halves"),
+    panel(PanelKind::MidPlanes, "panel-mid-planes"),
     panel(PanelKind::Grid, "panel-grid"),
     panel(PanelKind::Compare, "panel-compare"),
     panel(PanelKind::Paper, "panel-paper"),

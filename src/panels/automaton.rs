@@ -1,7 +1,7 @@
 //! The automaton that leads from child to child.
 
 use crate::look::Look;
-use crate::widgets::{Setting, paint_figure, room, table};
+use crate::widgets::{Setting, paint_figure, room, table, table_width};
 use eframe::egui::{Align, Layout, RichText, Sense, Ui, WidgetInfo, accesskit::Role};
 use octoscope_core::event::Event;
 use octoscope_core::query::Query;
@@ -23,9 +23,11 @@ pub fn ui<const D: usize>(
     query: &Query<D>,
 ) {
     let automaton = Automaton::of(moment, event, query);
-    // The table beside it needs the same room whatever is lit.
-    let [beside_it, least, most] =
-        if D == 2 { [152.0, 96.0, 120.0] } else { [176.0, 150.0, 184.0] };
+    const SETTING: Setting = Setting { gap: 14.0, least: 28.0 };
+    let exits = automaton.exit_table(&look.texts);
+    // The table beside it needs the same room whatever is lit, and what is lit a margin.
+    let beside_it = table_width(ui, look, &exits, SETTING) + ui.spacing().item_spacing.x + 4.0;
+    let [least, most] = if D == 2 { [96.0, 120.0] } else { [150.0, 184.0] };
     let beside = ui.available_width() - beside_it;
     let side = if beside < least { most } else { beside.min(most) };
     let direction = if beside < least {
@@ -45,8 +47,7 @@ pub fn ui<const D: usize>(
         paint_figure(ui, look, rect, &diagram);
         ui.vertical(|ui| {
             caption(ui, if D == 2 { "automaton-table-1" } else { "automaton-table-3" });
-            let setting = Setting { gap: 14.0, least: 28.0 };
-            table(ui, look, &automaton.exit_table(&look.texts), setting);
+            table(ui, look, &exits, SETTING);
         });
     });
     if D == 3 {

@@ -25,16 +25,15 @@ const GAP: f32 = 10.0;
 /// Bars are no shorter than this.
 const LEAST: f32 = 48.0;
 
-/// When the next plane of every axis is met, on bars that begin where the ray does in the
-/// grid, and the codes of the cell. Lit is what is met first; in the step that crosses a
+/// When the next plane of every axis is met, on bars that begin where the ray enters the
+/// cell, and the codes of the cell. Lit is what is met first; in the step that crosses a
 /// plane, that plane, with its parameter and the one of the plane behind it.
 pub fn ui<const D: usize>(ui: &mut Ui, look: &Look, moment: &Moment<D>) {
     let Some(grid) = moment.grid else {
         caption(ui, look, look.text("grid-none"));
         return;
     };
-    let first = moment.clip.map_or(0.0, |clip| clip.interval[0].max(0.0));
-    bars(ui, look, &grid, first);
+    bars(ui, look, &grid);
     let cell = match grid.cell {
         Some(cell) => per_axis(cell.map(|c| c.to_string())),
         None => look.text("grid-outside").into(),
@@ -48,10 +47,10 @@ pub fn ui<const D: usize>(ui: &mut Ui, look: &Look, moment: &Moment<D>) {
     captioned(ui, look, &look.text("grid-cell"), &cell, &crossed);
 }
 
-/// A bar for every axis, from the parameter `first` on, with its numbers behind it.
-fn bars<const D: usize>(ui: &mut Ui, look: &Look, grid: &GridCell<D>, first: f64) {
+/// A bar for every axis, from the parameter of the cell on, with its numbers behind it.
+fn bars<const D: usize>(ui: &mut Ui, look: &Look, grid: &GridCell<D>) {
     const ROW: f32 = 26.0;
-    let shares = shares(&grid.left.unwrap_or(grid.next), first);
+    let shares = shares(&grid.next, grid.enter);
     let lit = lit(grid);
     let told = planes_ahead(grid.left, grid.next);
     let size = vec2(ui.available_width(), ROW * D as f32);

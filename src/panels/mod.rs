@@ -14,6 +14,7 @@ pub mod links;
 pub mod listing;
 pub mod map;
 pub mod menu;
+pub mod mid_planes;
 pub mod neighbour;
 pub mod notes;
 pub mod notice_line;

@@ -10,10 +10,7 @@ use octoscope_core::explain::{Span, approx, shown_number};
 use octoscope_core::trace::{Moment, Trace};
 use octoscope_core::tree::{NodeId, Tree};
 use octoscope_figure::DiagramOf;
-use octoscope_figure::views::{RailFigure, rail_of, t_rail};
-
-/// Room below the bars.
-const BELOW: f32 = 34.0;
+use octoscope_figure::views::{RailFigure, rail_of, t_rail, t_rail_height};
 
 /// Height of a row in a lecture.
 pub fn lecture_row<const D: usize>() -> f32 {
@@ -22,7 +19,12 @@ pub fn lecture_row<const D: usize>() -> f32 {
 
 /// Height of the rail in a lecture.
 pub fn lecture_height<const D: usize>() -> f32 {
-    D as f32 * lecture_row::<D>() + BELOW
+    height::<D>(lecture_row::<D>())
+}
+
+/// Height of the rail with rows of this height.
+fn height<const D: usize>(row: f32) -> f32 {
+    t_rail_height::<D>(f64::from(row)) as f32
 }
 
 /// One bar per axis from t0 to t1 with tm, in rows of height `row`; dragging goes to the leaf at that t.
@@ -40,7 +42,7 @@ pub fn ui<const D: usize>(
     let size = [f64::from(width), f64::from(row)];
     let least = f64::from(look.least_type);
     let Some(rail) = t_rail(&look.texts, of, size, least) else {
-        let size = vec2(width, row * D as f32 + BELOW);
+        let size = vec2(width, height::<D>(row));
         let (rect, response) = ui.allocate_exact_size(size, Sense::click_and_drag());
         let hint = RichText::new(look.text("t-rail-none")).color(look.palette.quiet);
         let middle = UiBuilder::new().max_rect(rect).layout(Layout::top_down(Align::Center));

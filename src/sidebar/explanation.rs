@@ -5,7 +5,8 @@ use crate::look::Look;
 use crate::map::Maps;
 use crate::panels::{
     automaton, children, codes, compare, counters, cuts, grid, halves, links, listing, map,
-    neighbour, paper, region, stack, t_rail, tables, tree, variables, way_down, why_not,
+    mid_planes, neighbour, paper, region, stack, t_rail, tables, tree, variables, way_down,
+    why_not,
 };
 use crate::view::{PanelKind, Preset, View};
 use crate::widgets::{Place, panel_heading};
@@ -112,6 +113,7 @@ fn note<const D: usize>(
         }
         PanelKind::Links => links::note(look, &document.tree, &document.trace, moment),
         PanelKind::Halves
+        | PanelKind::MidPlanes
         | PanelKind::Region
         | PanelKind::Neighbour
         | PanelKind::Listing
@@ -184,6 +186,7 @@ fn body<const D: usize>(
             let form = if is_gem { halves::Form::Gem } else { halves::Form::Robust };
             halves::ui(ui, look, form, past);
         }
+        PanelKind::MidPlanes => mid_planes::ui(ui, look, past),
         PanelKind::Grid => grid::ui(ui, look, moment),
         PanelKind::Compare => comparison(ui, look, document),
         PanelKind::Paper => {

@@ -2,7 +2,7 @@
 
 use crate::document::Document;
 use crate::look::Look;
-use crate::panels::{formula, neighbour, paper, t_rail};
+use crate::panels::{formula, mid_planes, neighbour, paper, t_rail};
 use crate::view::{PanelKind, Preset, View};
 use eframe::egui::{Frame, Margin, Panel, Ui, Vec2};
 use octoscope_core::explain::{RichText, formulas};
@@ -49,7 +49,7 @@ fn most_height<const D: usize>(
 ) -> Option<f32> {
     use PanelKind::{
         Automaton, Children, Codes, Compare, Counters, Cuts, Grid, Halves, Links, Listing, Map,
-        Neighbour, Paper, Rail, Region, Stack, Tables, Tree, Variables, WayDown, WhyNot,
+        MidPlanes, Neighbour, Paper, Rail, Region, Stack, Tables, Tree, Variables, WayDown, WhyNot,
     };
     const HEADING: f32 = 30.0;
     let n_axes = D as f32;
@@ -64,6 +64,7 @@ fn most_height<const D: usize>(
         WayDown => 86.0,
         Links => 18.0 + 36.0 * n_axes,
         Halves => 133.0,
+        MidPlanes => mid_planes::lecture_height::<D>(),
         Grid => 30.0 + 26.0 * n_axes,
         Paper => paper::most_height(look, &trace.query, width),
         Automaton | Listing | Variables | Stack | Counters | Compare | Tree | WhyNot | Map => {

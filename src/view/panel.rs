@@ -35,6 +35,8 @@ pub enum PanelKind {
     Links,
     /// A part and the plane that halves it.
     Halves,
+    /// Comparisons of a point with mid planes.
+    MidPlanes,
     /// Cells of the finest grid.
     Grid,
     /// All algorithms side by side.
@@ -51,7 +53,7 @@ pub enum PanelKind {
 
 impl PanelKind {
     /// All panels, in the order of the menu.
-    pub const ALL: [Self; 21] = [
+    pub const ALL: [Self; 22] = [
         Self::Tree,
         Self::WhyNot,
         Self::Rail,
@@ -69,6 +71,7 @@ impl PanelKind {
         Self::WayDown,
         Self::Links,
         Self::Halves,
+        Self::MidPlanes,
         Self::Grid,
         Self::Compare,
         Self::Paper,
@@ -93,6 +96,7 @@ impl PanelKind {
             Self::WayDown => "panel-way-down",
             Self::Links => "panel-links",
             Self::Halves => "panel-halves",
+            Self::MidPlanes => "panel-mid-planes",
             Self::Grid => "panel-grid",
             Self::Compare => "panel-compare",
             Self::Paper => "panel-paper",

@@ -2,7 +2,7 @@
 
 use super::PanelKind;
 use octoscope_core::locate::NeighbourMethod;
-use octoscope_core::query::Query;
+use octoscope_core::query::{PointMethod, Query};
 use octoscope_core::traverse::Algorithm;
 use serde::{Deserialize, Serialize};
 
@@ -74,14 +74,14 @@ impl Preset {
     /// The panels that the preset is made of, where all of them say something.
     fn chosen<const D: usize>(self, query: &Query<D>) -> &'static [PanelKind] {
         use PanelKind::{
-            Automaton, Codes, Compare, Counters, Listing, Map, Neighbour, Rail, Stack, Tree,
-            Variables, WhyNot,
+            Automaton, Codes, Compare, Counters, Listing, Map, MidPlanes, Neighbour, Rail, Stack,
+            Tree, Variables, WhyNot,
         };
         let own = own_panel(query);
         let about_rays = matches!(query, Query::Ray { .. });
         match self {
             // The path through the tree is what the codes say, bit by bit.
-            Self::Bits if matches!(own, None | Some(Codes)) => &[Codes, Tree, Counters],
+            Self::Bits if matches!(own, None | Some(Codes | MidPlanes)) => &[Codes, Tree, Counters],
             Self::Bits => &[Codes, Neighbour, Counters],
             // In space, rail and automaton fill a side each.
             Self::Rail if D == 2 => &[Rail, Automaton, Codes, Counters],
@@ -109,7 +109,8 @@ impl Preset {
     fn says_something<const D: usize>(self, kind: PanelKind, query: &Query<D>) -> bool {
         use PanelKind::{
             Automaton, Children, Codes, Compare, Counters, Cuts, Grid, Halves, Links, Listing, Map,
-            Neighbour, Paper, Rail, Region, Stack, Tables, Tree, Variables, WayDown, WhyNot,
+            MidPlanes, Neighbour, Paper, Rail, Region, Stack, Tables, Tree, Variables, WayDown,
+            WhyNot,
         };
         let own = own_panel(query);
         let algorithm = match query {
@@ -122,9 +123,10 @@ impl Preset {
                 matches!(algorithm, Some(Algorithm::Parametric | Algorithm::ParametricTable))
             }
             Stack => algorithm.is_some_and(is_top_down),
-            Region | Neighbour | Tables | Cuts | Children | WayDown | Links | Halves | Grid => {
-                own == Some(kind)
-            }
+            Region | Neighbour | Tables | Cuts | Children | WayDown | Links | Halves
+            | MidPlanes | Grid => own == Some(kind),
+            // Where nothing is found by them, they are another answer.
+            Codes if own == Some(MidPlanes) => false,
             // Beside these there is no room for them.
             Codes => self != Self::Rail || !matches!(own, Some(Tables | Halves)),
             WhyNot => matches!(query, Query::Ray { .. } | Query::Point { .. }),
@@ -170,7 +172,10 @@ fn own_panel<const D: usize>(query: &Query<D>) -> Option<PanelKind> {
             Algorithm::Bsp => Some(PanelKind::Halves),
             Algorithm::Dda | Algorithm::DdaOctree => Some(PanelKind::Grid),
         },
-        Query::Point { .. } => Some(PanelKind::Codes),
+        Query::Point { method, .. } => Some(match method {
+            PointMethod::Codes => PanelKind::Codes,
+            PointMethod::Comparison => PanelKind::MidPlanes,
+        }),
         Query::Region { .. } => Some(PanelKind::Region),
         Query::Neighbour { method, .. } => Some(match method {
             NeighbourMethod::Codes => PanelKind::Neighbour,

@@ -5,6 +5,7 @@ panel-children = Jedes Kind
 panel-way-down = Weg von der Wurzel
 panel-links = Verweise
 panel-halves = Halbieren
+panel-mid-planes = Mittelebenen
 panel-grid = Feinstes Raster
 
 algorithms-top-down = Von oben nach unten
@@ -58,6 +59,11 @@ links-larger = größer
 links-equal = Blatt
 links-divided = geteilt
 links-border = Rand
+
+mid-planes-none = Zeigt den Vergleich mit den Mittelebenen, sobald ein Kind gewählt wird.
+mid-planes-point = Punkt
+mid-planes-plane = Mittelebene
+mid-planes-bit = Bit
 
 halves-none = Zeigt die Ebene und ihren Parameter, sobald ein Teil halbiert wird.
 halves-near = nur nahe Hälfte

@@ -10,6 +10,7 @@ formula-near-half = nahe Hälfte
 formula-far-half = ferne Hälfte
 formula-both-halves = beide Hälften
 formula-no-cell = keine Zelle
+formula-here = hier
 formula-reversed = umgekehrt
 formula-leftmost = linke Stelle
 formula-rightmost = rechte Stelle

@@ -2,7 +2,7 @@
 # Strahl zu einem wird.
 
 gallery-axis-parallel = Parallel zu einer Achse
-watch-axis-parallel = Die anderen Achsen spielen nie mit: Ihre Parameter sind −∞ und +∞, und keine ihrer Ebenen wird je gekreuzt.
+watch-axis-parallel = Die anderen Achsen spielen nie mit: Ihre Parameter sind −∞ und ∞, und keine ihrer Ebenen wird je gekreuzt.
 gallery-face-plane = In der Ebene einer Fläche
 watch-face-plane = Jede Zelle besitzt ihre untere Ebene, also läuft der Strahl nur durch die oberen Nachbarn, und kein Blatt wird zweimal besucht.
 gallery-lower-face = In der unteren Fläche der Wurzel

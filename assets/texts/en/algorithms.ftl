@@ -5,6 +5,7 @@ panel-children = Every child
 panel-way-down = Way from the root
 panel-links = Links
 panel-halves = Halving
+panel-mid-planes = Mid planes
 panel-grid = Finest grid
 
 algorithms-top-down = Top-down
@@ -58,6 +59,11 @@ links-larger = larger leaf
 links-equal = leaf
 links-divided = divided
 links-border = border
+
+mid-planes-none = Shows the comparison with the mid planes once a child is chosen.
+mid-planes-point = point
+mid-planes-plane = mid plane
+mid-planes-bit = bit
 
 halves-none = Shows the plane and its parameter once a part is halved.
 halves-near = near half only

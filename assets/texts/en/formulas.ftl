@@ -10,6 +10,7 @@ formula-near-half = near half
 formula-far-half = far half
 formula-both-halves = both halves
 formula-no-cell = no cell
+formula-here = here
 formula-reversed = reversed
 formula-leftmost = leftmost digit
 formula-rightmost = rightmost digit

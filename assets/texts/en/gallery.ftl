@@ -2,7 +2,7 @@
 # becomes one.
 
 gallery-axis-parallel = Parallel to an axis
-watch-axis-parallel = The other axes never take part: their parameters are −∞ and +∞, and no plane of theirs is ever crossed.
+watch-axis-parallel = The other axes never take part: their parameters are −∞ and ∞, and no plane of theirs is ever crossed.
 gallery-face-plane = In the plane of a face
 watch-face-plane = Each cell owns its lower plane, so the ray runs through the upper neighbours alone and no leaf is visited twice.
 gallery-lower-face = In the lower face of the root

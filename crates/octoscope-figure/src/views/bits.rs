@@ -20,7 +20,8 @@ pub struct BitRow {
     pub note: String,
     /// Bits that are marked, as a mask.
     pub marked: i64,
-    /// The bit in a frame, that tells whether a code has left the domain.
+    /// The bit in a frame, from which something follows: that of the border, whether a code
+    /// has left the domain, or the highest in which two differ, up to where.
     pub border: Option<u8>,
     /// Whether a line is drawn above, as under a column of numbers to be added.
     pub rule_above: bool,

@@ -41,7 +41,7 @@ pub use rail::{RailOf, planes_ahead};
 pub use region::region_table;
 pub use storyboard::{Layout, Panel, common_extent, storyboard};
 pub use subject::Subject;
-pub use t_rail::{RailFigure, rail_of, t_rail};
+pub use t_rail::{RailFigure, rail_of, t_rail, t_rail_height};
 pub use table::{Entry, Table, Tone};
 pub use worksheet::{Fields, worksheet};
 

@@ -146,7 +146,7 @@ fn sum_rows<const D: usize>(target: &Target<D>, axis: usize) -> Vec<BitRow> {
     vec![
         row(AXIS_NAMES[axis].to_owned(), from, from.to_string()),
         row(if upwards { "+" } else { "−" }.to_owned(), step, step.to_string()),
-        BitRow { marked: changed & !step, rule_above: true, ..row("=".to_owned(), to, to_text) },
+        BitRow { marked: changed, rule_above: true, ..row("=".to_owned(), to, to_text) },
     ]
 }
 

@@ -58,8 +58,11 @@ pub(super) struct Rail<const D: usize> {
     left: Option<[f64; D]>,
 }
 
-/// Planes are shown in their place up to so many lengths of an interval outside it.
+/// Where the ray begins is shown up to so many lengths of what is shown before it.
 const NEAR: f64 = 3.0;
+/// Planes outside an interval are shown in their place while it keeps this share of what is
+/// shown: enough to tell its ends apart.
+const LEAST_SHARE: f64 = 0.08;
 
 impl<const D: usize> Rail<D> {
     /// Of the node that was just tested, the leaf that was just reported, the node on top
@@ -158,6 +161,12 @@ impl<const D: usize> Rail<D> {
         Some([self.near.map_or(self.limits()[0], |near| near[axis]), far])
     }
 
+    /// Whether the bars begin where the ray is between both planes of their axis: of a node
+    /// of which no near plane is known, they begin where the ray enters it.
+    pub fn begins_at_planes(&self) -> bool {
+        self.near.is_some()
+    }
+
     /// The parameters of an axis with the names of their planes.
     pub fn stops(&self, axis: usize) -> Vec<(f64, &'static str)> {
         let known = [(self.near, "0"), (self.mid, "m"), (self.far, self.far_name)];
@@ -189,17 +198,26 @@ impl<const D: usize> Rail<D> {
     }
 
     /// Range of t that is shown: all finite parameters, with a margin, and 0 where all
-    /// lie not far behind it. Where all begins at once, in an interval, planes far
-    /// outside would leave no room for it: they are left out, and lie beyond the ends.
+    /// lie not far behind it. Where all begins at once, in an interval, planes so far
+    /// outside that they would leave no room for it are left out, and lie beyond the ends.
     pub fn range(&self) -> [f64; 2] {
         let [enter, exit] = self.limits();
         let length = exit - enter;
-        let cuts = self.near.is_none() && length > 0.0 && length.is_finite();
-        let reach = NEAR * length;
-        let is_near = |t: f64| !cuts || (enter - reach <= t && t <= exit + reach);
         let planes = [self.near, self.mid, self.far].into_iter().flatten().flatten();
         let all = planes.chain(self.halving.map(|plane| plane.at)).chain([enter, exit]);
-        let finite: Vec<f64> = all.filter(|&t| t.is_finite() && is_near(t)).collect();
+        let mut finite: Vec<f64> = all.filter(|t| t.is_finite()).collect();
+        if self.near.is_none() && length > 0.0 && length.is_finite() {
+            // The nearest first.
+            let outside = |t: &f64| (enter - t).max(t - exit).max(0.0);
+            finite.sort_by(|a, b| outside(a).total_cmp(&outside(b)));
+            let [mut low, mut high] = [enter, exit];
+            let n_shown = finite.iter().take_while(|&&t| {
+                (low, high) = (low.min(t), high.max(t));
+                length >= LEAST_SHARE * (high - low)
+            });
+            let n_shown = n_shown.count();
+            finite.truncate(n_shown);
+        }
         let low = finite.iter().copied().fold(f64::INFINITY, f64::min);
         let high = finite.iter().copied().fold(f64::NEG_INFINITY, f64::max);
         if low > high {
@@ -266,6 +284,8 @@ mod tests {
         let interval = Rail::<2>::of_node(NodeId::ROOT, Some([1.0, 2.0]));
         let [low, high] = Rail { mid: Some([1.5, 4.5]), ..interval }.range();
         assert!(low < 1.0 && 4.5 < high && high < 5.0, "{low} {high}");
+        let next = Rail { far: Some([2.0, 11.0]), ..interval };
+        assert!(next.range()[1] > 11.0, "the interval has a ninth of the rail");
         let [low, high] = Rail { mid: Some([-50.0, 1e9]), ..interval }.range();
         assert!(0.9 < low && low < 1.0 && 2.0 < high && high < 2.1, "{low} {high}");
     }

@@ -54,7 +54,7 @@ pub fn t_rail<const D: usize>(
     let drawing = Drawing { rail: &rail, range, track, row, least };
     let mut sheet = Sheet::default();
     drawing.draw(&mut sheet, texts, missed.as_deref());
-    let figure = sheet.figure([width, row * D as f64 + BELOW]);
+    let figure = sheet.figure([width, t_rail_height::<D>(row)]);
     let of_axis = |axis| rail.stops(axis).into_iter().map(move |(t, plane)| (axis, plane, t));
     let parameters = (0..D).flat_map(of_axis).map(|(axis, plane, t)| (parameter(axis, plane), t));
     let parameters = parameters.collect();
@@ -124,8 +124,12 @@ pub(super) fn view<const D: usize>(subject: &Subject<D>, width: f64) -> Option<F
     Some(sheet.figure([width, rail.figure.page.height + HEAD]))
 }
 
-/// Room below the bars.
-const BELOW: f64 = 34.0;
+/// Height of a rail with rows of this height.
+pub fn t_rail_height<const D: usize>(row: f64) -> f64 {
+    /// Room below the bars.
+    const BELOW: f64 = 40.0;
+    row * D as f64 + BELOW
+}
 
 /// Where `t` lies between `low` and `high`, from 0 to 1; halved, as the whole
 /// length may be larger than any number.
@@ -192,9 +196,9 @@ impl<const D: usize> Drawing<'_, D> {
                 sheet.push(Role::Stop(axis), Part::Fine, Form::Polyline(line.to_vec()));
             });
         }
-        for Label { role, at, width, text, is_odd, is_above: _, tick: _ } in labels {
+        for Label { role, at, width, text, is_odd, is_above, tick: _ } in labels {
             let mut start = at;
-            if is_odd {
+            if is_odd && !is_above {
                 let half = self.half_line();
                 sheet.rect(Role::Blank, [at[0], at[1] - half], [width, 2.0 * half]);
                 start[0] += BADGE;
@@ -215,6 +219,11 @@ impl<const D: usize> Drawing<'_, D> {
         if let Some([near, far]) = self.rail.bar(axis).filter(|[near, far]| near < far) {
             let [from, to] = [near, far].map(|t| self.x_of(t));
             sheet.line(Role::Bar(axis), [[from, y], [to, y]]);
+            if !self.rail.begins_at_planes() {
+                // Since when it is between the planes of this axis, is not known.
+                let unknown = vec![[self.track[0], y], [from, y]];
+                sheet.push(Role::Stop(axis), Part::Fine, Form::Polyline(unknown));
+            }
             if self.is_high() {
                 // As thick again.
                 for off in [-2.5, 2.5] {

@@ -5,7 +5,7 @@ use super::numbers::{number, told_apart};
 use super::term::{Formula, Sign, row};
 use super::writer::Writer;
 use crate::explain::words::far_planes;
-use crate::geometry::Axes;
+use crate::geometry::{AXIS_NAMES, Axes};
 use crate::trace::Frame;
 use crate::traverse::Variant;
 use crate::tree::Child;
@@ -96,12 +96,18 @@ impl<const D: usize> Writer<'_, D> {
         let (and, or) = (self.notation.and(), self.notation.or());
         let (from, mask) = (self.index_of(state), self.mask_of(axes));
         let both = Axes(state.0 & axes.0);
-        let binary = |n: i64| super::numbers::binary(n as u32, D as u8);
+        // Which axis a digit is of, where x is the last.
+        let in_order = self.notation.weight(0, D) > 1;
+        let binary = |n: i64| {
+            let digits = super::numbers::binary(n as u32, D as u8);
+            let axes: String = AXIS_NAMES[..D].iter().rev().copied().collect();
+            if in_order { digits } else { digits.sub(axes.as_str()) }
+        };
         let sign = if next.is_some() { Sign::Equal } else { Sign::Unequal };
         let (symbol, value) = match next {
             Some(next) => (
                 row![letter, Sign::Takes, letter, or, "m"],
-                row![from, or, mask, Sign::Equal, self.index_of(next)],
+                row![from, or, mask, Sign::Equal, self.index_of(next), self.counted_here(next)],
             ),
             None => (self.word("formula-end"), self.word("formula-end")),
         };

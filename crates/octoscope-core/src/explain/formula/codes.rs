@@ -5,6 +5,7 @@ use super::numbers::{binary, number, operand, told_apart};
 use super::term::{Fence, Formula, Sign, row};
 use super::writer::Writer;
 use crate::event::Event;
+use crate::query::Query;
 use crate::traverse::Variant;
 use crate::tree::{Child, Code};
 
@@ -150,6 +151,8 @@ impl<const D: usize> Writer<'_, D> {
             Some(code) => code[e],
             None => code[e],
         };
+        // Of a region, that of its lower corner.
+        let which = if matches!(self.query, Query::Region { .. }) { "0" } else { "" };
         let amount = match printed {
             Some(_) => Formula::from(k),
             None => row![k, Sign::Minus, 1].fenced(Fence::Round),
@@ -160,9 +163,12 @@ impl<const D: usize> Writer<'_, D> {
                 let name = match (by_difference, backwards) {
                     (true, _) => Formula::on(e, self.notation.difference(), ""),
                     (false, true) => {
-                        row![self.word("formula-reversed"), self.code(e, "").fenced(Fence::Round)]
+                        row![
+                            self.word("formula-reversed"),
+                            self.code(e, which).fenced(Fence::Round)
+                        ]
                     }
-                    (false, false) => self.code(e, ""),
+                    (false, false) => self.code(e, which),
                 };
                 let bits = binary(shown(e), self.width() + u8::from(backwards || by_level));
                 let (name, bits) =

@@ -177,8 +177,19 @@ impl<const D: usize> Writer<'_, D> {
         }
     }
 
-    /// The same in the order of this notation.
+    /// The same in the order of this notation, and which child that is here.
     pub(super) fn index(&self, child: Child<D>) -> Statement {
-        self.index_from(child, |e| self.notation.weight(e, D), self.index_of(child))
+        let Statement { symbols, numbers } =
+            self.index_from(child, |e| self.notation.weight(e, D), self.index_of(child));
+        let numbers = numbers.map(|numbers| row![numbers, self.counted_here(child)]);
+        Statement { symbols, numbers }
+    }
+
+    /// Which number a child has everywhere else, where this notation counts otherwise.
+    pub(super) fn counted_here(&self, child: Child<D>) -> Formula {
+        if self.index_of(child) == i64::from(child.0) {
+            return Formula::Row(Vec::new());
+        }
+        row![Sign::Comma, self.word("formula-here"), i64::from(child.0)]
     }
 }

@@ -38,7 +38,7 @@ pub(super) struct Label {
     /// With the frame, if it has one.
     pub width: f64,
     pub text: RichText,
-    /// Whether the number has to be looked at twice: ±∞, NaN or −0.
+    /// Whether the number has to be looked at twice: ±∞ or NaN.
     pub is_odd: bool,
 }
 
@@ -48,23 +48,19 @@ impl<const D: usize> Drawing<'_, D> {
         let y = self.bar_y(axis);
         let stops = self.rail.stops(axis);
         if self.is_high() {
-            let line = |is_above: bool| {
-                let labels = stops.iter().map(|&(t, plane)| {
-                    let text = match is_above {
-                        true => parameter(axis, plane),
-                        false => self.rail.value(axis, t).into(),
-                    };
-                    self.label(t, text, LARGE, is_above)
-                });
-                let off = if is_above { -APART.middle } else { APART.middle };
-                self.in_line(labels.collect(), y + off)
-            };
-            return line(true).into_iter().chain(line(false)).collect();
+            let name =
+                |&(t, plane): &(f64, &str)| self.label(t, parameter(axis, plane), LARGE, true);
+            let names = self.in_line(stops.iter().map(name).collect(), y - APART.middle);
+            let values = self.first_that_fits(|shown| {
+                let stops = stops.iter().filter(|(_, plane)| shown(plane));
+                let value = |&(t, _): &(f64, &str)| {
+                    self.label(t, self.rail.value(axis, t).into(), LARGE, false)
+                };
+                stops.map(value).collect()
+            });
+            return names.into_iter().chain(self.in_line(values, y + APART.middle)).collect();
         }
-        let room = self.room();
-        let mut labels = Vec::new();
-        // The first way in which all fit: with all values, those of planes, none.
-        for shown in [|_: &str| true, |plane: &str| plane != "m", |_: &str| false] {
+        let labels = self.first_that_fits(|shown| {
             let label = |&(t, plane): &(f64, &str)| {
                 let value = if shown(plane) {
                     format!(" {}", self.rail.value(axis, t))
@@ -74,13 +70,22 @@ impl<const D: usize> Drawing<'_, D> {
                 let text = joined([parameter(axis, plane), value.into()]);
                 self.label(t, text, Role::Words, false)
             };
-            labels = stops.iter().map(label).collect();
-            let wide: f64 = labels.iter().map(|label: &Label| label.width + LABEL_GAP).sum();
-            if wide - LABEL_GAP <= room[1] - room[0] {
-                break;
-            }
-        }
+            stops.iter().map(label).collect()
+        });
         self.in_line(labels, y + DOWN.middle)
+    }
+
+    /// The labels in the first way in which all have room side by side: with all values,
+    /// with those of the planes of sides, with none.
+    fn first_that_fits(&self, labels: impl Fn(fn(&str) -> bool) -> Vec<Label>) -> Vec<Label> {
+        let room = self.room();
+        let fits = |labels: &[Label]| {
+            let wide: f64 = labels.iter().map(|label| label.width + LABEL_GAP).sum();
+            wide - LABEL_GAP <= room[1] - room[0]
+        };
+        let ways: [fn(&str) -> bool; 2] = [|_| true, |plane| plane != "m"];
+        let shown = ways.into_iter().map(&labels).find(|labels| fits(labels));
+        shown.unwrap_or_else(|| labels(|_| false))
     }
 
     /// Where labels may stand.
@@ -99,14 +104,15 @@ impl<const D: usize> Drawing<'_, D> {
 
     /// Text of a parameter, wished with its middle at the mark.
     fn label(&self, t: f64, text: RichText, role: Role, is_above: bool) -> Label {
-        let is_odd = !t.is_finite() && !is_above;
+        let is_odd = !t.is_finite();
         let x = if t.is_nan() { 0.5 * (self.track[0] + self.track[1]) } else { self.x_of(t) };
-        let around = if is_odd { 2.0 * BADGE } else { 0.0 };
+        let around = if is_odd && !is_above { 2.0 * BADGE } else { 0.0 };
         let width = metrics::width_of_least(role, &text, self.least) + around;
         Label { role, is_above, tick: x, at: [x - 0.5 * width, 0.0], width, text, is_odd }
     }
 
-    /// The line from a mark to its label, where that could not stand in its middle.
+    /// The line from a mark to its label, where that could not stand in its middle; none
+    /// where there is no place to be marked.
     pub(super) fn leader(&self, axis: usize, label: &Label) -> Option<[[f64; 2]; 2]> {
         const OFF: f64 = 4.0;
         let [left, right] = [label.at[0], label.at[0] + label.width];
@@ -116,7 +122,7 @@ impl<const D: usize> Drawing<'_, D> {
         let down = if self.is_high() { APART.letters } else { DOWN.letters };
         let [tick, letters] =
             [TICK, down].map(|down| if label.is_above { y - down } else { y + down });
-        is_off.then_some([[label.tick, tick], [foot, letters]])
+        (is_off && !label.is_odd).then_some([[label.tick, tick], [foot, letters]])
     }
 }
 
