@@ -60,7 +60,10 @@ impl App {
         let is_said_here = self.view.dialog.is_none();
         let said = is_said_here.then_some(&self.notice);
         let slot = notice_line::slot_height(ui, &self.look, said, ui.available_width());
-        let height = if hall { SENTENCE_IN_HALL } else { SENTENCE_AND_NOTICE - slot };
+        let height = |slot| if hall { SENTENCE_IN_HALL } else { SENTENCE_AND_NOTICE - slot };
+        // What it has where nothing is said below it.
+        let room = height(notice_line::slot_height(ui, &self.look, None, ui.available_width()));
+        let height = height(slot);
         ui.allocate_ui(vec2(ui.available_width(), height), |ui| {
             ui.set_min_height(height);
             if hall && is_said_here {
@@ -71,7 +74,8 @@ impl App {
             }
             let is_pointing = self.view.pointed == Some(step);
             with_document!(&self.document, d => {
-                sentence::ui(ui, &self.look, d, self.view.language, step, is_pointing);
+                let language = self.view.language;
+                sentence::ui(ui, &self.look, d, language, step, is_pointing, room);
             });
         });
         if !hall {

@@ -59,9 +59,13 @@ impl<const D: usize> Rays<D> {
 }
 
 impl Axis {
-    /// Few round values between both ends, the smallest first.
+    /// Few round values between both ends, the smallest first; none where the ends are no
+    /// numbers apart from each other.
     pub fn ticks(&self) -> Vec<Tick> {
         let [low, high] = self.range;
+        if !(high > low && (high - low).is_finite()) {
+            return Vec::new();
+        }
         let step = self.step();
         let first = (low / step - 1e-9).ceil() as i64;
         let last = (high / step + 1e-9).floor() as i64;
@@ -107,6 +111,16 @@ mod tests {
         assert_eq!(told([-7.0, 7.0], Measures::Angle), ["−5°", "0°", "5°"]);
         assert_eq!(told([-0.6, 0.6], Measures::Length), ["−0.5", "0", "0.5"]);
         assert_eq!(told([-141.4, 141.4], Measures::Length), ["−100", "0", "100"]);
+    }
+
+    #[test]
+    fn a_side_without_a_length_has_no_values() {
+        for range in [[0.0, 0.0], [-f64::MAX, f64::MAX], [0.0, f64::INFINITY], [f64::NAN, 1.0]] {
+            assert_eq!(told(range, Measures::Length), Vec::<String>::new(), "{range:?}");
+        }
+        for reach in [1e-300, 1e300] {
+            assert!(told([-reach, reach], Measures::Length).len() >= 2, "{reach}");
+        }
     }
 
     #[test]

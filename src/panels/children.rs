@@ -21,6 +21,11 @@ pub fn note<const D: usize>(
     node_note(look, tree, at_work(tree, moment, past).map(|(node, _)| node))
 }
 
+/// The height that it takes in a lecture, in points.
+pub fn lecture_height<const D: usize>() -> f32 {
+    18.0 + 18.0 * (1 << D) as f32
+}
+
 /// The children of the node at work in the order of their tests: hit or missed,
 /// and between which parameters. `past` are the events so far.
 pub fn ui<const D: usize>(

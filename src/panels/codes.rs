@@ -20,6 +20,11 @@ pub fn note<const D: usize>(
     code_table(&look.texts, tree, moment, None, variants).of
 }
 
+/// The height that it takes in a lecture, in points.
+pub fn lecture_height<const D: usize>() -> f32 {
+    77.0 + 22.0 * D as f32
+}
+
 /// Codes of the place that is looked for, as the rules of the query take them, else of
 /// the current node. `event` is what has just happened.
 pub fn ui<const D: usize>(

@@ -2,13 +2,15 @@
 
 use crate::look::Look;
 use crate::widgets::{
-    Setting, beside_or_below, bit_of, caption, child_bits, node_note, range, table,
+    Setting, beside_or_below, bit_of, caption, captioned, child_bits, node_note, range, table,
 };
 use eframe::egui::Ui;
 use octoscope_core::event::Event;
-use octoscope_core::explain::{RichText, approx};
+use octoscope_core::explain::{RichText, Span, approx};
 use octoscope_core::geometry::{AXIS_NAMES, Axes};
+use octoscope_core::query::{Arithmetic, Query};
 use octoscope_core::trace::{Cuts, Extent, Frame, Moment};
+use octoscope_core::traverse::Algorithm;
 use octoscope_core::tree::{Child, Tree};
 use octoscope_figure::Anchor;
 use octoscope_figure::views::{Entry, Table, Tone};
@@ -36,31 +38,105 @@ fn at_work<const D: usize>(moment: &Moment<D>) -> Option<(&Frame<D>, [f64; D])> 
     frames.find_map(|frame| Some((frame, frame.mid?)))
 }
 
+/// The height that it takes in a lecture, in points.
+pub fn lecture_height<const D: usize>() -> f32 {
+    112.0 + 39.0 * D as f32
+}
+
+/// How the children of pieces are told.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Rule {
+    /// The first by the signs of the direction; from then on bits are flipped.
+    Flips,
+    /// Each by the sides of the mid planes on which its middle lies.
+    Middles,
+    /// Each by the mid planes that are passed where it begins.
+    Beginnings,
+}
+
+impl Rule {
+    /// That of a query.
+    pub fn of<const D: usize>(query: &Query<D>) -> Self {
+        match query {
+            Query::Ray { algorithm: Algorithm::Gargantini, arithmetic, .. } => match arithmetic {
+                Arithmetic::Doubles => Self::Middles,
+                Arithmetic::Exact => Self::Beginnings,
+            },
+            Query::Ray { .. }
+            | Query::Point { .. }
+            | Query::Region { .. }
+            | Query::Neighbour { .. } => Self::Flips,
+        }
+    }
+
+    /// The parameter of a piece with which the mid planes are compared.
+    fn compared<const D: usize>(self, piece: &Piece<D>) -> Option<f64> {
+        match self {
+            Self::Flips => None,
+            Self::Middles => Some(0.5 * (piece.from + piece.to)),
+            Self::Beginnings => Some(piece.from),
+        }
+    }
+}
+
 /// The mid planes of the node at work in their order, those outside its interval
-/// quiet, and the child of every piece in between, with the flipped bits lit.
-pub fn ui<const D: usize>(ui: &mut Ui, look: &Look, moment: &Moment<D>, event: Option<&Event<D>>) {
+/// quiet, and the child of every piece in between: by the `rule` with the flipped bits
+/// lit, or with the comparisons that tell it.
+pub fn ui<const D: usize>(
+    ui: &mut Ui,
+    look: &Look,
+    rule: Rule,
+    moment: &Moment<D>,
+    event: Option<&Event<D>>,
+) {
     let Some((frame, mid)) = at_work(moment) else {
         caption(ui, look, look.text("cuts-none"));
         return;
     };
     let mask = moment.clip.map_or(Axes::NONE, |clip| clip.mirror);
-    ui.horizontal(|ui| {
-        caption(ui, look, look.text("cuts-mask"));
-        child_bits(ui, look, Child::<D>(mask.0));
-    });
+    let ends = [frame.enter(), frame.exit()];
+    let pieces = frame.cuts.map(|cuts| pieces(ends, mid, cuts, mask));
+    match rule {
+        Rule::Flips => {
+            ui.horizontal(|ui| {
+                caption(ui, look, look.text("cuts-mask"));
+                child_bits(ui, look, Child::<D>(mask.0));
+            });
+        }
+        Rule::Middles | Rule::Beginnings => {
+            let now = pieces.iter().flatten().find(|piece| Some(piece.child) == frame.child);
+            let at = now.and_then(|piece| rule.compared(piece));
+            let told = at.map_or_else(|| "–".into(), |at| sides(mid, at));
+            let key = if rule == Rule::Middles { "cuts-middle" } else { "cuts-beginning" };
+            captioned(ui, look, &look.text(key), &told, "");
+        }
+    }
     beside_or_below(ui, |ui| {
         ui.vertical(|ui| {
             table(ui, look, &planes(look, frame, mid), Setting { gap: 8.0, least: 16.0 });
         });
         ui.add_space(12.0);
         ui.vertical(|ui| {
-            if let Some(cuts) = frame.cuts {
-                let all = pieces([frame.enter(), frame.exit()], mid, cuts, mask);
-                let pieces = pieces_table(look, &all, frame.child, event);
+            if let Some(all) = &pieces {
+                let pieces = pieces_table(look, rule, all, frame.child, event);
                 table(ui, look, &pieces, Setting { gap: 6.0, least: 8.0 });
             }
         });
     });
+}
+
+/// On which side of each mid plane a parameter lies: 0.5034 ≥ t_xm, < t_ym.
+fn sides<const D: usize>(mid: [f64; D], at: f64) -> RichText {
+    let mut told = RichText::from(format!("{} ", approx(at)));
+    for (axis, name) in AXIS_NAMES.into_iter().enumerate().take(D) {
+        let sign = if mid[axis] <= at { "≥" } else { "<" };
+        let gap = if axis == 0 { "" } else { ", " };
+        told.0.push(Span { text: format!("{gap}{sign} "), ..Span::default() });
+        let mut plane = RichText::with_subscripts(&format!("t_{name}m"));
+        plane.0.iter_mut().for_each(|span| span.axis = Some(axis));
+        told.0.append(&mut plane.0);
+    }
+    told
 }
 
 /// The mid planes: sorted if they are, else in the order of the axes.
@@ -91,6 +167,7 @@ fn planes<const D: usize>(look: &Look, frame: &Frame<D>, mid: [f64; D]) -> Table
 
 fn pieces_table<const D: usize>(
     look: &Look,
+    rule: Rule,
     pieces: &[Piece<D>],
     child: Option<Child<D>>,
     event: Option<&Event<D>>,
@@ -110,8 +187,12 @@ fn pieces_table<const D: usize>(
         let child = if is_known { piece.child.0.to_string() } else { "·".to_owned() };
         let bit = |axis: usize| {
             let text = bit_of(piece.child, axis);
-            let is_lit = is_now && flips && piece.flipped.contains(axis);
-            let text = RichText(if is_known { vec![text] } else { Vec::new() });
+            let is_flipped = rule == Rule::Flips && piece.flipped.contains(axis);
+            let is_lit = is_now && flips && is_flipped;
+            // Later it is still to be seen which bit was flipped.
+            let arrow = Span { text: "→".to_owned(), ..text.clone() };
+            let told = if is_flipped { vec![arrow, text] } else { vec![text] };
+            let text = RichText(if is_known { told } else { Vec::new() });
             Entry::new(text, if is_lit { Tone::Used } else { tone })
         };
         let first = [Entry::new(range([piece.from, piece.to]), tone), Entry::new(child, tone)];
@@ -119,7 +200,7 @@ fn pieces_table<const D: usize>(
     };
     let [piece, child] = ["cuts-piece", "cuts-child"].map(|key| RichText::from(look.text(key)));
     Table {
-        columns: [Anchor::Start].into_iter().chain([Anchor::Middle; 4]).take(2 + D).collect(),
+        columns: [Anchor::Start, Anchor::Middle].into_iter().chain([Anchor::End; D]).collect(),
         head: vec![piece, child],
         rows: pieces.iter().enumerate().map(row).collect(),
     }
@@ -166,6 +247,14 @@ mod tests {
         let all = pieces([0.0, 1.0], [0.5, 0.5], cuts, Axes::<2>(0b10));
         let told: Vec<_> = all.iter().map(|p| (p.child.0, p.flipped.0)).collect();
         assert_eq!(told, [(0b10, 0), (0b01, 0b11)]);
+    }
+
+    #[test]
+    fn a_middle_lies_on_a_side_of_every_mid_plane() {
+        assert_eq!(sides([0.25, 0.5], 0.375).plain(), "0.375 ≥ t_xm, < t_ym");
+        let piece = Piece { from: 0.25, to: 0.5, child: Child::<2>(2), flipped: Axes(0) };
+        let all = [Rule::Flips, Rule::Middles, Rule::Beginnings];
+        assert_eq!(all.map(|rule| rule.compared(&piece)), [None, Some(0.375), Some(0.25)]);
     }
 
     #[test]

@@ -25,6 +25,11 @@ const GAP: f32 = 10.0;
 /// Bars are no shorter than this.
 const LEAST: f32 = 48.0;
 
+/// The height that it takes in a lecture, in points.
+pub fn lecture_height<const D: usize>() -> f32 {
+    30.0 + 26.0 * D as f32
+}
+
 /// When the next plane of every axis is met, on bars that begin where the ray enters the
 /// cell, and the codes of the cell. Lit is what is met first; in the step that crosses a
 /// plane, that plane, with its parameter and the one of the plane behind it.

@@ -19,6 +19,9 @@ pub enum Form {
     Gem,
 }
 
+/// The height that it takes in a lecture, in points.
+pub const LECTURE_HEIGHT: f32 = 133.0;
+
 /// The last decision: axis and plane, where its parameter lies on the part's
 /// interval, and the halves that follow by the rule `form`. `past` are the events so
 /// far.

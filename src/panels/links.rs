@@ -54,6 +54,11 @@ fn left<const D: usize>(trace: &Trace<D>, moment: &Moment<D>) -> Option<(NodeId,
     })
 }
 
+/// The height that it takes in a lecture, in points.
+pub fn lecture_height<const D: usize>() -> f32 {
+    18.0 + 36.0 * D as f32
+}
+
 /// Where the links of the leaf that is left lead to, a row each; the one that is
 /// followed is lit.
 pub fn ui<const D: usize>(
@@ -74,7 +79,7 @@ pub fn ui<const D: usize>(
         let forward = ray.direction()[axis] > 0.0;
         let used = followed == Some(axis) && forward == upper;
         let tone = if used { Tone::Used } else { Tone::Plain };
-        let side = format!("{}{}", AXIS_NAMES[axis], if upper { "+" } else { "−" });
+        let side = format!("{}{}", if upper { "+" } else { "−" }, AXIS_NAMES[axis]);
         let side = RichText(vec![Span { text: side, axis: Some(axis), ..Span::default() }]);
         let [level, codes, size] = match across(axis, upper) {
             Some(node) => {

@@ -18,6 +18,7 @@ const LARGEST: f32 = 22.0;
 /// The sentence of `step`, in large type, before the first step with the key
 /// that begins; a screen reader is told when it changes. A number that is told in short
 /// shows all its digits where it is pointed at, if somebody `is_pointing` at this step.
+/// `height` is that of the sentence's room where nothing else is said in it.
 pub fn ui<const D: usize>(
     ui: &mut Ui,
     look: &Look,
@@ -25,6 +26,7 @@ pub fn ui<const D: usize>(
     language: Language,
     step: usize,
     is_pointing: bool,
+    height: f32,
 ) {
     let (tree, ray, trace) = (&document.tree, document.traced_ray(), &document.trace);
     let sentence = whole(look, step, sentence_of(tree, ray, trace, step, language));
@@ -32,7 +34,8 @@ pub fn ui<const D: usize>(
     let room = vec2(width, ui.min_size().y);
     // Nothing moves from step to step, and no type changes.
     let largest = if look.is_for_hall() || width >= NARROW { LARGEST } else { 18.0 };
-    let of_all = size_of_walk(ui, look, document, language, room).min(largest);
+    let of_all = size_of_walk(ui, look, document, language, vec2(width, height));
+    let of_all = of_all.min(largest);
     let size = fitting_size(ui, look, &sentence, room, of_all);
     let response = rich_label(ui, look, &sentence, size, width);
     let under = span_under(ui, look, &sentence, size, width, &response);
@@ -65,7 +68,8 @@ struct SizeOfWalk<const D: usize> {
 }
 
 /// Height of the largest type in which every sentence of a walk fits into a room, in
-/// points; found once for a walk.
+/// points; found once for a walk, and for one that changes while something is dragged, once
+/// that is let go.
 fn size_of_walk<const D: usize>(
     ui: &Ui,
     look: &Look,
@@ -81,9 +85,11 @@ fn size_of_walk<const D: usize>(
     let zoom = ui.ctx().pixels_per_point();
     let trace = &document.trace;
     let kept = ui.data(|data| data.get_temp::<SizeOfWalk<D>>(id));
+    let is_dragged = ui.input(|input| input.pointer.any_down());
     let is_same = |kept: &SizeOfWalk<D>| {
         let is_same_room = kept.room == room && kept.zoom == zoom;
-        Arc::ptr_eq(&kept.trace, trace) && kept.language == language && is_same_room
+        let is_same_walk = Arc::ptr_eq(&kept.trace, trace) || is_dragged;
+        is_same_walk && kept.language == language && is_same_room
     };
     if let Some(kept) = kept.filter(is_same) {
         return kept.size;

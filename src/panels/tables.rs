@@ -36,8 +36,12 @@ pub fn ui<const D: usize>(ui: &mut Ui, look: &Look, tree: &Tree<D>, past: &[Even
     }
     if used.is_some() {
         ui.add_space(4.0);
+        // A search below what is reached by the mirrored way goes down without a mirror.
+        let is_mirrored = |step: &Step<D>| step.used.kind != Kind::Facing;
+        let down =
+            if way.down.iter().all(is_mirrored) { "tables-down" } else { "tables-down-facing" };
         let both = |ui: &mut Ui| {
-            for (key, steps) in [("tables-up", &way.up), ("tables-down", &way.down)] {
+            for (key, steps) in [("tables-up", &way.up), (down, &way.down)] {
                 ui.vertical(|ui| {
                     caption(ui, look, look.text(key));
                     list(ui, look, tree, steps);
@@ -62,14 +66,19 @@ pub fn ui<const D: usize>(ui: &mut Ui, look: &Look, tree: &Tree<D>, past: &[Even
     });
 }
 
+/// The height that it takes in a lecture, in points.
+pub const LECTURE_HEIGHT: f32 = 200.0;
+
 /// Width of the column of a child, and of the captions before them.
 const COLUMN: f32 = 22.0;
 const CAPTIONS: f32 = 62.0;
+/// Directions side by side are told apart from this distance on.
+const LEAST_GAP: f32 = 8.0;
 
 /// How the tables are set: closer where there is no room.
 fn setting<const D: usize>(ui: &Ui) -> Setting {
     let columns = Child::<D>::COUNT as f32;
-    let gap = ((ui.available_width() - CAPTIONS) / columns - COLUMN).clamp(2.0, 10.0);
+    let gap = ((ui.available_width() - CAPTIONS) / columns - COLUMN).clamp(LEAST_GAP, 10.0);
     Setting { gap, least: COLUMN }
 }
 
@@ -81,8 +90,12 @@ fn columns<const D: usize>() -> Vec<Anchor> {
 
 /// The three tables for one direction.
 fn children<const D: usize>(ui: &mut Ui, look: &Look, used: Used<D>, is_over: bool) {
-    // What is over is lit no more than what is beside it.
-    let [strong, line] = if is_over { [Tone::Line, Tone::Plain] } else { [Tone::Used, Tone::Line] };
+    // What is over is lit no more than what is beside it; what no table told, not at all.
+    let [strong, line] = if is_over || used.tables().is_empty() {
+        [Tone::Line, Tone::Plain]
+    } else {
+        [Tone::Used, Tone::Line]
+    };
     let row = |caption: String, entry: &dyn Fn(Child<D>) -> Entry| {
         let caption = Entry::new(caption, Tone::Quiet);
         std::iter::once(caption).chain(Child::<D>::all().map(entry)).collect()
@@ -252,7 +265,7 @@ fn fitting<const D: usize>(
     look: &Look,
     written: impl Fn(Told) -> views::Table,
 ) -> (views::Table, Setting) {
-    let (wide, close) = (setting::<D>(ui), Setting { gap: 4.0, least: 16.0 });
+    let (wide, close) = (setting::<D>(ui), Setting { gap: LEAST_GAP, least: 16.0 });
     let by_axes = written(Told::ByAxes);
     let fits =
         |setting: &Setting| table_width(ui, look, &by_axes, *setting) <= ui.available_width();

@@ -15,6 +15,9 @@ pub fn note<const D: usize>(look: &Look, moment: &Moment<D>) -> String {
     look.texts.format("way-down-count", &[("n", n.into())])
 }
 
+/// The height that it takes in a lecture, in points.
+pub const LECTURE_HEIGHT: f32 = 86.0;
+
 /// The exit point, where it is pushed to or the codes beyond, and the path from
 /// the root to the leaf in which that is. `past` are the events so far.
 pub fn ui<const D: usize>(

@@ -172,7 +172,7 @@ fn body<const D: usize>(
             pointed.into_iter().for_each(|node| view.hover.offer(node));
         }
         PanelKind::Tables => tables::ui(ui, look, &tree, past),
-        PanelKind::Cuts => cuts::ui(ui, look, moment, event),
+        PanelKind::Cuts => cuts::ui(ui, look, cuts::Rule::of(&trace.query), moment, event),
         PanelKind::Children => children::ui(ui, look, &tree, moment, past),
         PanelKind::WayDown => {
             way_down::ui(ui, look, &tree, document.traced_ray(), moment, past);

@@ -2,7 +2,10 @@
 
 use crate::document::Document;
 use crate::look::Look;
-use crate::panels::{formula, mid_planes, neighbour, paper, t_rail};
+use crate::panels::{
+    children, codes, cuts, formula, grid, halves, links, mid_planes, neighbour, paper, region,
+    t_rail, tables, way_down,
+};
 use crate::view::{PanelKind, Preset, View};
 use eframe::egui::{Frame, Margin, Panel, Ui, Vec2};
 use octoscope_core::explain::{RichText, formulas};
@@ -33,7 +36,10 @@ impl Place {
     ) -> Self {
         let [panel] = panels else { return Self::BelowPicture };
         let is_alone = view.preset == Preset::Lecture && !view.question_shown;
-        let most = most_height(look, *panel, trace, column.x).filter(|_| is_alone);
+        if !is_alone {
+            return Self::BelowPicture;
+        }
+        let most = most_height(look, *panel, trace, column.x);
         let room = most.map(|most| column.y - most - 2.0 * MARGIN);
         room.and_then(formula::height_below_panel).map_or(Self::BelowPicture, Self::BelowPanel)
     }
@@ -52,20 +58,19 @@ fn most_height<const D: usize>(
         MidPlanes, Neighbour, Paper, Rail, Region, Stack, Tables, Tree, Variables, WayDown, WhyNot,
     };
     const HEADING: f32 = 30.0;
-    let n_axes = D as f32;
     let body = match panel {
-        Codes => 77.0 + 22.0 * n_axes,
-        Region => 56.0 + 60.0 * n_axes,
+        Codes => codes::lecture_height::<D>(),
+        Region => region::lecture_height::<D>(),
         Neighbour => neighbour::most_height(trace),
         Rail => t_rail::lecture_height::<D>(),
-        Tables => 200.0,
-        Cuts => 112.0 + 39.0 * n_axes,
-        Children => 18.0 + 18.0 * (1 << D) as f32,
-        WayDown => 86.0,
-        Links => 18.0 + 36.0 * n_axes,
-        Halves => 133.0,
+        Tables => tables::LECTURE_HEIGHT,
+        Cuts => cuts::lecture_height::<D>(),
+        Children => children::lecture_height::<D>(),
+        WayDown => way_down::LECTURE_HEIGHT,
+        Links => links::lecture_height::<D>(),
+        Halves => halves::LECTURE_HEIGHT,
         MidPlanes => mid_planes::lecture_height::<D>(),
-        Grid => 30.0 + 26.0 * n_axes,
+        Grid => grid::lecture_height::<D>(),
         Paper => paper::most_height(look, &trace.query, width),
         Automaton | Listing | Variables | Stack | Counters | Compare | Tree | WhyNot | Map => {
             return None;

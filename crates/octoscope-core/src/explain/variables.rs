@@ -70,7 +70,7 @@ pub fn variables<const D: usize>(
             list.push("cuts", &if names.is_empty() { "–".to_owned() } else { names.join(", ") });
         }
         if let Some(state) = frame.child_state {
-            list.push("s", &bits::<D>(state.0));
+            list.push("i", &bits::<D>(state.0));
         }
         if let Some(child) = frame.child {
             list.push("child", &bits::<D>(child.0));

@@ -313,15 +313,16 @@ mod tests {
     }
 
     #[test]
-    fn the_bit_of_a_step_is_framed_in_the_region_as_in_the_codes() {
+    fn the_bit_of_a_step_is_lit_in_the_codes_of_the_lower_corner() {
         let variants = Variants::NONE;
         let region = Query::Region { min: [0.3, 0.35], max: [0.41, 0.44], variants };
         let mut n_followed = 0;
         for_every_step(&region, |texts, tree, moment, event| {
             let Event::Follow { level, .. } = *event else { return };
             let (table, _) = region_table(texts, tree, moment).unwrap();
-            assert_eq!(table.framed, Some(level - 1));
-            assert_eq!(table.rows[0].name, "c_x0");
+            let lit = table.rows.iter().filter(|row| row.marked != 0);
+            let lit: Vec<_> = lit.map(|row| (row.name.as_str(), row.marked)).collect();
+            assert_eq!(lit, ["c_x0", "c_y0"].map(|name| (name, 1 << (level - 1))));
             n_followed += 1;
         });
         assert!(n_followed > 0);

@@ -50,11 +50,14 @@ pub fn neighbour_tables<const D: usize>(
 /// Heights of the tables of a neighbour once all of them is computed, one below the other:
 /// the first has the numbers of the bits, the last the level that follows from all.
 pub fn neighbour_heights<const D: usize>(target: &Target<D>, spacing: Spacing) -> Vec<f64> {
-    let axes = (0..D).filter(|&axis| is_told(target, axis));
-    let mut heights: Vec<f64> = axes
+    let mut heights: Vec<f64> = (0..D)
         .map(|axis| {
-            // Code, what is added, result, XOR; or code before and after.
-            let n_rows = if target.axes.contains(axis) { 4 } else { 2 };
+            // Code, what is added, result, XOR; or code before and after; or one that stays.
+            let n_rows = match (target.axes.contains(axis), is_told(target, axis)) {
+                (true, _) => 4,
+                (false, true) => 2,
+                (false, false) => 1,
+            };
             let is_carried = target.axes.contains(axis) && carries_of(target, axis) != 0;
             BitTable::height(n_rows, is_carried, spacing)
         })
@@ -81,13 +84,22 @@ pub(super) fn bits_of<const D: usize>(
 ) -> Vec<BitTable> {
     let Some(target) = moment.target else { return Vec::new() };
     let root_level = tree.domain().root_level();
+    // The bit of the step, once the codes beyond are followed.
+    let followed = moment.codes.filter(|codes| codes.code.map(i64::from) == target.to);
+    let followed = followed.and_then(|codes| codes.bit);
     let table = |axis: usize| {
         let crossed = target.axes.contains(axis);
-        if !is_told(&target, axis) {
-            return None;
+        let mut rows = match (crossed, is_told(&target, axis)) {
+            (true, _) => sum_rows(&target, axis),
+            (false, true) => moved_rows(texts, &target, axis),
+            // It is followed like the others.
+            (false, false) if followed.is_some() => vec![kept_row(&target, axis)],
+            (false, false) => return None,
+        };
+        // What is read now is lit in the place of what was computed.
+        if let (Some(bit), Some(row)) = (followed, rows.last_mut()) {
+            row.marked = 1 << bit;
         }
-        let mut rows =
-            if crossed { sum_rows(&target, axis) } else { moved_rows(texts, &target, axis) };
         // As soon as it is asked whether the result is outside.
         let sum = rows.last_mut().filter(|_| crossed && target.outside.is_some());
         sum.into_iter().for_each(|sum| sum.border = Some(root_level));
@@ -102,6 +114,7 @@ pub(super) fn bits_of<const D: usize>(
             && moment.difference.is_some()
         {
             let run = ((1i64 << level) - 1) & !((1i64 << target.level) - 1);
+            let run = if followed.is_some() { 0 } else { run };
             table.rows.push(BitRow {
                 name: "xor".to_owned(),
                 axis: Some(axis),
@@ -120,7 +133,7 @@ pub(super) fn bits_of<const D: usize>(
         && difference.xor.iter().filter(|&&bits| bits != 0).count() > 1
     {
         let union = tree::joined(difference.xor);
-        let marked = union.checked_ilog2().map_or(0, |bit| 1 << bit);
+        let marked = union.checked_ilog2().filter(|_| followed.is_none()).map_or(0, |bit| 1 << bit);
         let (name, bits) = ("or".to_owned(), i64::from(union));
         let note = union.to_string();
         last.rows.push(BitRow { name, bits, note, marked, rule_above: true, ..BitRow::default() });
@@ -160,6 +173,13 @@ fn step_of<const D: usize>(target: &Target<D>, axis: usize) -> i64 {
 fn carries_of<const D: usize>(target: &Target<D>, axis: usize) -> i64 {
     let from = i64::from(target.from[axis]);
     from ^ target.to[axis] ^ step_of(target, axis)
+}
+
+/// Code that stays as it is.
+fn kept_row<const D: usize>(target: &Target<D>, axis: usize) -> BitRow {
+    let bits = target.to[axis];
+    let (name, note) = (AXIS_NAMES[axis].to_owned(), bits.to_string());
+    BitRow { name, axis: Some(axis), bits, note, ..BitRow::default() }
 }
 
 /// Code before and after, on an axis that is not crossed.
@@ -206,6 +226,25 @@ pub(super) fn view<const D: usize>(subject: &Subject<D>, width: f64) -> Option<F
 mod tests {
     use super::*;
     use octoscope_core::geometry::Axes;
+
+    #[test]
+    fn the_bits_that_change_are_lit_and_then_those_that_are_read() {
+        use octoscope_core::scenario::{AnyScenario, built_in};
+        use octoscope_core::text::Language;
+        use octoscope_core::trace::Codes;
+        let Some(AnyScenario::Quadtree(scenario)) = built_in("quadtree-82") else { panic!() };
+        let tree = scenario.tree().unwrap();
+        let texts = Texts::new(Language::English, &[super::super::figure_texts(Language::English)]);
+        let (from, to, axes) = ([0b0111, 3], [0b1000, 3], Axes::one(0));
+        let target = Some(Target { level: 0, from, to, axes, outside: None });
+        let lit = |codes| {
+            let tables = bits_of(&texts, &tree, &Moment { target, codes, ..Moment::default() });
+            let rows = tables.iter().flat_map(|table| &table.rows);
+            rows.map(|row| row.marked).collect::<Vec<_>>()
+        };
+        assert_eq!(lit(None), [0, 0, 0b1111]);
+        assert_eq!(lit(Some(Codes { code: [8, 3], bit: Some(2) })), [0, 0, 0b100, 0b100]);
+    }
 
     #[test]
     fn a_one_is_carried_through_every_one_that_is_there() {
