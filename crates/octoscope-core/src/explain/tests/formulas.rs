@@ -312,6 +312,6 @@ fn the_bits_of_codes_are_shifted_and_the_highest_difference_tells_the_level() {
     assert_eq!(told[0], "diff x equals loc x0 xor loc x1");
     let follow = |event: &Event<2>| matches!(event, Event::Follow { .. });
     let told = lines(&ray, &region, Notation::FriskenPerry, follow);
-    assert_eq!(told[0], "i x equals (loc x shifted right by (k minus 1)) and 1");
+    assert_eq!(told[0], "i x equals (loc x0 shifted right by (k minus 1)) and 1");
     assert!(told.iter().any(|line| line == "i equals 2 i y plus i x"), "{told:?}");
 }

@@ -78,8 +78,8 @@ fn assigned<const D: usize>(query: &Query<D>) -> BTreeSet<String> {
     let lines = listing(query, Language::English).lines;
     let left = lines.iter().filter_map(|line| line.code.split_once(" ← "));
     let names = left.flat_map(|(names, _)| names.split(", "));
-    // The axes x of a step are told in its sentence.
-    names.filter(|name| !["x", "tMax of x", "up"].contains(name)).map(str::to_owned).collect()
+    // The axes m of a step are told in its sentence.
+    names.filter(|name| !["m", "tMax of m", "up"].contains(name)).map(str::to_owned).collect()
 }
 
 fn check_names<const D: usize>() {
