@@ -13,7 +13,6 @@ use glam::Mat4;
 use octoscope_core::scene::Content;
 use octoscope_figure::{
     Camera, Colour, Cut, Dash, Mark, Page, Palette, Part, Role, Shape, Style, Theme, edge_part,
-    is_large,
 };
 
 /// Layers that are kept as long as what they show stays the same.
@@ -202,8 +201,7 @@ fn box_marks<const D: usize>(mark: &Mark<D>, theme: Theme, unit: f64) -> Vec<Box
         Dash::Dashed | Dash::DashDotted => Line::Dashed,
         Dash::Dotted => Line::Dotted,
     };
-    let share = if is_large(mark.role, &bounds, unit) { Part::Wash.opacity() } else { 1.0 };
-    let weak = |fill: Colour| color32(fill.faded(fill.opacity * 0.6 * share));
+    let weak = |fill: Colour| color32(fill.faded(fill.opacity * 0.6));
     let own = BoxMark {
         min: in_space(bounds.min),
         max: in_space(bounds.max),

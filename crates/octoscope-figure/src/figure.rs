@@ -92,8 +92,6 @@ pub enum Part {
     Fine,
     /// Only the area: a side of a box across this axis, which is shaded by it.
     Face(usize),
-    /// Only the area, weaker: of a large box, so that what lies in it stays clear.
-    Wash,
     /// Only the area, in the colour of the line: the head of an arrow.
     Head,
     /// Only the area, covering what is behind it: a side of something solid,
@@ -116,13 +114,13 @@ impl Part {
     /// Share of the role's width that lines of this part have.
     pub fn width(self) -> f64 {
         match self {
-            Self::Fine | Self::FineEdge => 0.4,
+            Self::Fine => 0.4,
+            Self::FineEdge => 0.6,
             Self::Whole
             | Self::Head
             | Self::Lit(_)
             | Self::Edge
             | Self::Face(_)
-            | Self::Wash
             | Self::HiddenEdge
             | Self::Casing => 1.0,
         }
@@ -139,7 +137,6 @@ impl Part {
             | Self::FineEdge
             | Self::Casing => 1.0,
             Self::Face(axis) => [1.0, 0.8, 0.62][axis],
-            Self::Wash => 0.4,
             Self::HiddenEdge => 0.3,
         }
     }

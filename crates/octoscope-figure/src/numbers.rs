@@ -1,12 +1,12 @@
 //! Where the numbers of the visited leaves stand: each in its leaf, beside the part of
 //! the ray that lies in it, or outside it with a line to it, and none on another or on
-//! a handle. Where there is no room a number is left out: round ones stay, so that the
+//! a handle. Of many that have no room together evenly spaced ones are left, so that the
 //! sequence can still be read, and the last one, which tells where the algorithm is.
 
 mod crowd;
 mod places;
 
-use crowd::{Crowd, collide};
+use crowd::Crowd;
 use places::{aside, beside};
 
 /// Number that looks for a place.
@@ -46,46 +46,63 @@ pub(crate) struct Kept<'a> {
     pub page: [f64; 2],
 }
 
+/// In the plane, at most so many have a place each, near or far; more are thinned.
+const FEW: usize = 40;
+/// In space, where they are thinned sooner.
+const FEW_IN_SPACE: usize = 12;
+
 /// Where `numbers`, in their order, stand, one entry each. The last of them has a
-/// place unless handles leave none. O(n): a disc is compared with those nearby alone,
-/// and there is room for few.
+/// place unless handles leave none. Where there is not room for all of many, every
+/// second, fifth or tenth has one, and so on, with the first and the last. O(n): a disc is
+/// compared with those nearby alone, and there is room for few.
 pub(crate) fn stands(numbers: &[Number], kept: Kept) -> Vec<Option<Stand>> {
+    const STEPS: [usize; 7] = [1, 2, 5, 10, 20, 50, 100];
+    let n = numbers.len();
+    let every = |step: usize| -> Vec<usize> {
+        let has_place = |index: &usize| {
+            let order = numbers[*index].order;
+            order == 1 || *index + 1 == n || order.is_multiple_of(step)
+        };
+        (0..n).filter(has_place).collect()
+    };
+    if are_few(numbers) {
+        return placed(numbers, &every(1), kept);
+    }
+    // So many never have room; they are not tried.
+    let most = kept.page[0] * kept.page[1] / 400.0;
+    let sparse = STEPS.into_iter().map(every).filter(|chosen| chosen.len() as f64 <= most);
+    let mut last = Vec::new();
+    for chosen in sparse {
+        last = placed(numbers, &chosen, kept);
+        if chosen.iter().all(|&index| last[index].is_some()) {
+            return last;
+        }
+    }
+    if last.is_empty() { placed(numbers, &every(100), kept) } else { last }
+}
+
+/// Whether each number is to have its place.
+fn are_few(numbers: &[Number]) -> bool {
+    let is_plane = numbers.iter().any(|number| number.leaf.is_some());
+    numbers.len() <= if is_plane { FEW } else { FEW_IN_SPACE }
+}
+
+/// Where the `chosen` of the numbers stand, the last of which chooses first: it tells where
+/// the algorithm is. Then those by which one counts, then the others.
+fn placed(numbers: &[Number], chosen: &[usize], kept: Kept) -> Vec<Option<Stand>> {
     let mut crowd = Crowd::new(kept);
     let mut stands = vec![None; numbers.len()];
-
-    // Round numbers choose first: they are the ones by which one counts.
-    let mut by_rank: Vec<usize> = (0..numbers.len()).collect();
-    by_rank.sort_by_key(|&index| rank(numbers[index].order));
+    let last = numbers.len().saturating_sub(1);
+    let mut by_rank = chosen.to_vec();
+    by_rank.sort_by_key(|&index| if index == last { 0 } else { 1 + rank(numbers[index].order) });
+    let is_far = are_few(numbers);
     for index in by_rank {
         let number = &numbers[index];
-        let is_last = index + 1 == numbers.len();
-        let place = places_of(number, is_last).find(|stand| crowd.has_room(number, stand));
+        let reach = if is_far && number.leaf.is_some() { Reach::Far } else { Reach::Near };
+        let place = places_of(number, reach).find(|stand| crowd.has_room(number, stand));
         if let Some(stand) = place {
             crowd.place(number.radius, stand);
             stands[index] = place;
-        }
-    }
-
-    // The last one tells where the algorithm is; it takes the room of others,
-    // of those that are missed least.
-    if let Some((last, number)) = numbers.iter().enumerate().next_back()
-        && stands[last].is_none()
-    {
-        let covered = |stand: Stand| {
-            let stands = &stands;
-            (0..last).filter(move |&other| {
-                let there = numbers[other].radius;
-                stands[other].is_some_and(|other| collide((number.radius, stand), (there, other)))
-            })
-        };
-        let loss = |stand: &Stand| -> usize {
-            covered(*stand).map(|other| 1 << (2 * (3 - rank(numbers[other].order)))).sum()
-        };
-        let free = places_of(number, true).filter(|stand| crowd.is_free(number, stand));
-        if let Some(stand) = free.min_by_key(loss) {
-            let covered: Vec<usize> = covered(stand).collect();
-            covered.into_iter().for_each(|other| stands[other] = None);
-            stands[last] = Some(stand);
         }
     }
     stands
@@ -97,12 +114,21 @@ fn rank(order: usize) -> usize {
     if order == 1 { 0 } else { steps.unwrap_or(3) }
 }
 
-/// The places of a number, the best first. Where its leaf is no area of the page, the
-/// side of the ray tells enough, and lines are for the few that one looks for: more
-/// would be a thicket.
-fn places_of(number: &Number, is_last: bool) -> impl Iterator<Item = Stand> + use<> {
-    let is_sought = rank(number.order) == 0 || is_last;
-    let rows = if number.leaf.is_some() || is_sought { 3 } else { 0 };
+/// How far from its leaf a number may stand.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Reach {
+    /// As far as a glance follows a line.
+    Near,
+    /// Wherever there is room.
+    Far,
+}
+
+/// The places of a number, the best first.
+fn places_of(number: &Number, reach: Reach) -> impl Iterator<Item = Stand> + use<> {
+    let rows = match reach {
+        Reach::Near => 3,
+        Reach::Far => 14,
+    };
     beside(number).into_iter().chain(aside(number, rows))
 }
 
@@ -140,6 +166,7 @@ fn square_to_segment(at: [f64; 2], segment: [[f64; 2]; 2]) -> f64 {
 
 #[cfg(test)]
 mod tests {
+    use super::crowd::collide;
     use super::places::{GAP, area_in, moved};
     use super::*;
     use crate::camera::clipped;
@@ -204,6 +231,18 @@ mod tests {
     }
 
     #[test]
+    fn many_that_have_no_room_together_are_evenly_spaced() {
+        for n in [30, 80, 157, 400] {
+            let numbers = path([50.0, 300.0], [1.0, 0.0], vec![600.0 / n as f64; n]);
+            let shown = check(&numbers, &[]);
+            let [first, inner @ .., last] = &shown[..] else { panic!("{shown:?}") };
+            assert_eq!([*first, *last], [1, n], "{shown:?}");
+            let by = inner[1] - inner[0];
+            assert!(inner.windows(2).all(|pair| pair[1] - pair[0] == by), "{shown:?}");
+        }
+    }
+
+    #[test]
     fn numbers_stand_in_their_leaf_where_it_has_room() {
         // The ray cuts the upper left corner off; above it lies another leaf.
         let chord = [[0.0, 112.0], [20.0, 100.0]];
@@ -249,7 +288,7 @@ mod tests {
     fn a_number_without_a_line_covers_more_of_its_leaf_than_of_any_other() {
         let mut random = Random::new(11);
         let (mut n_beside, mut n_aside) = (0, 0);
-        for _ in 0..150 {
+        for _ in 0..200 {
             let cells = leaves(&mut random, [[90.0, 30.0], [630.0, 570.0]], 6);
             let angle = random.between(0.0, std::f64::consts::TAU);
             let along = [angle.cos(), angle.sin()];

@@ -23,7 +23,6 @@ impl Paint {
             Part::Whole
             | Part::Fine
             | Part::Face(_)
-            | Part::Wash
             | Part::Head
             | Part::Edge
             | Part::FineEdge
@@ -34,7 +33,7 @@ impl Paint {
         let shown = |colour: Option<Colour>| colour.map(|c| c.faded(c.opacity * opacity));
         let (fill, stroke) = match drawn.part {
             Part::Whole | Part::Fine | Part::Lit(_) => (style.fill, style.stroke),
-            Part::Face(_) | Part::Wash => (style.fill, None),
+            Part::Face(_) => (style.fill, None),
             Part::Head => (style.stroke, None),
             Part::Edge | Part::FineEdge | Part::HiddenEdge => (None, style.stroke),
             Part::Casing => (None, Some(Palette::of(theme).background)),
@@ -46,7 +45,6 @@ impl Paint {
             Part::Whole
             | Part::Fine
             | Part::Face(_)
-            | Part::Wash
             | Part::Head
             | Part::Lit(_)
             | Part::Edge

@@ -129,7 +129,7 @@ impl<'a> Rasteriser<'a> {
         let is_line = match drawn.part {
             Part::Edge | Part::FineEdge | Part::HiddenEdge | Part::Casing => true,
             Part::Whole | Part::Fine => style.fill.is_none(),
-            Part::Face(_) | Part::Wash | Part::Head | Part::Lit(_) => false,
+            Part::Face(_) | Part::Head | Part::Lit(_) => false,
         };
         match &drawn.form {
             Form::Polygon(points) if is_line => {

@@ -28,7 +28,7 @@ use apart::is_apart;
 use at_work::{most_of_dots, small_area};
 use indices::chosen;
 use inset::drawn_box;
-pub use inset::{edge_part, is_large};
+pub use inset::edge_part;
 use octoscope_core::geometry::Aabb;
 use octoscope_core::tree::NodeId;
 use overlaid::strong_boxes;
@@ -219,11 +219,6 @@ impl<const D: usize> Canvas<'_, D> {
         drawn_box(mark.role, bounds, self.camera.unit(self.page))
     }
 
-    /// Whether the area of a box would tint most of what is to be seen.
-    fn is_large(&self, mark: &Mark<D>, bounds: &Aabb<D>) -> bool {
-        is_large(mark.role, bounds, self.camera.unit(self.page))
-    }
-
     /// The edges of a box so small that its line would fill it are finer.
     fn edge_part(&self, mark: &Mark<D>, bounds: &Aabb<D>) -> Part {
         edge_part(&Style::of(Theme::Light, mark.role), bounds, self.camera.unit(self.page))
@@ -257,8 +252,7 @@ impl<const D: usize> Canvas<'_, D> {
         let Mark { role, node, .. } = *mark;
         let parts = parts.into_iter().map(|(part, form)| Drawn { form, role, part, node });
         if D == 2 || is_above(role) {
-            let order = above_space(role);
-            self.drawn.extend(parts.map(|drawn| (order, drawn)));
+            self.drawn.extend(parts.map(|drawn| (order_of(&drawn), drawn)));
         } else if is_hint(role) {
             self.drawn.extend(parts.map(|drawn| (HINT, drawn)));
         } else {
@@ -268,6 +262,15 @@ impl<const D: usize> Canvas<'_, D> {
 
     fn push_at(&mut self, order: f64, mark: &Mark<D>, part: Part, form: Form) {
         self.drawn.push((order, Drawn { form, role: mark.role, part, node: mark.node }));
+    }
+}
+
+/// Place of a part in the drawing order of the plane. What parts a plane from cells lies
+/// below the outlines of nodes, which it would cut.
+fn order_of(drawn: &Drawn) -> f64 {
+    match (drawn.role, drawn.part) {
+        (Role::MidPlane(_) | Role::ExitPlane(_), Part::Casing) => above_space(Role::Ghost),
+        (role, _) => above_space(role),
     }
 }
 

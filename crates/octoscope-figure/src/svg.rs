@@ -58,10 +58,11 @@ fn style_sheet(figure: &Figure, options: &FileOptions) -> String {
             let head = paint("fill", style.stroke);
             out += &format!(".{class}.head{{{head}stroke:none}}\n");
         }
-        let is_fine = |part| matches!(part, Part::Fine | Part::FineEdge);
-        if figure.drawn.iter().any(|d| is_fine(d.part) && d.role.class() == class) {
-            let width = wide(Part::Fine.width() * style.width);
-            out += &format!(".{class}.fine{{stroke-width:{width}}}\n");
+        for (part, selector) in [(Part::Fine, "fine"), (Part::FineEdge, "fine.edge")] {
+            if figure.drawn.iter().any(|d| d.part == part && d.role.class() == class) {
+                let width = wide(part.width() * style.width);
+                out += &format!(".{class}.{selector}{{stroke-width:{width}}}\n");
+            }
         }
         if figure.drawn.iter().any(|d| d.part == Part::Casing && d.role.class() == class) {
             let background = paint("stroke-opacity:1;stroke", Some(Palette::of(theme).background));
@@ -175,7 +176,7 @@ fn write_drawn(out: &mut String, drawn: &Drawn, options: &FileOptions) {
     match drawn.part {
         Part::Whole => {}
         Part::Fine => attributes += " fine",
-        Part::Face(_) | Part::Wash => attributes += " face",
+        Part::Face(_) => attributes += " face",
         Part::Head => attributes += " head",
         Part::Lit(light) => attributes += &format!(" lit-{light}"),
         Part::Edge | Part::HiddenEdge => attributes += " edge",

@@ -10,7 +10,8 @@ use octoscope_core::query::{Arithmetic, Query};
 use octoscope_core::trace::{Moment, Trace, record};
 use octoscope_core::traverse::{Algorithm, Options};
 use octoscope_figure::{
-    Camera, Drawn, Figure, Form, Mark, Page, Part, Role, Shape, Show, marks, space_figure,
+    Camera, Drawn, Figure, Form, Mark, Page, Part, Role, Shape, Show, Style, Theme, marks,
+    space_figure,
 };
 
 const PAGE: Page = Page { width: 400.0, height: 400.0 };
@@ -182,14 +183,26 @@ fn edges_of_ancestors_leave_those_of_the_current_node_to_it() {
 }
 
 #[test]
-fn a_large_current_node_tints_weakly_and_a_small_one_has_fine_lines() {
+fn a_current_node_is_filled_alike_at_any_size_and_a_small_one_has_fine_lines() {
     let parts = |side: f64| -> Vec<Part> {
         let mark = Mark::new(Shape::Box(unit_box::<2>(0.0, side)), Role::Current);
         of_role(&figure(&[mark]), Role::Current).iter().map(|drawn| drawn.part).collect()
     };
-    assert_eq!(parts(0.9), [Part::Wash, Part::Edge]);
-    assert_eq!(parts(0.3), [Part::Face(0), Part::Edge]);
-    assert_eq!(parts(0.05), [Part::Face(0), Part::FineEdge]);
+    assert_eq!(parts(0.9), [Part::Face(0), Part::Edge]);
+    assert_eq!(parts(0.1), [Part::Face(0), Part::Edge]);
+    assert_eq!(parts(0.02), [Part::Face(0), Part::FineEdge]);
+}
+
+#[test]
+fn the_outline_of_the_current_node_is_the_strongest_of_all_boxes_at_every_size() {
+    for theme in Theme::ALL {
+        let least = Part::FineEdge.width() * Style::of(theme, Role::Current).width;
+        let above = [0, 1, 2, 3].map(|above| Role::Ancestor { above });
+        let others = [Role::Root, Role::Rejected, Role::Taken, Role::Visited { share: 0.5 }];
+        for role in above.into_iter().chain(others) {
+            assert!(Style::of(theme, role).width < least, "{theme:?} {role:?}");
+        }
+    }
 }
 
 #[test]

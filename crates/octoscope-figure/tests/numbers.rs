@@ -107,6 +107,21 @@ fn every_number_in_the_plane_stands_in_its_leaf_or_has_a_line_to_it() {
 }
 
 #[test]
+fn no_number_of_a_few_is_missing_in_the_plane() {
+    let scene = plane();
+    let (tree, ray) = &scene;
+    for algorithm in Algorithm::ALL {
+        let trace = record(tree, ray, &along_the_ray(algorithm));
+        for (step, figure) in figures(&scene, algorithm, 1) {
+            let n_leaves = Moment::after(tree, &trace, step).leaves.len();
+            let n_discs = numbers(&figure).discs.len();
+            assert!(n_leaves <= 40);
+            assert_eq!(n_discs, n_leaves, "{algorithm:?} step {step}");
+        }
+    }
+}
+
+#[test]
 fn tags_of_children_are_square_and_keep_apart_from_numbers() {
     fn check<const D: usize>(scene: &(Tree<D>, Ray<D>)) {
         let mut n_tags = 0;

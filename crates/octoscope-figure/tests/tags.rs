@@ -120,12 +120,41 @@ fn the_child_that_is_taken_has_its_tag_wherever_its_cell_has_room_for_one() {
 }
 
 #[test]
-fn of_the_children_that_are_not_taken_all_have_their_tag_or_none_has() {
+fn in_space_a_tag_lies_on_its_own_child_and_not_on_one_before_it() {
+    let mut n_tags = 0;
+    space(|shown| {
+        let all = shown.children();
+        let boxes = || all.iter().map(|(node, _)| (*node, shown.tree.node_box(*node)));
+        for (node, _) in all.iter().filter(|(_, is_taken)| !is_taken) {
+            let Some(at) = shown.tag(*node) else { continue };
+            let sight = shown.camera.sight(PAGE, at).unwrap();
+            let (from, along) = (sight.origin(), sight.direction());
+            let enter = |bounds: &Aabb<3>| {
+                let planes: [[f64; 2]; 3] = std::array::from_fn(|e| {
+                    [bounds.min[e], bounds.max[e]].map(|side| (side - from[e]) / along[e])
+                });
+                let enter = planes.map(|[a, b]| a.min(b)).into_iter().fold(f64::MIN, f64::max);
+                let exit = planes.map(|[a, b]| a.max(b)).into_iter().fold(f64::MAX, f64::min);
+                (enter < exit).then_some(enter)
+            };
+            let met = boxes().filter_map(|(node, bounds)| Some((enter(&bounds)?, node)));
+            let nearest = met.min_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, node)| node);
+            assert_eq!(nearest, Some(*node), "{}", shown.place);
+            n_tags += 1;
+        }
+    });
+    assert!(n_tags > 100, "{n_tags}");
+}
+
+#[test]
+fn of_the_children_that_are_not_taken_all_that_are_seen_have_their_tag_or_none_has() {
     fn check<const D: usize>(shown: &Shown<'_, D>) -> usize {
         let others = shown.children().into_iter().filter(|(_, is_taken)| !is_taken);
         let tagged: Vec<bool> = others.map(|(node, _)| shown.tag(node).is_some()).collect();
         let n_tags = tagged.iter().filter(|has| **has).count();
-        assert!(n_tags == 0 || n_tags == tagged.len(), "{}: {tagged:?}", shown.place);
+        // In space, some are hidden by the others, or all that is large enough of them.
+        let least = if D == 2 { tagged.len() } else { tagged.len().min(3) };
+        assert!(n_tags == 0 || n_tags >= least, "{}: {tagged:?}", shown.place);
         n_tags
     }
     let (mut in_plane, mut in_space) = (0, 0);

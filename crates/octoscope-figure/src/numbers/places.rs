@@ -56,7 +56,10 @@ pub(super) fn aside(number: &Number, rows: usize) -> impl Iterator<Item = Stand>
     let near = radius + LINE;
     let places = (0..rows).flat_map(move |row| {
         let away = near + 0.9 * radius * row as f64;
-        [0.0, -0.6, 0.6, -1.2, 1.2].into_iter().flat_map(move |shift| {
+        // The farther, the more to the side as well.
+        let n_shifts = if row < 3 { 5 } else { 9 };
+        let shifts = [0.0, -0.6, 0.6, -1.2, 1.2, -2.0, 2.0, -3.0, 3.0].into_iter().take(n_shifts);
+        shifts.flat_map(move |shift| {
             [away, -away].map(|away| moved(moved(foot, across, away), along, shift * radius))
         })
     });

@@ -14,12 +14,10 @@ impl<const D: usize> Canvas<'_, D> {
     pub(super) fn draw_box(&mut self, mark: &Mark<D>, bounds: &Aabb<D>) {
         let seen = sides_to_eye(self.camera, self.page, bounds);
         let (mut behind, mut front) = (Vec::new(), Vec::new());
-        let is_large = self.is_large(mark, bounds);
         if Style::of(Theme::Light, mark.role).fill.is_some() {
             for side in &seen {
                 let polygon: Vec<_> = side.polygon.iter().map(|p| p.at).collect();
-                let face = if is_large { Part::Wash } else { Part::Face(side.axis) };
-                front.push((face, Form::Polygon(polygon)));
+                front.push((Part::Face(side.axis), Form::Polygon(polygon)));
             }
         }
         let cross = cross_out_box(mark.role, bounds, self.camera, self.page);

@@ -23,8 +23,7 @@ impl<const D: usize> Canvas<'_, D> {
     fn draw_ground(&mut self, mark: &Mark<D>, bounds: &Aabb<D>, points: Vec<[f64; 2]>) {
         self.spare(&points);
         let area = Form::Polygon(points.clone());
-        let face = if self.is_large(mark, bounds) { Part::Wash } else { Part::Face(0) };
-        self.push_at(GROUND, mark, face, area);
+        self.push_at(GROUND, mark, Part::Face(0), area);
         let part = self.edge_part(mark, bounds);
         self.push_at(above_space(mark.role), mark, part, Form::Polygon(points));
     }

@@ -1,9 +1,10 @@
 //! Tags with the numbers of children: in the outer corner of each, off the ray and off
-//! all points. They are square, so that none is taken for an order number.
+//! all points; in space where the child is seen, not one that lies before it. They are square, so that none is taken for an order number.
 
 use super::labels::rectangle;
 use super::{Canvas, above_space};
 use crate::figure::text_reach;
+use crate::marks::interval;
 use crate::{Anchor, Form, Mark, Part, Role, Shape};
 use octoscope_core::geometry::Aabb;
 use octoscope_core::tree::NodeId;
@@ -32,12 +33,14 @@ impl<const D: usize> Canvas<'_, D> {
     /// large enough for it; of the others all have, or none has: a gap among them would
     /// be taken for a meaning.
     pub(super) fn write_indices(&mut self, marks: &[Mark<D>]) {
-        let tags = marks.iter().filter_map(|mark| self.tag(mark));
+        let tags: Vec<_> = marks.iter().filter_map(|mark| self.tag(mark)).collect();
+        let siblings: Vec<Aabb<D>> = tags.iter().map(|tag| tag.bounds).collect();
         let is_chosen =
             |tag: &Tag<'_, D>| tag.mark.node.is_some_and(|node| self.chosen.contains(&node));
-        let (chosen, others): (Vec<_>, Vec<_>) = tags.partition(is_chosen);
+        let (chosen, others): (Vec<_>, Vec<_>) = tags.into_iter().partition(is_chosen);
         for tag in chosen.iter().filter(|tag| tag.side >= 2.0 * tag.half + INSET) {
-            if let Some(at) = self.place_chosen(tag) {
+            if let Some(at) = self.place_chosen(tag, &siblings) {
+                self.taken.push([at, BESIDE.map(|room| tag.half + room)]);
                 self.draw_tag(tag, at);
             }
         }
@@ -46,10 +49,14 @@ impl<const D: usize> Canvas<'_, D> {
         if others.iter().any(|tag| tag.side < roomy) {
             return;
         }
+        // One that is hidden by others needs none.
+        let is_seen = |tag: &&Tag<'_, D>| !self.seen(tag, tag.all_over(), &siblings).is_empty();
+        let seen: Vec<_> = others.iter().filter(is_seen).collect();
         let n_taken = self.taken.len();
-        let places: Option<Vec<_>> = others.iter().map(|tag| self.place_other(tag)).collect();
+        let places: Option<Vec<_>> =
+            seen.iter().map(|tag| self.place_other(tag, &siblings)).collect();
         let Some(places) = places else { return self.taken.truncate(n_taken) };
-        others.iter().zip(places).for_each(|(tag, at)| self.draw_tag(tag, at));
+        seen.into_iter().zip(places).for_each(|(tag, at)| self.draw_tag(tag, at));
     }
 
     fn tag<'m>(&self, mark: &'m Mark<D>) -> Option<Tag<'m, D>> {
@@ -64,27 +71,45 @@ impl<const D: usize> Canvas<'_, D> {
     }
 
     /// A place that is clear, in the corner of the child or anywhere in it.
-    fn place_other(&mut self, tag: &Tag<'_, D>) -> Option<[f64; 2]> {
-        let near = places(tag.at, &tag.bounds, tag.inset());
+    fn place_other(&mut self, tag: &Tag<'_, D>, siblings: &[Aabb<D>]) -> Option<[f64; 2]> {
         let reach = BESIDE.map(|room| tag.half + room);
-        let clear = self.clear(near, tag.half);
-        self.room(clear, reach).or_else(|| {
-            let clear = self.clear(all_over(tag.at, &tag.bounds, tag.inset()), tag.half);
+        [tag.near(), tag.all_over()].into_iter().find_map(|places| {
+            let clear = self.clear(self.seen(tag, places, siblings), tag.half);
             self.room(clear, reach)
         })
     }
 
     /// The same or, where none is clear, closer to what is beside it, then on the ray, then
-    /// on what it covers least.
-    fn place_chosen(&mut self, tag: &Tag<'_, D>) -> Option<[f64; 2]> {
-        let mut all = places(tag.at, &tag.bounds, tag.inset());
-        all.extend(all_over(tag.at, &tag.bounds, tag.inset()));
-        let clear = self.clear(all.clone(), tag.half);
-        let on_page: Vec<_> = all.into_iter().filter_map(|place| self.on_page(place)).collect();
+    /// on what it covers least. A child that is hidden has its number there all the same.
+    fn place_chosen(&mut self, tag: &Tag<'_, D>, siblings: &[Aabb<D>]) -> Option<[f64; 2]> {
+        let all = || tag.near().into_iter().chain(tag.all_over());
+        let mut on_page = self.seen(tag, all().collect(), siblings);
+        if on_page.is_empty() {
+            on_page = all().filter_map(|place| self.on_page(place)).collect();
+        }
+        let clear = self.clear(on_page.clone(), tag.half);
         self.room(clear.iter().copied(), BESIDE.map(|room| tag.half + room))
             .or_else(|| self.room(clear, [tag.half + 1.0; 2]))
             .or_else(|| self.clearest(on_page.iter().copied(), [tag.half; 2]))
             .or_else(|| self.least_taken(&on_page, [tag.half; 2]))
+    }
+
+    /// Where places lie on the page at which a tag lies on its own child.
+    fn seen(&self, tag: &Tag<'_, D>, places: Vec<[f64; D]>, siblings: &[Aabb<D>]) -> Vec<[f64; 2]> {
+        let is_own = |[x, y]: &[f64; 2]| {
+            let corners = [[0.0, 0.0], [-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]];
+            let corners = corners.map(|[i, j]| [x + i * tag.half, y + j * tag.half]);
+            corners.into_iter().all(|at| self.nearest(at, siblings) == Some(tag.bounds))
+        };
+        let on_page = places.into_iter().filter_map(|place| self.on_page(place));
+        on_page.filter(|at| D == 2 || is_own(at)).collect()
+    }
+
+    /// The box that is seen at a place on the page.
+    fn nearest(&self, at: [f64; 2], boxes: &[Aabb<D>]) -> Option<Aabb<D>> {
+        let sight = self.camera.sight(self.page, at)?;
+        let met = boxes.iter().filter_map(|bounds| Some((interval(&sight, bounds)?[0], *bounds)));
+        met.min_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, bounds)| bounds)
     }
 
     fn on_page(&self, place: [f64; D]) -> Option<[f64; 2]> {
@@ -93,9 +118,8 @@ impl<const D: usize> Canvas<'_, D> {
 
     /// Those places that strike no line which has to be seen, first where the fewest of the
     /// others are covered.
-    fn clear(&self, places: Vec<[f64; D]>, half: f64) -> Vec<[f64; 2]> {
-        let on_page = places.into_iter().filter_map(|place| self.on_page(place));
-        let mut clear: Vec<_> = on_page.filter(|at| !self.strikes(*at, [half + 1.0; 2])).collect();
+    fn clear(&self, mut clear: Vec<[f64; 2]>, half: f64) -> Vec<[f64; 2]> {
+        clear.retain(|at| !self.strikes(*at, [half + 1.0; 2]));
         clear.sort_by_cached_key(|at| self.n_covered(*at, [half; 2]));
         clear
     }
@@ -126,6 +150,16 @@ impl<const D: usize> Tag<'_, D> {
     /// Share of the sides of the child that it keeps from its corner.
     fn inset(&self) -> f64 {
         ((self.half + INSET) / self.side).min(0.5)
+    }
+
+    /// Places in and near the corner of the child.
+    fn near(&self) -> Vec<[f64; D]> {
+        places(self.at, &self.bounds, self.inset())
+    }
+
+    /// Places all over the child.
+    fn all_over(&self) -> Vec<[f64; D]> {
+        all_over(self.at, &self.bounds, self.inset())
     }
 }
 

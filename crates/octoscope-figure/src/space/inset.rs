@@ -1,5 +1,4 @@
-//! How large boxes are drawn: some within their own cell, and those that fill the picture
-//! more weakly.
+//! How large boxes are drawn: some within their own cell, and the lines of small ones finer.
 
 use crate::{Part, Role, Style};
 use octoscope_core::geometry::Aabb;
@@ -24,15 +23,7 @@ pub(super) fn drawn_box<const D: usize>(role: Role, bounds: &Aabb<D>, unit: f64)
 /// How the edges of a box are drawn: finer where it is so small that a line of this style
 /// would fill it. `unit` is a page unit in world units.
 pub fn edge_part<const D: usize>(style: &Style, bounds: &Aabb<D>, unit: f64) -> Part {
-    const LEAST: f64 = 10.0;
+    const LEAST: f64 = 4.5;
     let side = bounds.size().into_iter().fold(0.0, f64::max) / unit;
     if side < LEAST * style.width { Part::FineEdge } else { Part::Edge }
-}
-
-/// Whether the box of the node at work is so large on the page that its area is drawn
-/// weakly: it would tint most of what is to be seen.
-pub fn is_large<const D: usize>(role: Role, bounds: &Aabb<D>, unit: f64) -> bool {
-    const LARGE: f64 = 200.0;
-    let side = bounds.size().into_iter().fold(0.0, f64::max) / unit;
-    matches!(role, Role::Current | Role::Taken) && side > LARGE
 }

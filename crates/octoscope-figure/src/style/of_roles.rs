@@ -144,9 +144,8 @@ impl Style {
             },
             Role::ExitPlane(axis) => Self {
                 fill: plane_fill(theme, p.axes[axis]),
-                dash: Dash::Dashed,
                 casing: 1.2,
-                ..line(p.axes[axis], 2.5).lettered(p.axes[axis], 12.0, Weight::Strong)
+                ..line(p.axes[axis], 2.3).lettered(p.axes[axis], 12.0, Weight::Strong)
             },
             Role::ChildIndex => Self {
                 fill: Some(p.background),

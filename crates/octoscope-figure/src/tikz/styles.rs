@@ -15,7 +15,6 @@ impl Tikz<'_> {
             Part::Whole => String::new(),
             Part::Fine => " fine".to_owned(),
             Part::Face(axis) => format!(" face {}", ["x", "y", "z"][axis]),
-            Part::Wash => " wash".to_owned(),
             Part::Head => " head".to_owned(),
             Part::Lit(light) => format!(" lit {light}"),
             Part::Edge => " line".to_owned(),
