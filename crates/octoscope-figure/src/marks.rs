@@ -19,6 +19,7 @@ use octoscope_core::geometry::{AXIS_NAMES, Aabb, Axes, Ray};
 use octoscope_core::query::Query;
 use octoscope_core::trace::{LeafOnRay, Moment};
 use octoscope_core::tree::{Child, NodeId, Tree};
+use std::collections::HashSet;
 
 /// Marks of a query at a moment, the lowest first; O(length of the path), so
 /// that they can be made anew while the ray is dragged. `event` is the last
@@ -77,9 +78,17 @@ impl<const D: usize> Scene<'_, D> {
     fn visited(&self, marks: &mut Vec<Mark<D>>) {
         let root = interval(self.ray, &self.tree.domain().root_box()).unwrap_or([0.0, 1.0]);
         let misprinted = self.query.is_misprinted();
+        let share_of = |leaf: &LeafOnRay| {
+            ((leaf.enter - root[0].max(0.0)) / (root[1] - root[0].max(0.0))).clamp(0.0, 1.0)
+        };
+        // They have their numbers once they are sorted.
+        let numbered: HashSet<NodeId> = self.moment.leaves.iter().map(|leaf| leaf.node).collect();
+        for leaf in self.moment.met.iter().filter(|leaf| !numbered.contains(&leaf.node)) {
+            let role = Role::Visited { share: share_of(leaf) };
+            marks.push(node_mark(self.tree, leaf.node, role));
+        }
         for (index, leaf) in self.moment.leaves.iter().enumerate() {
-            let share =
-                ((leaf.enter - root[0].max(0.0)) / (root[1] - root[0].max(0.0))).clamp(0.0, 1.0);
+            let share = share_of(leaf);
             marks.push(node_mark(self.tree, leaf.node, Role::Visited { share }));
             if self.show.order_numbers {
                 let label = Mark::new(self.number_in(leaf, misprinted), Role::OrderNumber);

@@ -206,6 +206,19 @@ fn the_outline_of_the_current_node_is_the_strongest_of_all_boxes_at_every_size()
 }
 
 #[test]
+fn a_cell_that_is_looked_for_is_seen_as_an_outline_however_small_it_is() {
+    for side in [1e-6, 0.005, 0.2] {
+        let mark = Mark::new(Shape::Box(unit_box::<2>(0.5, 0.5 + side)), Role::Target);
+        let figure = figure(&[mark]);
+        for drawn in of_role(&figure, Role::Target) {
+            let Form::Polygon(corners) = &drawn.form else { panic!("{drawn:?}") };
+            let wide = (corners[2][0] - corners[0][0]).abs();
+            assert!(wide > 11.99, "{side}: {wide}");
+        }
+    }
+}
+
+#[test]
 fn a_plane_is_seen_beyond_its_node() {
     let bounds = Aabb { min: [0.25, 0.5], max: [0.75, 0.5] };
     let figure = figure(&[Mark::new(Shape::Plane { axis: 1, bounds }, Role::ExitPlane(1))]);

@@ -3,14 +3,16 @@
 #![allow(clippy::unwrap_used, reason = "a test may panic")]
 
 use octoscope_core::geometry::{Aabb, Ray};
+use octoscope_core::paper::counterexample;
 use octoscope_core::query::{Arithmetic, Query};
-use octoscope_core::scenario::{AnyScenario, built_in};
+use octoscope_core::scenario::{AnyScenario, Scenario, built_in};
 use octoscope_core::trace::{Moment, record};
-use octoscope_core::traverse::{Algorithm, Options};
+use octoscope_core::traverse::{Algorithm, Options, Variant};
 use octoscope_core::tree::{NodeId, Tree};
 use octoscope_figure::{
     Camera, Figure, Form, Mark, Page, Part, Role, Shape, Show, marks, space_figure_over,
 };
+use std::collections::HashSet;
 
 const PAGE: Page = Page { width: 609.0, height: 510.0 };
 
@@ -122,6 +124,25 @@ fn no_number_of_a_few_is_missing_in_the_plane() {
 }
 
 #[test]
+fn a_leaf_that_is_met_is_seen_as_visited_before_it_has_its_number() {
+    let scene = plane();
+    let (tree, ray) = &scene;
+    let query = along_the_ray(Algorithm::Exhaustive);
+    let trace = record(tree, ray, &query);
+    let mut n_unnumbered = 0;
+    for (step, figure) in figures(&scene, Algorithm::Exhaustive, 1) {
+        let moment = Moment::after(tree, &trace, step);
+        let is_visited = |role: Role| matches!(role, Role::Visited { .. });
+        let shown = figure.drawn.iter().filter(|drawn| is_visited(drawn.role));
+        let shown: HashSet<NodeId> = shown.filter_map(|drawn| drawn.node).collect();
+        let met: HashSet<NodeId> = moment.met.iter().map(|leaf| leaf.node).collect();
+        assert_eq!(shown, met, "step {step}");
+        n_unnumbered += met.len() - moment.leaves.len();
+    }
+    assert!(n_unnumbered > 100, "{n_unnumbered}");
+}
+
+#[test]
 fn tags_of_children_are_square_and_keep_apart_from_numbers() {
     fn check<const D: usize>(scene: &(Tree<D>, Ray<D>)) {
         let mut n_tags = 0;
@@ -187,4 +208,29 @@ fn letters_of_planes_in_space_have_ground_of_their_own() {
         }
     }
     assert!(n_letters > 20, "{n_letters}");
+}
+
+#[test]
+fn a_ray_that_is_mirrored_wrongly_is_seen_beside_the_right_one() {
+    let AnyScenario::Quadtree(scenario) = counterexample(Variant::B7) else {
+        panic!("it is one of a plane");
+    };
+    let tree = scenario.tree().unwrap();
+    let Scenario { ray, query, .. } = &scenario;
+    let trace = record(&tree, ray, query);
+    let show = Show { mirrored_ray: true, ..Show::default() };
+    let moment = Moment::after(&tree, &trace, trace.events.len());
+    let marks = marks(&tree, ray, query, &moment, trace.events.last(), &show);
+    let arrow = |role: Role| {
+        let ends =
+            marks.iter().filter(|mark| mark.role == role).find_map(|mark| match mark.shape {
+                Shape::Arrow(ends) => Some(ends),
+                _ => None,
+            });
+        ends.unwrap()
+    };
+    let [right, wrong] = [Role::MirroredRay, Role::Strayed].map(arrow);
+    assert_ne!(right[0], wrong[0]);
+    let slope = |[from, to]: [[f64; 2]; 2]| (to[1] - from[1]) / (to[0] - from[0]);
+    assert!((slope(right) - slope(wrong)).abs() < 1e-9, "{right:?} {wrong:?}");
 }

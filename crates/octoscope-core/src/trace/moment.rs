@@ -27,8 +27,8 @@ pub struct Moment<const D: usize> {
     /// Parameters between which the ray is in the current node, if that was tested
     /// last.
     pub tested: Option<[f64; 2]>,
-    /// Number of leaves that were tested by themselves and met the ray.
-    pub met: usize,
+    /// Leaves that were tested by themselves and met the ray, in the order of the tests.
+    pub met: Vec<LeafOnRay>,
     /// Leaves that were tested by themselves and missed the ray.
     pub missed: Vec<NodeId>,
     /// Codes that are followed.
@@ -114,10 +114,12 @@ impl<const D: usize> Moment<D> {
             Event::Test { node, interval, .. } => {
                 self.current = Some(node);
                 self.tested = interval;
-                if interval.is_none() {
-                    self.missed.push(node);
-                } else if tree.node(node).is_leaf() {
-                    self.met += 1;
+                match interval {
+                    None => self.missed.push(node),
+                    Some([enter, exit]) if tree.node(node).is_leaf() => {
+                        self.met.push(LeafOnRay { node, enter, exit });
+                    }
+                    Some(_) => {}
                 }
             }
             Event::Sort { .. } => {

@@ -96,7 +96,7 @@ impl<const D: usize> Drawing<'_, D> {
         let (item, state) = (&self.items[n], self.state(n));
         let current = state.above_current == Some(0) && !self.is_folded(n);
         let wanted = match (item.node.is_leaf(), item.is_unfolded) {
-            (true, _) if state.visited.is_some() || current => 9.5,
+            (true, _) if state.visited.is_some() || current => 8.8,
             (true, _) => 4.5,
             (false, true) if current => 8.5,
             (false, true) => 6.5,
@@ -194,6 +194,9 @@ impl<const D: usize> Drawing<'_, D> {
                 (false, true) => Role::Missed,
                 (false, false) => Role::Current,
             });
+        }
+        if let (Some(share), None) = (state.met, state.visited) {
+            return Some(Role::Visited { share });
         }
         match (state.visited, state.above_current) {
             (Some(_), _) if !self.is_unfolded(n) => Some(visited),

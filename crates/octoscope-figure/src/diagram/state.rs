@@ -20,6 +20,8 @@ pub(super) struct States {
 pub(super) struct State {
     /// First and last number of the visited leaves in it.
     pub visited: Option<[usize; 2]>,
+    /// Share of the way at which it begins, where it is a leaf that the ray was found to meet.
+    pub met: Option<f64>,
     /// Whether one of them, or what is found there, is not right.
     pub is_strayed: bool,
     /// Share of the way along the ray at which the last of them begins.
@@ -55,6 +57,12 @@ pub(super) fn states<const D: usize>(of: &DiagramOf<D>, items: &[Item]) -> State
         if let Some(item) = last {
             let share = ((leaf.enter - root[0]) / (root[1] - root[0])).clamp(0.0, 1.0);
             states[item].visit([n + 1; 2], share);
+        }
+    }
+    for leaf in &moment.met {
+        if let Some(item) = index.get(&leaf.node) {
+            let share = ((leaf.enter - root[0]) / (root[1] - root[0])).clamp(0.0, 1.0);
+            states[*item].met = Some(share);
         }
     }
     let reported = moment.leaves.iter().map(|leaf| leaf.node).chain(moment.found);

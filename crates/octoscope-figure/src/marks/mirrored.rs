@@ -2,8 +2,9 @@
 
 use super::{Scene, far_end};
 use crate::{Mark, Role, Shape};
-use octoscope_core::geometry::{Aabb, Axes};
+use octoscope_core::geometry::{Aabb, Axes, Ray};
 use octoscope_core::query::Query;
+use octoscope_core::traverse::Variant;
 use octoscope_core::tree::{Child, NodeId};
 
 impl<const D: usize> Scene<'_, D> {
@@ -30,6 +31,27 @@ impl<const D: usize> Scene<'_, D> {
         let ends = [self.ray.origin(), far_end(self.tree, self.ray)].map(mirror);
         marks.push(Mark::new(Shape::Arrow(ends), Role::MirroredRay));
         marks.push(Mark::new(Shape::Point(ends[0]), Role::MirroredOrigin));
+        marks.extend(self.wrongly_mirrored(mask));
+    }
+
+    /// The ray as the printed rule mirrors it, where that is another one: eq. 16 as printed
+    /// takes the side of the root for the sum of its ends.
+    fn wrongly_mirrored(&self, mask: Axes<D>) -> Option<Mark<D>> {
+        let is_printed = self.query.variants_at_work().has(Variant::B7);
+        let domain = self.tree.domain();
+        let origin = self.ray.origin();
+        let wrong = std::array::from_fn(|e| match mask.contains(e) {
+            true => domain.side() - origin[e],
+            false => origin[e],
+        });
+        let direction = self.ray.direction();
+        let along = std::array::from_fn(|e| match mask.contains(e) {
+            true => -direction[e],
+            false => direction[e],
+        });
+        let ray = Ray::new(wrong, along).ok().filter(|_| is_printed)?;
+        let ends = [wrong, far_end(self.tree, &ray)];
+        Some(Mark::new(Shape::Arrow(ends), Role::Strayed))
     }
 
     /// The number of a child; where the mirrored ray is shown, its number in the

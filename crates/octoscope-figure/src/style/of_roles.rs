@@ -134,7 +134,9 @@ impl Style {
             },
             Role::Expected => Self { dash: Dash::Dotted, ..line(p.ink, 3.5) },
             Role::Hover => line(p.quiet_ink, 1.6),
-            Role::HoverSide => Self { fill: Some(p.accent.faded(0.3)), ..line(p.accent, 4.0) },
+            Role::HoverSide => {
+                Self { fill: Some(p.quiet_ink.faded(0.3)), ..line(p.quiet_ink, 4.0) }
+            }
             Role::EntryPoint => Self { fill: Some(p.ray), radius: 4.5, ..line(p.background, 1.2) },
             Role::ExitPoint => Self { fill: Some(p.background), radius: 4.0, ..line(p.ray, 1.8) },
             Role::MidPlane(axis) => Self {
@@ -259,6 +261,8 @@ impl Style {
             (true, true) => [0.0, 0.0],
             (true, false) => [0.02, 0.12],
             (false, true) => [0.35, 0.7],
+            // Light on dark is seen less than dark on light.
+            (false, false) if is_dark => [0.42, 0.85],
             (false, false) => [0.14, 0.58],
         };
         let colour = p.quiet_ink.faded(least + shade * (most - least)).over(p.background);
