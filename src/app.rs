@@ -213,7 +213,8 @@ impl App {
     /// Title of what is open, with a star where it has changes that no file has.
     fn titled(&self) -> String {
         let title = with_document!(&self.document, d => {
-            short_title(d.opened(), d.tree.n_leaves(), self.view.language, |id| {
+            let file = d.path.as_deref().map(telling::file_name);
+            short_title(d.opened(), file.as_deref(), d.tree.n_leaves(), self.view.language, |id| {
                 self.look.text(&format!("scene-{id}"))
             })
         });

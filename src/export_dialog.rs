@@ -10,8 +10,8 @@ use crate::look::Look;
 use crate::panels::show::Of;
 use crate::widgets::{default_button, path_line, text_field};
 use eframe::egui::{
-    Align, Context, Frame, Id, Image, Key, Label, Layout, Modal, RichText, ScrollArea, Spinner,
-    TextEdit, TextStyle, TextureHandle, Ui, vec2,
+    Align, Context, Event, Frame, Id, Image, Key, Label, Layout, Modal, RichText, ScrollArea,
+    Spinner, TextEdit, TextStyle, TextureHandle, Ui, vec2,
 };
 use octoscope_core::explain::Notation;
 use octoscope_core::text::Language;
@@ -76,7 +76,7 @@ pub const PREVIEW: [f32; 2] = [360.0, 270.0];
 pub fn ui(context: &Context, look: &Look, mut shown: Shown) -> Option<Answer> {
     // Enter in a field is for the field.
     let is_free = context.memory(|memory| memory.focused().is_none());
-    let is_entered = is_free && context.input(|input| input.key_pressed(Key::Enter));
+    let is_entered = is_free && is_entered(context);
     let mut answer = (is_entered && can_export(shown.choice)).then_some(Answer::Export);
     let frame = Frame::popup(&context.global_style()).inner_margin(20.0);
     let room = context.content_rect().size();
@@ -106,6 +106,14 @@ pub fn ui(context: &Context, look: &Look, mut shown: Shown) -> Option<Answer> {
         answer = answer.or(command(ui, look, &shown)).or(buttons(ui, look, &mut shown));
     });
     if response.should_close() { answer.or(Some(Answer::Close)) } else { answer }
+}
+
+/// Whether Enter is pressed, and not only held since it has opened the dialog.
+fn is_entered(context: &Context) -> bool {
+    let is_press = |event: &Event| {
+        matches!(event, Event::Key { key: Key::Enter, pressed: true, repeat: false, .. })
+    };
+    context.input(|input| input.events.iter().any(is_press))
 }
 
 fn preview(ui: &mut Ui, look: &Look, shown: &Shown) {
@@ -196,8 +204,7 @@ fn buttons(ui: &mut Ui, look: &Look, shown: &mut Shown) -> Option<Answer> {
             if field.changed() {
                 shown.choice.set_file(&file);
             }
-            let is_entered = field.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter));
-            if is_entered && can_export(shown.choice) {
+            if field.lost_focus() && is_entered(ui.ctx()) && can_export(shown.choice) {
                 answer = Some(Answer::Export);
             }
         });

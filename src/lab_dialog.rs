@@ -78,7 +78,9 @@ pub fn ui(context: &Context, look: &Look, mut shown: Shown) -> Option<Answer> {
             });
             answer = answer.or(asked.inner);
             ui.separator();
-            ui.vertical(|ui| {
+            // In a small window the choices alone fill it.
+            let all = ScrollArea::vertical().id_salt("lab side").auto_shrink([false, true]);
+            all.max_height(height).show(ui, |ui| {
                 ui.set_width(ui.available_width());
                 tabs(ui, look, shown.choice, shown.results);
                 let below = 40.0;

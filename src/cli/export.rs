@@ -54,8 +54,9 @@ pub struct Export {
     /// What is drawn: space (the tree, the ray and the state of the algorithm),
     /// tree (the same as a diagram of nodes, what is off the path folded), automaton,
     /// t-rail, codes, region, neighbour, listing (with variables),
-    /// table (of the steps), chart (of the costs), formula (of the step), storyboard (several steps with
-    /// their sentences) or worksheet (an exercise to be solved on paper).
+    /// table (of the steps), chart (of the costs), formula (of the step), storyboard
+    /// (several steps with their sentences) or worksheet (an exercise to be solved on
+    /// paper).
     #[arg(long, value_name = "VIEW", default_value = "space")]
     view: FigureView,
     /// svg, pdf, png, tikz, gif or apng; for the view table also markdown, csv or
@@ -68,8 +69,8 @@ pub struct Export {
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<PathBuf>,
     /// Number of steps that have happened, first (before all) or last, a range
-    /// such as 3-12, or all; without it, where the scenario says, and all for gif
-    /// and apng.
+    /// such as 3-12, or all; without it, where the scenario says, all for gif and
+    /// apng, and the last for table and chart if the scenario says none.
     #[arg(long, value_name = "N|first|last|A-B|all", allow_hyphen_values = true)]
     step: Option<Steps>,
     /// Steps of a storyboard: even:N of all, leaves:N of those that report a leaf,
@@ -130,8 +131,9 @@ pub struct Export {
     /// levels=2-5, the levels of the cells off the path; rest=faint or rest=hidden,
     /// how these cells are drawn; slice=x:0.5, a plane across an axis, at a share of
     /// the side, that cuts an octree open; apart=0.7, how far the children of the
-    /// current node are moved apart, in their sides. Without --show, what the
-    /// scenario says.
+    /// current node are moved apart, in their sides. What is not named is not shown:
+    /// with slice or apart alone, nothing else is. Without --show, what the scenario
+    /// says.
     #[arg(long, value_name = "NAMES", value_parser = parse_shown)]
     show: Option<Show>,
     /// Language of all words, and of the title inside a file: en or de.
@@ -181,6 +183,10 @@ pub fn export(arguments: &Export) -> anyhow::Result<Answer> {
     let steps = match arguments.step {
         Some(steps) => steps,
         None if request.order.format.moves() || request.order.format.is_of_text() => Steps::All,
+        // What tells of the steps so far tells of all of them.
+        None if saved == StepAt::First && arguments.view.is_of_the_way() => {
+            Steps::One(StepAt::Last)
+        }
         None => Steps::One(StepAt::At(saved.position(document.n_events()))),
     };
     let show = match request.show {

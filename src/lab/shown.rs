@@ -5,8 +5,8 @@ use crate::bench::{Column, GROUPS};
 use octoscope_core::measure::{Results, Site, Watched};
 use octoscope_core::text::Texts;
 use octoscope_figure::views::lab::{
-    Growth, growth_and_numbers, growth_chart, numbers_chart, processor_chart, published_chart,
-    scene_name, scenes_chart, way_name,
+    Growth, growth_and_numbers, growth_chart, growth_least_height, numbers_chart, processor_chart,
+    published_chart, scene_name, scenes_chart, way_name,
 };
 use octoscope_figure::views::{Entry, Table, Tone};
 use octoscope_figure::{Anchor, Figure};
@@ -43,7 +43,9 @@ pub fn figure_in(
     let small = |scale: f64| room.map(|extent| extent / scale);
     let fits = |figure: &Figure, scale: f64| {
         let [width, height] = small(scale);
-        figure.page.width <= width && figure.page.height <= height
+        // A chart of growth takes the height that there is, whether its names have room or not.
+        let least = if choice.tab == Tab::Growth { growth_least_height(results) } else { 0.0 };
+        figure.page.width <= width && figure.page.height.max(least) <= height
     };
     if choice.tab == Tab::Growth {
         let of = growth(choice, results);
@@ -71,7 +73,12 @@ fn numbers(choice: &Choice, results: &Results, texts: &Texts, width: f64) -> Fig
     let (scene, depth) = (choice.scene_in(results), choice.depth_in(results));
     let site = results.sites.iter().find(|site| site.scene == scene && site.depth == depth);
     let Some(site) = site else {
-        return numbers_chart([&texts.get("lab-nothing"), ""], &[], width);
+        let none = [("scene", scene_name(scene, texts).into()), ("depth", depth.into())];
+        let none = match results.sites.is_empty() {
+            true => texts.get("lab-nothing"),
+            false => texts.format("lab-no-site", &none),
+        };
+        return numbers_chart([&none, ""], &[], width);
     };
     let arguments = [
         ("scene", scene_name(&site.scene, texts).into()),

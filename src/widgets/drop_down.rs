@@ -41,6 +41,13 @@ pub fn drop_down<T: Copy + PartialEq>(
             ui.spacing_mut().interact_size.y = 21.0;
             ui.spacing_mut().button_padding.y = 1.0;
         }
+        // The present entry is entered, or where there is none the first.
+        let entries = lines.iter().filter_map(|line| match line {
+            Listed::Entry(entry, _) | Listed::Explained(entry, ..) => Some(*entry),
+            Listed::Title(_) => None,
+        });
+        let first = entries.clone().next();
+        let to_enter = present.filter(|present| entries.clone().any(|e| e == *present)).or(first);
         let enters = !ui.is_sizing_pass() && ui.data(|data| data.get_temp(entered) != Some(true));
         for line in lines {
             let (entry, name, why) = match line {
@@ -53,7 +60,7 @@ pub fn drop_down<T: Copy + PartialEq>(
             };
             let is_present = present == Some(entry);
             let row = ui.selectable_label(is_present, name);
-            if enters && is_present {
+            if enters && to_enter == Some(entry) {
                 row.request_focus();
                 row.scroll_to_me(Some(Align::Center));
             }

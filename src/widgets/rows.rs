@@ -1,4 +1,4 @@
-//! Several things in as few rows as have room, none of them alone in the last.
+//! Several things in as few rows as have room, filled as evenly as can be.
 
 use eframe::egui::Ui;
 
@@ -59,7 +59,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn nothing_stands_alone_in_the_last_row() {
+    fn rows_are_as_few_as_have_room_and_evenly_filled() {
         assert_eq!(balanced_rows(&[40.0; 8], 2.0, 350.0), [8]);
         assert_eq!(balanced_rows(&[48.0; 8], 2.0, 350.0), [4, 4]);
         assert_eq!(balanced_rows(&[48.0; 7], 2.0, 250.0), [4, 3]);

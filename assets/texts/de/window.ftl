@@ -227,7 +227,7 @@ arithmetic-exact-why = Die Parameter t werden als exakte Brüche verglichen; die
 arithmetic-fixed-why = Jedes Blatt wird immer exakt geprüft: Am Ergebnis werden die anderen Verfahren gemessen.
 point-codes = mit Codes
 point-comparison = mit Vergleichen
-reach-equal = gleich groß oder größer
+reach-equal = auch größere
 reach-leaf = Blatt
 reach-every-leaf = alle Blätter
 neighbour-codes = mit Codes
@@ -293,7 +293,7 @@ compare-leaves = Blätter
 compare-leaves-why = Besuchte Blätter; = wenn es die der Referenz sind, ≠ wenn nicht
 compare-steps = Schritte
 compare-steps-why = Schritte, die die Spur zeigt
-compare-nodes = Knoten
+compare-nodes = Zugriffe
 compare-nodes-why = Gelesene Verweise auf ein Kind oder den Elternknoten
 compare-tests = Vergl.
 compare-tests-why = Vergleiche von Koordinaten und Parametern, jeder Art

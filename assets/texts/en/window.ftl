@@ -293,7 +293,7 @@ compare-leaves = leaves
 compare-leaves-why = Visited leaves; = if they are those of the reference, ≠ if not
 compare-steps = steps
 compare-steps-why = Steps that the trace shows
-compare-nodes = nodes
+compare-nodes = touches
 compare-nodes-why = Links to a child or a parent that are read
 compare-tests = comp.
 compare-tests-why = Comparisons of coordinates and parameters, of every kind

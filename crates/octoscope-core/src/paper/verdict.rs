@@ -14,7 +14,8 @@ pub struct Verdict {
     /// The leaves on the ray in order, or the nodes that the query should find.
     pub expected: Vec<NodeId>,
     /// The nodes that the trace reports and should not, in the order of their numbers,
-    /// whether or not others are missing.
+    /// whether or not others are missing. Of a run that is to stop at the first full leaf,
+    /// those on the ray behind it are not among them.
     pub strayed: Vec<NodeId>,
     /// Number of events up to and with the first one that is wrong, if the trace
     /// does not agree: that is another than the same walk makes by the right rules.

@@ -134,6 +134,11 @@ impl FigureView {
         }
     }
 
+    /// Whether it tells of all the steps up to one.
+    pub fn is_of_the_way(self) -> bool {
+        matches!(self, Self::Table | Self::Chart)
+    }
+
     /// Whether it shows one step: a storyboard chooses its own, and a worksheet is
     /// the same at all.
     pub fn is_of_a_step(self) -> bool {

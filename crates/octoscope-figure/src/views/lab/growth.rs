@@ -2,7 +2,7 @@
 //! them.
 
 use super::marker::marker;
-use super::names::{in_unit, ratio, scene_name, short, way_name};
+use super::names::{in_unit, measured_once, ratio, scene_name, short, way_name};
 use crate::views::sheet::Sheet;
 use crate::{Anchor, Figure, Form, Part, Role, metrics};
 use octoscope_core::explain::RichText;
@@ -25,6 +25,8 @@ pub struct Growth<'a> {
 const MARK: f64 = 4.0;
 const LEADER: f64 = 24.0;
 const SAMPLE: f64 = 30.0;
+/// Distance of two names.
+const LABEL: f64 = 14.5;
 
 /// One line.
 struct Series {
@@ -65,7 +67,12 @@ pub fn growth_chart(
     let title = texts.get(&format!("lab-quantity-{}", of.cost.id()));
     sheet.text(Role::Heading, [0.0, 9.0], Anchor::Start, title);
     let arguments = [("scene", scene_name(of.scene, texts).into())];
-    let note = texts.format("lab-growth-note", &arguments);
+    let shifts = shifts(&all);
+    let mut note = texts.format("lab-growth-note", &arguments);
+    note += &measured_once(results, of.cost, texts);
+    if shifts.iter().any(|&shift| shift > 0.0) {
+        note += &texts.get("lab-side-by-side");
+    }
     let top = 22.0 + sheet.paragraph(Role::Note, [0.0, 22.0], width, &note.into());
 
     // What stands at the ends of the lines.
@@ -113,9 +120,10 @@ pub fn growth_chart(
     let unit = texts.get(&format!("lab-unit-{}", of.size.id()));
     sheet.text(Role::Scale, [right, lower + 30.0], Anchor::End, unit);
 
-    for series in &all {
+    for (series, shift) in all.iter().zip(shifts) {
         let role = role_of(series.way);
-        let line: Vec<[f64; 2]> = series.points.iter().map(|&p| place(p)).collect();
+        let shifted = |[x, y]: [f64; 2]| [x, y + shift];
+        let line: Vec<[f64; 2]> = series.points.iter().map(|&p| shifted(place(p))).collect();
         sheet.line(role, line.clone());
         for at in line {
             mark(&mut sheet, series.way, at);
@@ -124,7 +132,7 @@ pub fn growth_chart(
     // Names at the ends, as near to them as there is room.
     let ends: Vec<f64> =
         all.iter().map(|s| s.points.last().map_or(lower, |&p| place(p)[1])).collect();
-    let tops = spread(&ends, 14.5, [upper - 8.0, lower + 8.0]);
+    let tops = spread(&ends, LABEL, [upper - 8.0, lower + 8.0]);
     for (((series, label), end), y) in all.iter().zip(labels).zip(ends).zip(tops) {
         let role = role_of(series.way);
         let leader = vec![[right + 7.0, end], [right + LEADER, y]];
@@ -136,6 +144,25 @@ pub fn growth_chart(
         sheet.text(Role::Note, [to + 6.0, y], Anchor::Start, label);
     }
     sheet.figure([width, height])
+}
+
+/// Least height of a chart in which the names of all ways have room.
+pub fn growth_least_height(results: &Results) -> f64 {
+    const BESIDE: f64 = 120.0;
+    BESIDE + LABEL * results.ways().len() as f64
+}
+
+/// How far each curve is drawn below its place: those that coincide are all seen.
+fn shifts(all: &[Series]) -> Vec<f64> {
+    const APART: f64 = 3.5;
+    let is_near = |a: f64, b: f64| (a - b).abs() <= 0.005 * a.abs().max(b.abs());
+    let coincide = |a: &Series, b: &Series| {
+        let mut pairs = a.points.iter().zip(&b.points);
+        let is_same = pairs.all(|(p, q)| is_near(p[0], q[0]) && is_near(p[1], q[1]));
+        a.points.len() == b.points.len() && is_same
+    };
+    let n_before = |n: usize| all[..n].iter().filter(|other| coincide(other, &all[n])).count();
+    (0..all.len()).map(|n| APART * n_before(n) as f64).collect()
 }
 
 /// Every algorithm has a look of its own, and so have the kernels.
@@ -273,6 +300,19 @@ mod tests {
             let pieces = marker(number_of(way), [0.0; 2], MARK).len();
             assert_eq!([n(Part::Edge), n(Part::Head)], [2, 3 * pieces], "{way}");
         }
+    }
+
+    #[test]
+    fn curves_that_coincide_are_drawn_side_by_side() {
+        let series = |points: &[[f64; 2]]| Series {
+            way: Way::Batch(Kernel::Plain),
+            points: points.to_vec(),
+            law: None,
+        };
+        let (one, other) = ([[1.0, 2.0], [2.0, 4.0]], [[1.0, 2.0], [2.0, 5.0]]);
+        let found = shifts(&[series(&one), series(&other), series(&one), series(&one)]);
+        assert_eq!(found[..2], [0.0, 0.0]);
+        assert!(found[2] > 0.0 && found[3] > found[2], "{found:?}");
     }
 
     #[test]

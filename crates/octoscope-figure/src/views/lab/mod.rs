@@ -10,7 +10,7 @@ mod scenes;
 
 #[cfg(doc)]
 use crate::Figure;
-pub use growth::{Growth, growth_chart};
+pub use growth::{Growth, growth_chart, growth_least_height};
 pub use names::{scene_name, way_name};
 pub use numbers::{growth_and_numbers, numbers_chart};
 pub use processor::processor_chart;

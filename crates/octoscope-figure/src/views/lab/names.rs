@@ -1,7 +1,7 @@
 //! Names and numbers in charts.
 
 use octoscope_core::explain::{algorithm_name, approx};
-use octoscope_core::measure::{Claim, Quantity, Way};
+use octoscope_core::measure::{Claim, Quantity, Results, Way};
 use octoscope_core::text::Texts;
 use octoscope_core::traverse::Kernel;
 
@@ -53,6 +53,14 @@ pub(super) fn in_unit(quantity: Quantity, x: f64) -> f64 {
     }
 }
 
+/// That times were measured once only, if times are shown; the end of a note.
+pub(super) fn measured_once(results: &Results, cost: Quantity, texts: &Texts) -> String {
+    let rows = || results.sites.iter().flat_map(|site| &site.rows);
+    let is_time = matches!(cost, Quantity::Time | Quantity::TimePerLeaf);
+    let is_once = rows().next().is_some() && rows().all(|row| row.times.len() == 1);
+    if is_time && is_once { texts.get("lab-measured-once") } else { String::new() }
+}
+
 /// A number with three digits or so.
 pub(super) fn short(x: f64) -> String {
     let digits = match x.abs() {
@@ -64,7 +72,8 @@ pub(super) fn short(x: f64) -> String {
     approx(rounded)
 }
 
-/// A ratio with two digits behind the sign.
+/// A ratio with three digits, or so.
 pub(super) fn ratio(x: Option<f64>) -> String {
-    x.map_or_else(|| "–".to_owned(), |x| format!("{x:.2}"))
+    let digits = |x: f64| if x < 10.0 { 2 } else { usize::from(x < 100.0) };
+    x.map_or_else(|| "–".to_owned(), |x| format!("{x:.*}", digits(x)))
 }

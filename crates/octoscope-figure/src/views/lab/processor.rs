@@ -8,7 +8,7 @@ use octoscope_core::explain::RichText;
 use octoscope_core::measure::{BranchKind, Watched};
 use octoscope_core::text::Texts;
 
-const ROW: f64 = 32.0;
+const ROW: f64 = 38.0;
 const STRIP: f64 = 13.0;
 const GAP: f64 = 22.0;
 
@@ -50,9 +50,9 @@ pub fn processor_chart(watched: &[Watched], texts: &Texts, width: f64) -> Figure
             sheet.text(Role::Note, [x, y + 8.0], Anchor::Start, text.trim_end().to_owned());
         }
         let missed: Vec<bool> = one.reads.iter().map(|read| !read.is_cached).collect();
-        strip(&mut sheet, &missed, [left, y + 16.0], memory);
+        strip(&mut sheet, &missed, [left, y + 19.0], memory);
         let missed: Vec<bool> = one.branches.iter().map(|branch| !branch.is_predicted).collect();
-        strip(&mut sheet, &missed, [second, y + 16.0], branches);
+        strip(&mut sheet, &missed, [second, y + 19.0], branches);
     }
     let mut y = head + ROW * watched.len() as f64 + 12.0;
     sheet.text(Role::Heading, [0.0, y + 8.0], Anchor::Start, texts.get("lab-kinds"));

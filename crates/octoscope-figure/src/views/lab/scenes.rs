@@ -1,6 +1,6 @@
 //! Bars of all algorithms in every scene, in the manner of figures 8 to 10 of the paper.
 
-use super::names::{in_unit, ratio as in_units, scene_name, short, way_name};
+use super::names::{in_unit, measured_once, ratio as in_units, scene_name, short, way_name};
 use crate::views::sheet::Sheet;
 use crate::{Anchor, Figure, Form, Part, Role, metrics};
 use octoscope_core::explain::RichText;
@@ -13,8 +13,11 @@ const HEAD: f64 = 24.0;
 const GAP: f64 = 28.0;
 /// Narrowest room for the bars of a scene.
 const LEAST: f64 = 250.0;
-/// Longer bars are cut.
-const MOST: f64 = 4.0;
+/// Where bars begin, as a multiple of the best, on a logarithmic scale; the least that it
+/// goes to; and the values that are marked on it.
+const FROM: f64 = 0.7;
+const LEAST_END: f64 = 2.0;
+const MARKED: [f64; 9] = [1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0, 1e3, 1e4];
 
 /// A bar an algorithm for every scene at `depth`, in units of the best; as a figure of
 /// this width.
@@ -36,7 +39,8 @@ pub fn scenes_chart(
     sheet.text(Role::Heading, [0.0, 9.0], Anchor::Start, title);
     let unit = texts.get(&format!("lab-unit-{}", quantity.id()));
     let arguments = [("depth", depth.into()), ("unit", unit.into())];
-    let note = texts.format("lab-scenes-note", &arguments);
+    let once = measured_once(results, quantity, texts);
+    let note = texts.format("lab-scenes-note", &arguments) + &once;
     let top = 22.0 + sheet.paragraph(Role::Note, [0.0, 22.0], width, &note.into()) + 10.0;
 
     let n_columns = (((width + GAP) / (LEAST + GAP)) as usize).clamp(1, sites.len());
@@ -83,7 +87,14 @@ fn panel(
     let numbers_wide = metrics::width(Role::Note, &"00.00".into()) + 8.0;
     let room = x + width - left - numbers_wide;
     let ratios: Vec<f64> = site.rows.iter().map(|row| quantity.of(site, row) / best).collect();
-    let longest = ratios.iter().copied().filter(|r| r.is_finite()).fold(1.0, f64::max).min(MOST);
+    let longest = ratios.iter().copied().filter(|r| r.is_finite()).fold(LEAST_END, f64::max);
+    let length = |ratio: f64| (ratio / FROM).ln() / (longest / FROM).ln() * room;
+    let bottom = y + HEAD + ROW * site.rows.len() as f64;
+    for marked in MARKED.into_iter().filter(|&marked| marked <= longest) {
+        let x = left + length(marked);
+        sheet.line(Role::Scale, [[x, y + HEAD - 2.0], [x, bottom + 2.0]]);
+        sheet.text(Role::Scale, [x, bottom + 10.0], Anchor::Middle, short(marked));
+    }
     for (n, (name, ratio)) in names.into_iter().zip(ratios).enumerate() {
         let middle = y + HEAD + ROW * (n as f64 + 0.5);
         sheet.text(Role::Note, [left - 8.0, middle], Anchor::End, name);
@@ -91,26 +102,13 @@ fn panel(
             sheet.text(Role::Note, [left + 6.0, middle], Anchor::Start, "–");
             continue;
         }
-        let length = ratio.min(longest) / longest * room;
         let [above, below] = [middle - 0.5 * BAR, middle + 0.5 * BAR];
-        let end = left + length;
-        let points = if ratio > longest {
-            // The point says that it goes on.
-            vec![
-                [left, above],
-                [end - 8.0, above],
-                [end, middle],
-                [end - 8.0, below],
-                [left, below],
-            ]
-        } else {
-            vec![[left, above], [end, above], [end, below], [left, below]]
-        };
+        let end = left + length(ratio);
+        let points = vec![[left, above], [end, above], [end, below], [left, below]];
         let role = if ratio == 1.0 { Role::Spent } else { Role::Compared };
         sheet.push(role, Part::Whole, Form::Polygon(points));
         sheet.text(Role::Note, [end + 5.0, middle], Anchor::Start, in_units(Some(ratio)));
     }
-    let bottom = y + HEAD + ROW * site.rows.len() as f64;
     sheet.line(Role::Rule, [[left, y + HEAD - 2.0], [left, bottom + 2.0]]);
-    bottom + 2.0 - y
+    bottom + 16.0 - y
 }
