@@ -78,16 +78,18 @@ pub fn ui(context: &Context, look: &Look, mut shown: Shown) -> Option<Answer> {
             });
             answer = answer.or(asked.inner);
             ui.separator();
-            // In a small window the choices alone fill it.
-            let all = ScrollArea::vertical().id_salt("lab side").auto_shrink([false, true]);
-            all.max_height(height).show(ui, |ui| {
-                ui.set_width(ui.available_width());
-                tabs(ui, look, shown.choice, shown.results);
-                let below = 40.0;
-                let high = (height - (ui.cursor().top() - ui.min_rect().top()) - below).max(80.0);
-                content(ui, look, &shown, high);
-                ui.add_space(4.0);
-                answer = answer.or(save(ui, look, &shown));
+            ui.vertical(|ui| {
+                // In a small window the choices alone fill it.
+                let all = ScrollArea::vertical().id_salt("lab side").auto_shrink([false, true]);
+                all.max_height(height).show(ui, |ui| {
+                    ui.set_width(ui.available_width());
+                    tabs(ui, look, shown.choice, shown.results);
+                    let below = 40.0;
+                    let above = ui.cursor().top() - ui.min_rect().top();
+                    content(ui, look, &shown, (height - above - below).max(80.0));
+                    ui.add_space(4.0);
+                    answer = answer.or(save(ui, look, &shown));
+                });
             });
         });
     });
