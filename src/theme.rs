@@ -124,8 +124,8 @@ fn scroll_bars() -> ScrollStyle {
         dormant_background_opacity: 0.0,
         active_background_opacity: 0.0,
         foreground_color: true,
-        dormant_handle_opacity: 0.35,
-        active_handle_opacity: 0.5,
+        dormant_handle_opacity: 0.6,
+        active_handle_opacity: 0.8,
         ..ScrollStyle::thin()
     }
 }

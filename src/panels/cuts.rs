@@ -2,7 +2,7 @@
 
 use crate::look::Look;
 use crate::widgets::{
-    Setting, beside_or_below, bit_of, caption, captioned, child_bits, node_note, range, table,
+    Setting, beside_or_below, bit_of, caption, child_bits, node_note, range, rich_label, table,
 };
 use eframe::egui::Ui;
 use octoscope_core::event::Event;
@@ -108,7 +108,10 @@ pub fn ui<const D: usize>(
             let at = now.and_then(|piece| rule.compared(piece));
             let told = at.map_or_else(|| "–".into(), |at| sides(mid, at));
             let key = if rule == Rule::Middles { "cuts-middle" } else { "cuts-beginning" };
-            captioned(ui, look, &look.text(key), &told, "");
+            ui.horizontal(|ui| {
+                caption(ui, look, look.text(key));
+                rich_label(ui, look, &told, 13.0, f32::INFINITY);
+            });
         }
     }
     beside_or_below(ui, |ui| {

@@ -199,7 +199,7 @@ impl Style {
                 )
             }
             Role::Transition(axis) => {
-                Self { fill: Some(p.axes[axis].faded(0.5)), ..line(p.axes[axis].faded(0.5), 1.3) }
+                Self { fill: Some(p.axes[axis].faded(0.75)), ..line(p.axes[axis].faded(0.75), 1.3) }
             }
             Role::TransitionTaken(axis) => {
                 Self { fill: Some(p.axes[axis]), ..line(p.axes[axis], 3.6) }

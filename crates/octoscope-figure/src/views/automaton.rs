@@ -42,7 +42,10 @@ impl<const D: usize> Automaton<D> {
         let (state, step) = if let Some(&Event::Step { state, axes, next, .. }) = event {
             (Some(state), Some((axes, next)))
         } else {
-            (moment.stack.iter().rev().find_map(|frame| frame.child_state), None)
+            // At the end it is in none.
+            let frames =
+                moment.stack.iter().rev().filter(|_| !matches!(event, Some(Event::End(_))));
+            (frames.into_iter().find_map(|frame| frame.child_state), None)
         };
         let entered = match event {
             Some(Event::First { entry_axis, .. }) => *entry_axis,
@@ -310,6 +313,22 @@ mod tests {
         };
         assert_eq!(rule(Algorithm::Parametric), "t_ym ≤ t_x0 → 2");
         assert_eq!(rule(Algorithm::ParametricTable), "t_ym < t_x0 → 2");
+    }
+
+    #[test]
+    fn at_the_end_no_state_is_lit() {
+        use octoscope_core::scenario::{AnyScenario, built_in};
+        use octoscope_core::trace::record;
+        let Some(AnyScenario::Quadtree(scenario)) = built_in("quadtree-82") else { panic!() };
+        let tree = scenario.tree().unwrap();
+        let trace = record(&tree, &scenario.ray, &scenario.query);
+        let state = |step: usize| {
+            let moment = Moment::after(&tree, &trace, step);
+            Automaton::of(&moment, trace.events.get(step - 1), &scenario.query).state
+        };
+        let end = trace.events.len();
+        assert!(matches!(trace.events[end - 1], Event::End(_)));
+        assert_eq!((state(end), state(end - 1).is_some()), (None, true));
     }
 
     #[test]

@@ -94,7 +94,14 @@ impl<const D: usize> Writer<'_, D> {
                     Sign::Implies,
                     interval.fenced(super::Fence::Round),
                 ],
-                numbers: Some(values.fenced(super::Fence::Round)),
+                // The condition again, or the values would stand below it.
+                numbers: Some(row![
+                    self.bit(e),
+                    Sign::Equal,
+                    bit,
+                    Sign::Implies,
+                    values.fenced(super::Fence::Round),
+                ]),
             }
         }));
         all
