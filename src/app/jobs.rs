@@ -256,6 +256,12 @@ impl App {
         if with_document!(&self.document, d => d.scenario.query.is_misprinted()) {
             self.view.sought = Some(PanelKind::Paper);
         }
+        // What it gets wrong is to be seen.
+        if with_document!(&self.document, d => d.scenario.query.variants_at_work().has(Variant::B7))
+        {
+            self.view.plane_show.mirrored_ray = true;
+            self.view.space_show.mirrored_ray = true;
+        }
         self.settled = self.shown();
     }
 

@@ -196,7 +196,12 @@ const MOST_POINTS: usize = 200_000;
 /// The content of an octree, or the points of a quadtree.
 fn content_layer<const D: usize>(content: &Content<D>, theme: Theme) -> Option<Layer> {
     let palette = Palette::of(theme);
-    let (colour, surface) = (color32(palette.quiet_ink), color32(palette.grid));
+    let surface = match theme {
+        Theme::Light | Theme::Print | Theme::Projector => palette.grid,
+        // What is turned from the light would be lost on dark ground.
+        Theme::Dark => palette.quiet_ink.faded(0.65).over(palette.background),
+    };
+    let (colour, surface) = (color32(palette.quiet_ink), color32(surface));
     let point = |p: &[f64; D]| in_space(*p);
     match content {
         Content::Points(points) => {

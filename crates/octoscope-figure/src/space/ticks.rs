@@ -1,4 +1,5 @@
-//! The numbers of an axis in the plane: evenly spaced, and apart from each other.
+//! The numbers of an axis in the plane: evenly spaced, but for those that the ray crosses,
+//! and apart from each other.
 
 use super::Canvas;
 use crate::figure::text_reach;
@@ -69,28 +70,29 @@ impl<const D: usize> Canvas<'_, D> {
     }
 }
 
-/// Those of the ticks along an axis that are written: as many as have room, every one or
-/// every second one and so on between two of them, and among as many those that span the
-/// most.
+/// Those of the ticks along an axis that are written: every one or every second one and so
+/// on, so that they are apart; of such rows the one with the most that have room, and among
+/// as many the one that spans the most. A number that has no room is left out alone.
 fn evenly<'t, 'm, const D: usize>(
     ticks: &'t [Option<Tick<'m, D>>],
     axis: usize,
     has_room: impl Fn(&Tick<'m, D>) -> bool,
 ) -> Vec<&'t Tick<'m, D>> {
-    let free: Vec<_> =
-        ticks.iter().map(|tick| tick.as_ref().filter(|tick| has_room(tick))).collect();
+    let free: Vec<bool> = ticks.iter().map(|tick| tick.as_ref().is_some_and(&has_room)).collect();
     let are_apart = |a: &Tick<'_, D>, b: &Tick<'_, D>| {
         (a.at[axis] - b.at[axis]).abs() >= a.reach[axis] + b.reach[axis] + GAP
     };
-    let n = free.len();
+    let n = ticks.len();
     let rows = (1..=n.max(1)).flat_map(|step| (0..n).map(move |first| (step, first)));
     let rows = rows.map(|(step, first)| {
-        let mut row: Vec<&Tick<'_, D>> = Vec::new();
-        for tick in free.iter().skip(first).step_by(step).map_while(|tick| *tick) {
-            if row.last().is_some_and(|last| !are_apart(last, tick)) {
+        let (mut row, mut last): (Vec<&Tick<'_, D>>, Option<&Tick<'_, D>>) = (Vec::new(), None);
+        let own = ticks.iter().zip(&free).skip(first).step_by(step);
+        for (tick, is_free) in own.map_while(|(tick, is_free)| Some((tick.as_ref()?, is_free))) {
+            if last.is_some_and(|last| !are_apart(last, tick)) {
                 break;
             }
-            row.push(tick);
+            last = Some(tick);
+            row.extend(is_free.then_some(tick));
         }
         (row.len(), row.len() * step, row)
     });
