@@ -192,10 +192,10 @@ fn pieces_table<const D: usize>(
             let text = bit_of(piece.child, axis);
             let is_flipped = rule == Rule::Flips && piece.flipped.contains(axis);
             let is_lit = is_now && flips && is_flipped;
+            let text = RichText(if is_known { vec![text] } else { Vec::new() });
             // Later it is still to be seen which bit was flipped.
-            let arrow = Span { text: "→".to_owned(), ..text.clone() };
-            let told = if is_flipped { vec![arrow, text] } else { vec![text] };
-            let text = RichText(if is_known { told } else { Vec::new() });
+            let was_flipped = is_flipped && is_known && !is_now;
+            let tone = if was_flipped { Tone::Line } else { tone };
             Entry::new(text, if is_lit { Tone::Used } else { tone })
         };
         let first = [Entry::new(range([piece.from, piece.to]), tone), Entry::new(child, tone)];
