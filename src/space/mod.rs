@@ -161,7 +161,8 @@ fn tell<const D: usize>(
     if moved || view.pointed.is_none() {
         view.pointed = Some(moment.step);
     }
-    if let Some(node) = hovered {
+    // A light is there to point with: what is pointed at is told by whoever points.
+    if let Some(node) = hovered.filter(|_| !view.spotlight) {
         let why = why::why(&document.shown(moment), node, view.language);
         let is_of_axis = |role: MarkRole| matches!(role, MarkRole::AxisLabel(_));
         let axes = frame.places_of(figure, is_of_axis);

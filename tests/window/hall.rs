@@ -59,6 +59,15 @@ fn the_spotlight_dims_no_dialog() {
 }
 
 #[test]
+fn the_spotlight_covers_nothing_with_what_is_said_of_a_cell() {
+    let mut desk = Desk::new();
+    desk.point_at(desk.place([0.756, 0.4]));
+    let n_said = desk.texts().len();
+    desk.press(Key::S);
+    assert!(desk.texts().len() < n_said, "{:?}", desk.texts());
+}
+
+#[test]
 fn no_hint_of_the_timeline_covers_the_sentence() {
     for (preset, size) in [(Preset::Rail, [1280.0, 800.0]), (Preset::Lecture, [1024.0, 768.0])] {
         let mut desk = Desk::of(Harness::builder(), size);

@@ -14,9 +14,9 @@ algorithms-grid = Auf dem feinsten Raster
 algorithms-reference = Vergleichsmaßstab
 
 cuts-none = Zeigt die sortierten Mittelebenen, sobald ein Knoten zerschnitten wird.
-cuts-mask = Vorzeichen
 cuts-middle = Mitte
 cuts-beginning = Anfang
+cuts-mask = Vorzeichen
 cuts-plane = Ebene
 cuts-inside = schneidet
 cuts-before = davor

@@ -43,12 +43,16 @@ fn results(depths: std::ops::RangeInclusive<u8>) -> Results {
     Results { seed: 1, sites: sites.collect(), ..Results::default() }
 }
 
-/// No text leaves the page or covers another.
+/// No text leaves the page or covers another, and everything has a place.
 #[track_caller]
 fn check(figure: &Figure, what: &str) {
     let mut texts: Vec<(String, [f64; 4])> = Vec::new();
     let Page { width, height } = figure.page;
     for drawn in &figure.drawn {
+        if let Form::Polygon(points) | Form::Polyline(points) = &drawn.form {
+            let are_numbers = points.iter().flatten().all(|x| x.is_finite());
+            assert!(are_numbers, "{what}: {drawn:?}");
+        }
         let Form::Text { at: [x, y], anchor, text } = &drawn.form else { continue };
         let wide = metrics::width(drawn.role, text);
         let (left, size) = (x - anchor.share() * wide, metrics::size(drawn.role));

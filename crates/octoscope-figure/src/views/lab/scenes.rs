@@ -88,12 +88,19 @@ fn panel(
     let room = x + width - left - numbers_wide;
     let ratios: Vec<f64> = site.rows.iter().map(|row| quantity.of(site, row) / best).collect();
     let longest = ratios.iter().copied().filter(|r| r.is_finite()).fold(LEAST_END, f64::max);
-    let length = |ratio: f64| (ratio / FROM).ln() / (longest / FROM).ln() * room;
+    // What costs nothing has no bar.
+    let length = |ratio: f64| (ratio.max(FROM) / FROM).ln() / (longest / FROM).ln() * room;
     let bottom = y + HEAD + ROW * site.rows.len() as f64;
+    let mut free_from = f64::NEG_INFINITY;
     for marked in MARKED.into_iter().filter(|&marked| marked <= longest) {
-        let x = left + length(marked);
+        let (x, number) = (left + length(marked), short(marked));
+        let half = 0.5 * metrics::width(Role::Scale, &number.as_str().into());
+        if x - half < free_from {
+            continue;
+        }
+        free_from = x + half + 6.0;
         sheet.line(Role::Scale, [[x, y + HEAD - 2.0], [x, bottom + 2.0]]);
-        sheet.text(Role::Scale, [x, bottom + 10.0], Anchor::Middle, short(marked));
+        sheet.text(Role::Scale, [x, bottom + 10.0], Anchor::Middle, number);
     }
     for (n, (name, ratio)) in names.into_iter().zip(ratios).enumerate() {
         let middle = y + HEAD + ROW * (n as f64 + 0.5);
