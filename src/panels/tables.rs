@@ -72,13 +72,13 @@ pub const LECTURE_HEIGHT: f32 = 200.0;
 /// Width of the column of a child, and of the captions before them.
 const COLUMN: f32 = 22.0;
 const CAPTIONS: f32 = 62.0;
-/// Directions side by side are told apart from this distance on.
+/// Directions by their axes are told apart from this distance on.
 const LEAST_GAP: f32 = 8.0;
 
 /// How the tables are set: closer where there is no room.
 fn setting<const D: usize>(ui: &Ui) -> Setting {
     let columns = Child::<D>::COUNT as f32;
-    let gap = ((ui.available_width() - CAPTIONS) / columns - COLUMN).clamp(LEAST_GAP, 10.0);
+    let gap = ((ui.available_width() - CAPTIONS) / columns - COLUMN).clamp(2.0, 10.0);
     Setting { gap, least: COLUMN }
 }
 
@@ -265,13 +265,15 @@ fn fitting<const D: usize>(
     look: &Look,
     written: impl Fn(Told) -> views::Table,
 ) -> (views::Table, Setting) {
-    let (wide, close) = (setting::<D>(ui), Setting { gap: LEAST_GAP, least: 16.0 });
+    let by_place = setting::<D>(ui);
+    let wide = Setting { gap: by_place.gap.max(LEAST_GAP), ..by_place };
+    let close = Setting { gap: LEAST_GAP, least: 16.0 };
     let by_axes = written(Told::ByAxes);
     let fits =
         |setting: &Setting| table_width(ui, look, &by_axes, *setting) <= ui.available_width();
     match [wide, close].into_iter().find(fits) {
         Some(setting) => (by_axes, setting),
-        None => (written(Told::ByPlace), wide),
+        None => (written(Told::ByPlace), by_place),
     }
 }
 

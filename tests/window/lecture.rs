@@ -69,6 +69,12 @@ fn cut(desk: &Desk) -> Vec<String> {
             }
         });
     }
+    // What lies wholly beyond the window is not painted.
+    let window = desk.ctx.content_rect();
+    let placed =
+        desk.nodes().into_iter().filter(|node| node.accesskit_node().bounding_box().is_some());
+    let beyond = placed.filter(|node| node.rect().right() > window.right() + 0.5);
+    all.extend(beyond.map(|node| format!("{:?}", node.accesskit_node().value())));
     all
 }
 
