@@ -125,7 +125,8 @@ impl App {
     /// Takes away the hint that is shown, once a dialog comes over what it is about: for
     /// one frame there is nothing below it that could have one, and none comes back.
     fn take_hints_away(&mut self, ui: &mut Ui) {
-        let is_covered = self.view.dialog.is_some();
+        let shows_progress = self.job.as_ref().is_some_and(|(job, _)| job.is_shown());
+        let is_covered = self.view.dialog.is_some() || shows_progress;
         if is_covered && !self.was_covered {
             ui.visuals_mut().disabled_alpha = 1.0;
             ui.disable();
