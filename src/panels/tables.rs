@@ -25,11 +25,17 @@ pub fn ui<const D: usize>(ui: &mut Ui, look: &Look, tree: &Tree<D>, past: &[Even
             let direction = named(used.direction);
             let arguments = [("direction", direction.into()), ("child", used.child.0.into())];
             let key = match (used.tables(), way.is_over) {
-                ([], _) => "tables-used-bits",
+                ([], true) => "tables-bits-before",
+                ([], false) => "tables-used-bits",
                 (_, true) => "tables-used-before",
                 (_, false) => "tables-used",
             };
-            caption(ui, look, look.texts.format(key, &arguments));
+            let mut told = look.texts.format(key, &arguments);
+            // Nobody in a hall can point at it.
+            if key == "tables-used" && !look.is_for_hall() {
+                told += &look.text("tables-point");
+            }
+            caption(ui, look, told);
             children(ui, look, used, way.is_over);
         }
         None => caption(ui, look, look.text("tables-none")),

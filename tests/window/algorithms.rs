@@ -37,7 +37,7 @@ fn peculiar(algorithm: Algorithm) -> Option<[&'static str; 2]> {
         Algorithm::Samet | Algorithm::SametCorner => Some(["Neighbour tables", "way up"]),
         Algorithm::SametNet => Some(["Links", "border"]),
         Algorithm::Bsp => Some(["Halving", "half only"]),
-        Algorithm::Dda | Algorithm::DdaOctree => Some(["Finest grid", "across"]),
+        Algorithm::Dda | Algorithm::DdaOctree => Some(["Finest grid", "through plane"]),
     }
 }
 

@@ -21,7 +21,7 @@ cuts-plane = Ebene
 cuts-inside = schneidet
 cuts-before = davor
 cuts-after = danach
-cuts-piece = Stück von t
+cuts-piece = Stück in t
 cuts-child = Kind
 
 children-none = Zeigt die Prüfung aller Kinder, sobald ein Knoten betreten wird.
@@ -40,8 +40,10 @@ way-down-pushed = verschoben nach
 way-down-target = Codes dahinter
 
 tables-none = Zeigt die benutzten Einträge, sobald ein Nachbar gesucht wird.
-tables-used = Richtung { $direction }, Kind { $child }. Regel: auf den Eintrag zeigen.
+tables-used = Richtung { $direction }, Kind { $child }.
+tables-point = { " " }Wer auf einen Eintrag zeigt, liest seine Regel.
 tables-used-before = Zuletzt nachgeschlagen: Richtung { $direction }, Kind { $child }.
+tables-bits-before = Zuletzt aus den Bits gelesen: Richtung { $direction }, Kind { $child }.
 tables-used-bits = Richtung { $direction }, Kind { $child }: aus den Bits gelesen; die Tabellen sagen dasselbe.
 tables-child = Kind
 tables-yes = ja

@@ -40,8 +40,10 @@ way-down-pushed = pushed to
 way-down-target = codes beyond
 
 tables-none = Shows the used entries once a neighbour is looked for.
-tables-used = Direction { $direction }, child { $child }. Point at an entry for its rule.
+tables-used = Direction { $direction }, child { $child }.
+tables-point = { " " }Point at an entry for its rule.
 tables-used-before = Looked up last: direction { $direction }, child { $child }.
+tables-bits-before = Read from the bits last: direction { $direction }, child { $child }.
 tables-used-bits = Direction { $direction }, child { $child }: read from the bits; the tables say the same.
 tables-child = child
 tables-yes = yes
@@ -87,4 +89,4 @@ grid-count = { $n ->
 }
 grid-cell = cell
 grid-outside = outside
-grid-crossed = across { $axes }
+grid-crossed = through plane { $axes }
