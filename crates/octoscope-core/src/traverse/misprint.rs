@@ -38,7 +38,7 @@ pub fn traverse<const D: usize>(
     let domain = tree.domain();
     let rules = Rules(options.variants);
     let mirror = Axes::where_true(ray.direction().map(|d| d < 0.0));
-    let origin = mirrored_origin(domain, ray, rules);
+    let origin = mirrored_origin(domain, ray, options.variants);
     let direction = ray.direction().map(f64::abs);
 
     // Clip: the six (four) parameters of the root.

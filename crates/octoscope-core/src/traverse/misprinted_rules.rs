@@ -88,13 +88,17 @@ impl Rules {
 
 /// Origin of the ray mirrored so that no component of its direction is negative:
 /// eq. 16, p' = x_0 + x_1 − p.
-pub fn mirrored_origin<const D: usize>(domain: &Domain<D>, ray: &Ray<D>, rules: Rules) -> [f64; D] {
+pub fn mirrored_origin<const D: usize>(
+    domain: &Domain<D>,
+    ray: &Ray<D>,
+    variants: Variants,
+) -> [f64; D] {
     let (origin, direction) = (ray.origin(), ray.direction());
     std::array::from_fn(|e| {
         let [low, high] = [0, domain.grid_size()].map(|index| domain.plane(e, index));
         if direction[e] >= 0.0 {
             origin[e]
-        } else if rules.has(Variant::B7) {
+        } else if variants.has(Variant::B7) {
             domain.side() - origin[e]
         } else {
             low + high - origin[e]

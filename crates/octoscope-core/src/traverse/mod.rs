@@ -40,6 +40,7 @@ pub(crate) use bsp::halves;
 pub use clip::{Clip, clip, slabs};
 pub(crate) use hero::sorted;
 pub(crate) use misprint::{Base, traverse as traverse_mirrored};
+pub use misprinted_rules::mirrored_origin;
 pub(crate) use misprinted_rules::selection;
 pub use parametric_table::{TABLE_1, TABLE_2, TABLE_3, entry_axes, transition};
 pub use variant::{UnknownVariant, Variant, Variants};

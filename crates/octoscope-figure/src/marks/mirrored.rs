@@ -4,7 +4,7 @@ use super::{Scene, far_end};
 use crate::{Mark, Role, Shape};
 use octoscope_core::geometry::{Aabb, Axes, Ray};
 use octoscope_core::query::Query;
-use octoscope_core::traverse::Variant;
+use octoscope_core::traverse::{Variant, mirrored_origin};
 use octoscope_core::tree::{Child, NodeId};
 
 impl<const D: usize> Scene<'_, D> {
@@ -31,26 +31,16 @@ impl<const D: usize> Scene<'_, D> {
         let ends = [self.ray.origin(), far_end(self.tree, self.ray)].map(mirror);
         marks.push(Mark::new(Shape::Arrow(ends), Role::MirroredRay));
         marks.push(Mark::new(Shape::Point(ends[0]), Role::MirroredOrigin));
-        marks.extend(self.wrongly_mirrored(mask));
+        marks.extend(self.wrongly_mirrored());
     }
 
-    /// The ray as the printed rule mirrors it, where that is another one: eq. 16 as printed
-    /// takes the side of the root for the sum of its ends.
-    fn wrongly_mirrored(&self, mask: Axes<D>) -> Option<Mark<D>> {
-        let is_printed = self.query.variants_at_work().has(Variant::B7);
-        let domain = self.tree.domain();
-        let origin = self.ray.origin();
-        let wrong = std::array::from_fn(|e| match mask.contains(e) {
-            true => domain.side() - origin[e],
-            false => origin[e],
-        });
-        let direction = self.ray.direction();
-        let along = std::array::from_fn(|e| match mask.contains(e) {
-            true => -direction[e],
-            false => direction[e],
-        });
-        let ray = Ray::new(wrong, along).ok().filter(|_| is_printed)?;
-        let ends = [wrong, far_end(self.tree, &ray)];
+    /// The ray as the printed rule, eq. 16, mirrors it, where that is another one.
+    fn wrongly_mirrored(&self) -> Option<Mark<D>> {
+        let variants = self.query.variants_at_work();
+        let origin = mirrored_origin(self.tree.domain(), self.ray, variants);
+        let along = self.ray.direction().map(f64::abs);
+        let ray = Ray::new(origin, along).ok().filter(|_| variants.has(Variant::B7))?;
+        let ends = [origin, far_end(self.tree, &ray)];
         Some(Mark::new(Shape::Arrow(ends), Role::Strayed))
     }
 
