@@ -2,6 +2,7 @@
 
 mod scenario;
 
+use crate::export::{MOST_STEPS, StepsError};
 use crate::files::{FileError, FileFault};
 use crate::open::{AtPath, OpenFault};
 use octoscope_core::scenario::ScenarioError;
@@ -26,6 +27,8 @@ pub fn told(texts: &Texts, error: &anyhow::Error) -> String {
         of_scenario(texts, error)
     } else if let Some(error) = error.downcast_ref() {
         of_building(texts, error)
+    } else if let Some(error) = error.downcast_ref() {
+        of_steps(texts, *error)
     } else {
         match error.downcast_ref::<OpenFault>() {
             Some(OpenFault::DataFile) | None => return format!("{error:#}"),
@@ -132,6 +135,26 @@ fn of_building(texts: &Texts, error: &BuildError) -> String {
 
 fn outside(texts: &Texts, count: usize, first: usize) -> String {
     texts.format("error-outside", &[("count", count.into()), ("first", first.into())])
+}
+
+fn of_steps(texts: &Texts, error: StepsError) -> String {
+    let numbers = |key: &str, named: &[(&str, usize)]| {
+        let named: Vec<_> = named.iter().map(|(name, n)| (*name, (*n).into())).collect();
+        texts.format(key, &named)
+    };
+    match error {
+        StepsError::Missing { step, last } => {
+            numbers("error-no-step", &[("step", step), ("last", last)])
+        }
+        StepsError::Backwards { first, last } => {
+            numbers("error-steps-backwards", &[("first", first), ("last", last)])
+        }
+        StepsError::TooMany { first, n } => {
+            let last = first + MOST_STEPS - 1;
+            let named = [("n", n), ("most", MOST_STEPS), ("first", first), ("last", last)];
+            numbers("error-too-many-steps", &named)
+        }
+    }
 }
 
 fn of_opening(texts: &Texts, fault: &OpenFault) -> String {

@@ -4,7 +4,7 @@
 mod request;
 mod settings;
 
-use crate::export::{Choice, Origin, Request, shell_line};
+use crate::export::{Choice, OneOf, Origin, Request, shell_line};
 use crate::files::{self, There};
 use crate::look::Look;
 use crate::panels::show::Of;
@@ -16,8 +16,9 @@ use eframe::egui::{
 use octoscope_core::explain::Notation;
 use octoscope_core::text::Language;
 use octoscope_figure::Show;
-use octoscope_figure::views::FigureView;
+use octoscope_figure::views::{FigureView, rows_of_table};
 use settings::settings;
+use std::ops::RangeInclusive;
 use std::path::Path;
 
 pub use request::request;
@@ -42,8 +43,8 @@ pub struct Shown<'a> {
     pub request: &'a Request,
     /// What the command names.
     pub origin: &'a Origin,
-    /// The picture of the figure, if it is there already.
-    pub preview: Option<&'a TextureHandle>,
+    /// The picture of the figure and what it is of, if it is there already.
+    pub preview: Option<&'a (TextureHandle, OneOf)>,
     /// Why the figure cannot be drawn, in words.
     pub fault: Option<&'a str>,
     /// Why what was asked for could not be made, in words.
@@ -68,6 +69,9 @@ pub enum Answer {
     /// Close the dialog.
     Close,
 }
+
+/// Height of what is said of the preview, two lines.
+const CAPTION: f32 = 36.0;
 
 /// Largest extent of the preview, in points.
 pub const PREVIEW: [f32; 2] = [360.0, 270.0];
@@ -127,7 +131,7 @@ fn preview(ui: &mut Ui, look: &Look, shown: &Shown) {
                 (Some(fault), _) => {
                     ui.add(Label::new(fault).wrap());
                 }
-                (None, Some(texture)) => {
+                (None, Some((texture, _))) => {
                     ui.add(Image::new(texture).max_size(vec2(width, height)).alt_text(name));
                 }
                 (None, None) => {
@@ -135,7 +139,35 @@ fn preview(ui: &mut Ui, look: &Look, shown: &Shown) {
                 }
             }
         });
+        if let (None, Some((_, of))) = (shown.fault, shown.preview) {
+            let told = RichText::new(told(look, shown, of)).color(look.palette.quiet).size(13.0);
+            // As high as at most, so that nothing below it moves.
+            ui.allocate_ui(vec2(width, 0.0), |ui| {
+                ui.set_min_height(CAPTION);
+                ui.add(Label::new(told).wrap());
+            });
+        }
     });
+}
+
+/// What of the export the preview is, where it is not the whole.
+fn told(look: &Look, shown: &Shown, of: &OneOf) -> String {
+    let texts = &look.texts;
+    let numbers = |key: &str, (name, n): (&str, usize), range: RangeInclusive<usize>| {
+        let [first, last] = [*range.start(), *range.end()];
+        let ends = [("first", first.into()), ("last", last.into())];
+        (first < last).then(|| texts.format(key, &[&[(name, n.into())], &ends[..]].concat()))
+    };
+    let of_steps = match shown.choice.format.is_of_text() {
+        true => numbers("export-preview-text", ("steps", shown.last_step), rows_of_table(of.step)),
+        false => numbers("export-preview-step", ("step", of.step), of.steps.clone()),
+    };
+    let rows = shown.request.last_rows(of.step).map(|rows| {
+        let numbers = [("shown", rows.count().into()), ("steps", of.step.into())];
+        texts.format("export-preview-rows", &numbers)
+    });
+    let told: Vec<_> = [of_steps, rows].into_iter().flatten().collect();
+    told.join("\n")
 }
 
 /// The command that does the same, to be read and copied.

@@ -4,7 +4,7 @@ use super::App;
 use super::copying::Copying;
 use super::telling::file_name;
 use crate::document::AnyDocument;
-use crate::export::{Origin, Request};
+use crate::export::{self, OneOf, Origin, Request};
 use crate::export_dialog::{self, Answer, PREVIEW, Shown};
 use crate::figures::views_of;
 use crate::files::{self, Purpose};
@@ -54,12 +54,12 @@ pub(super) enum Made {
 /// The picture in the dialog, made again when what it shows has changed.
 #[derive(Default)]
 struct Preview {
-    texture: Option<TextureHandle>,
+    texture: Option<(TextureHandle, OneOf)>,
     /// Why there is none.
     fault: Option<String>,
     /// What the picture shows, or will show once it is made.
     wanted: Option<(AnyDocument, Request, usize)>,
-    making: Option<Job<anyhow::Result<Pixels>>>,
+    making: Option<Job<anyhow::Result<export::Preview>>>,
 }
 
 impl App {
@@ -273,11 +273,16 @@ impl App {
 
 impl Preview {
     /// Takes the picture that was made, or why it could not be made.
-    fn take(&mut self, context: &Context, texts: &Texts, poll: Poll<anyhow::Result<Pixels>>) {
+    fn take(
+        &mut self,
+        context: &Context,
+        texts: &Texts,
+        poll: Poll<anyhow::Result<export::Preview>>,
+    ) {
         match poll {
-            Poll::Done(Ok(pixels)) => {
+            Poll::Done(Ok(export::Preview { pixels, of })) => {
                 let (image, options) = (image(&pixels), TextureOptions::LINEAR);
-                self.texture = Some(context.load_texture("export", image, options));
+                self.texture = Some((context.load_texture("export", image, options), of));
                 self.fault = None;
             }
             Poll::Done(Err(error)) => self.fault = Some(complaint::told(texts, &error)),

@@ -1,7 +1,7 @@
 //! One export, whole: what the window and the command line ask for alike.
 
 use super::table::table;
-use super::{Eye, Format, Order, Series, Steps, print_shown, write};
+use super::{Eye, Order, Series, Steps, print_shown, write};
 use crate::comparison::MOST_LEAVES;
 use crate::document::{AnyDocument, Document};
 use crate::figures::{Moments, Wanted, figure_of, left_out, take_exercise};
@@ -12,12 +12,9 @@ use crate::with_document;
 use anyhow::bail;
 use octoscope_core::explain::{Notation, sentence};
 use octoscope_core::progress::Progress;
-use octoscope_core::scenario::StepAt;
 use octoscope_core::text::{Language, Texts};
-use octoscope_figure::views::{Fields, FigureView, ViewError};
-use octoscope_figure::{
-    Background, Figure, FileOptions, Page, Pixels, PixelsError, Scale, Show, TikzForm, Unit, svg,
-};
+use octoscope_figure::views::{Fields, FigureView, ViewError, rows_of_table};
+use octoscope_figure::{Background, Figure, Page, Show, TikzForm};
 use std::ops::RangeInclusive;
 use std::path::Path;
 
@@ -82,96 +79,9 @@ impl Request {
         with_document!(document, d => table(d, format, self.language))
     }
 
-    /// One step in pixels, no wider and no higher than `most`.
-    ///
-    /// # Errors
-    /// Says what cannot be drawn.
-    pub fn preview(
-        &self,
-        document: &AnyDocument,
-        step: usize,
-        most: [f64; 2],
-        progress: &Progress,
-    ) -> anyhow::Result<Pixels> {
-        let (figure, _) = self.figure_of(document, step, progress)?;
-        let page = [figure.page.width, figure.page.height];
-        // A page like a thread is shown in the middle of a wider one.
-        let least = 0.01 * page[0].max(page[1]);
-        let [width, height] = page.map(|side| side.max(least));
-        let corner = [0.5 * (width - page[0]), 0.5 * (height - page[1])];
-        let figure = figure.on_page(Page { width, height }, corner);
-        let factor = (most[0] / width).min(most[1] / height);
-        Ok(self.pixels(&figure, factor)?)
-    }
-
-    /// The figure of one step as the text of an SVG.
-    ///
-    /// # Errors
-    /// Says what cannot be drawn.
-    pub fn svg(
-        &self,
-        document: &AnyDocument,
-        step: usize,
-        progress: &Progress,
-    ) -> anyhow::Result<String> {
-        self.with_series(document, one(step), None, progress, |series| {
-            let step = *series.steps.start();
-            let (figure, scale) = Series::figure_of(&self.order, series, step, progress)?;
-            let (title, scenario) = ((series.caption)(step).plain(), (series.scenario)(step));
-            let Order { theme, background, line_scale, .. } = self.order;
-            let options = FileOptions {
-                theme,
-                background,
-                title: &title,
-                scenario: &scenario,
-                scale,
-                line_scale,
-            };
-            Ok(svg(&figure, &options))
-        })
-    }
-
-    /// One step in as many pixels as a picture of it has; twice as many, if the
-    /// file is one of vectors.
-    ///
-    /// # Errors
-    /// Says what cannot be drawn.
-    pub fn picture(
-        &self,
-        document: &AnyDocument,
-        step: usize,
-        progress: &Progress,
-    ) -> anyhow::Result<Pixels> {
-        let is_of_pixels = self.order.format.is_of_pixels();
-        let more = if is_of_pixels || self.order.enlarged.is_some() { 1.0 } else { 2.0 };
-        let order = Order { format: Format::Png, ..self.order };
-        let picture = Self { order, ..self.clone() };
-        let (figure, scale) = picture.figure_of(document, step, progress)?;
-        Ok(self.pixels(&figure, more * scale.factor)?)
-    }
-
-    fn figure_of(
-        &self,
-        document: &AnyDocument,
-        step: usize,
-        progress: &Progress,
-    ) -> anyhow::Result<(Figure, Scale)> {
-        self.with_series(document, one(step), None, progress, |series| {
-            Series::figure_of(&self.order, series, *series.steps.start(), progress)
-        })
-    }
-
-    fn pixels(&self, figure: &Figure, factor: f64) -> Result<Pixels, PixelsError> {
-        let Order { theme, background, line_scale, .. } = self.order;
-        let scale = Scale { factor, unit: Unit::Pixel };
-        let options =
-            FileOptions { theme, background, scale, line_scale, ..FileOptions::default() };
-        Pixels::of(figure, &options)
-    }
-
     /// The figures of these steps of a document, whose scenario names its data file from
     /// `folder`, or as it does now.
-    fn with_series<T>(
+    pub(super) fn with_series<T>(
         &self,
         document: &AnyDocument,
         steps: Steps,
@@ -280,10 +190,23 @@ impl Request {
         if self.view.shows_space() {
             told = left_out(document, &self.show::<D>(), texts);
         }
+        if let Ok(steps) = self.steps.numbers(document.trace.events.len()) {
+            let last = *steps.end();
+            told.extend(self.last_rows(last).map(|shown| {
+                let numbers = [("shown", shown.count().into()), ("steps", last.into())];
+                texts.format("left-out-rows", &numbers)
+            }));
+        }
         if self.marks_results() && document.is_unjudged() {
             told.push(texts.format("left-out-right", &[("most", MOST_LEAVES.into())]));
         }
         (!told.is_empty()).then(|| told.join("; "))
+    }
+
+    /// The steps that the table of those up to `step` shows, where it has not room for all.
+    pub fn last_rows(&self, step: usize) -> Option<RangeInclusive<usize>> {
+        let is_figure = self.view == FigureView::Table && !self.order.format.is_of_text();
+        Some(rows_of_table(step)).filter(|shown| is_figure && *shown.start() > 1)
     }
 
     /// Whether the figure marks what a misprint reports and should not.
@@ -359,11 +282,6 @@ impl Request {
         words.extend(["-o".to_owned(), output.to_owned()]);
         words
     }
-}
-
-/// One step, whichever are asked for.
-fn one(step: usize) -> Steps {
-    Steps::One(StepAt::At(step))
 }
 
 /// Words as a shell reads them.

@@ -1,10 +1,10 @@
 //! Which steps are exported.
 
-use anyhow::bail;
 use octoscope_core::scenario::StepAt;
 use std::fmt;
 use std::ops::RangeInclusive;
 use std::str::FromStr;
+use thiserror::Error;
 
 /// Most steps in one export.
 pub const MOST_STEPS: usize = 5000;
@@ -20,12 +20,45 @@ pub enum Steps {
     All,
 }
 
+/// Why steps cannot be exported.
+#[derive(Clone, Copy, Debug, Error, PartialEq, Eq)]
+pub enum StepsError {
+    /// The trace ends before.
+    #[error("there is no step {step}; give one from 0 to {last}, first or last")]
+    Missing {
+        /// Number of the step.
+        step: usize,
+        /// Number of the last one that there is.
+        last: usize,
+    },
+    /// The first is behind the last.
+    #[error("the steps {first}-{last} run backwards; give the smaller one first")]
+    Backwards {
+        /// Number of the first.
+        first: usize,
+        /// Number of the last.
+        last: usize,
+    },
+    /// More than a file holds.
+    #[error(
+        "these are {n} steps, and a file holds at most {MOST_STEPS}; give some of them, such as \
+         {first}-{}",
+        first + MOST_STEPS - 1
+    )]
+    TooMany {
+        /// Number of the first.
+        first: usize,
+        /// How many there are.
+        n: usize,
+    },
+}
+
 impl Steps {
     /// The numbers of the steps in a trace of `n_events`.
     ///
     /// # Errors
     /// Refuses steps that the trace does not have, and too many.
-    pub fn numbers(self, n_events: usize) -> anyhow::Result<RangeInclusive<usize>> {
+    pub fn numbers(self, n_events: usize) -> Result<RangeInclusive<usize>, StepsError> {
         let (first, last) = match self {
             Self::One(step) => (step, step),
             Self::Range(first, last) => (first, last),
@@ -35,20 +68,16 @@ impl Steps {
             if let StepAt::At(step) = step
                 && step > n_events
             {
-                bail!("there is no step {step}; give one from 0 to {n_events}, first or last");
+                return Err(StepsError::Missing { step, last: n_events });
             }
         }
         let [first, last] = [first, last].map(|step| step.position(n_events));
         if first > last {
-            bail!("the steps {first}-{last} run backwards; give the smaller one first");
+            return Err(StepsError::Backwards { first, last });
         }
         let n = last - first + 1;
         if n > MOST_STEPS {
-            bail!(
-                "these are {n} steps, and a file holds at most {MOST_STEPS}; give some of them, \
-                 such as {first}-{}",
-                first + MOST_STEPS - 1
-            );
+            return Err(StepsError::TooMany { first, n });
         }
         Ok(first..=last)
     }

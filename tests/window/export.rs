@@ -3,7 +3,7 @@
 use crate::desk::Desk;
 use eframe::egui::{Event, Key, Modifiers, OutputCommand, Rect, accesskit::Role};
 use egui_kittest::kittest::{NodeT, Queryable};
-use octoscope::export::{Choice, Extent, Format};
+use octoscope::export::{Choice, Extent, Format, StepChoice};
 use octoscope::text::texts;
 use octoscope::view::{Dialog, View};
 use octoscope::with_document;
@@ -218,6 +218,41 @@ fn what_is_copied_is_made_elsewhere_and_said() {
         matches!(&table[..], [OutputCommand::CopyText(text)] if text.starts_with("step,")),
         "{table:?}"
     );
+}
+
+#[test]
+fn the_dialog_says_of_which_steps_its_picture_is() {
+    let mut desk = Desk::new();
+    let mut said = |choice: Choice, step: usize| {
+        desk.state_mut().view.playback.step = step;
+        desk.state_mut().view.export = choice;
+        desk.key_press_modifiers(Modifiers::COMMAND, Key::E);
+        desk.step();
+        desk.step();
+        let context = desk.ctx.clone();
+        desk.state_mut().finish_preview(&context);
+        desk.run();
+        let texts = desk.texts();
+        desk.press(Key::Escape);
+        texts
+    };
+    let table = |format| Choice { view: FigureView::Table, ..choice(format) };
+    let series = Choice { steps: StepChoice::Range, range: [3, 5], ..choice(Format::Svg) };
+    for (choice, step, told) in [
+        (table(Format::Svg), 80, Some("The last 24 of 80 steps")),
+        (table(Format::Csv), 80, Some("The text has all 173 steps, this picture 57 to 80")),
+        (table(Format::Svg), 9, None),
+        (series.clone(), 80, Some("Step 5, one of 3 to 5")),
+        (series, 4, Some("Step 4, one of 3 to 5")),
+        (choice(Format::Gif), 7, Some("Step 7, one of 0 to 173")),
+        (choice(Format::Svg), 7, None),
+    ] {
+        let what = format!("{:?} {:?} {step}", choice.view, choice.format);
+        let texts = said(choice, step);
+        let known = ["The last ", "The text has", ", one of "];
+        let found = texts.iter().find(|text| known.iter().any(|known| text.contains(known)));
+        assert_eq!(found.map(String::as_str), told, "{what}: {texts:?}");
+    }
 }
 
 #[test]

@@ -66,4 +66,7 @@ error-outside = { $count } der Gegenstände liegen außerhalb des Gebiets, der e
 error-unusable = Gegenstand Nummer { $item } (von 0 gezählt) hat eine Koordinate, die nicht endlich ist, eine negative Größe oder Ecken in falscher Reihenfolge; berichtigen Sie ihn oder lassen Sie ihn weg
 error-too-fine = So weit von 0 sind Zellen dieser Größe nicht mehr zu unterscheiden; wählen Sie weniger Stufen oder verschieben Sie das Gebiet
 error-image-in-space = Ein Bild liegt in der Ebene; geben Sie der Szene zwei Dimensionen
+error-no-step = Einen Schritt { $step } gibt es nicht; wählen Sie einen von 0 bis { $last }
+error-steps-backwards = Die Schritte { $first } bis { $last } laufen rückwärts; nennen Sie den kleineren zuerst
+error-too-many-steps = Das sind { $n } Schritte, eine Datei fasst aber höchstens { $most }; wählen Sie einige davon, etwa { $first } bis { $last }
 error-building = Der Baum lässt sich nicht bauen (auf Englisch: { $details })

@@ -66,4 +66,7 @@ error-outside = { $count } of the items lie outside the domain, the first of the
 error-unusable = Item number { $item } (counted from 0) has a coordinate that is not finite, a negative size or corners in the wrong order; mend it or leave it out
 error-too-fine = Cells of this size cannot be told apart so far from 0; use fewer levels or move the domain
 error-image-in-space = A picture lies in the plane; give the scene two dimensions
+error-no-step = There is no step { $step }; choose one from 0 to { $last }
+error-steps-backwards = The steps { $first } to { $last } run backwards; name the smaller one first
+error-too-many-steps = These are { $n } steps, and a file holds at most { $most }; choose some of them, such as { $first } to { $last }
 error-building = The tree cannot be built: { $details }

@@ -39,6 +39,7 @@ pub use listing::{Changed, changed_variables};
 pub use neighbour::{NeighbourTables, neighbour_heights, neighbour_tables};
 pub use rail::{RailOf, planes_ahead};
 pub use region::region_table;
+pub use steps::rows_of_table;
 pub use storyboard::{Layout, Panel, common_extent, storyboard};
 pub use subject::Subject;
 pub use t_rail::{RailFigure, rail_of, t_rail, t_rail_height};

@@ -6,18 +6,24 @@ use super::words::{codes, joined};
 use crate::{Anchor, Figure, Role, metrics};
 use octoscope_core::explain::{RichText, sentence};
 use octoscope_core::trace::Moment;
+use std::ops::RangeInclusive;
 
-/// At most so many steps are shown, those before the present one.
-const MOST_STEPS: usize = 24;
+/// The steps that a table of those up to `step` shows: the last ones, as many as a page
+/// has rows; the one before the first event only by itself.
+pub fn rows_of_table(step: usize) -> RangeInclusive<usize> {
+    const MOST: usize = 24;
+    let first = (step + 1).saturating_sub(MOST).max(1).min(step);
+    first..=step
+}
 
 /// Number, node and sentence of the last steps, the present one lit, as a figure
 /// of this width.
 pub(super) fn view<const D: usize>(subject: &Subject<D>, width: f64) -> Figure {
-    let last = subject.moment.step.min(subject.trace.events.len());
-    let first = (last + 1).saturating_sub(MOST_STEPS).max(1).min(last);
-    let mut moment = Moment::after(subject.tree, subject.trace, first.saturating_sub(1));
+    let shown = rows_of_table(subject.moment.step.min(subject.trace.events.len()));
+    let before = shown.start().saturating_sub(1);
+    let mut moment = Moment::after(subject.tree, subject.trace, before);
     let mut rows = Vec::new();
-    for step in first..=last {
+    for step in shown {
         if let Some(event) = step.checked_sub(1).map(|index| &subject.trace.events[index]) {
             moment.apply(subject.tree, event);
         }
