@@ -35,6 +35,8 @@ pub enum Command {
     First,
     /// After the last event.
     Last,
+    /// Take the number of the step to go to.
+    GoToStep,
     /// To the next leaf or result.
     NextLeaf,
     /// To the previous leaf or result.
@@ -291,6 +293,7 @@ pub const COMMANDS: &[Row] = &[
     row(Command::PreviousLeaf, "command-previous-leaf", Menu::Step, &[key(Key::ArrowUp)]),
     row(Command::First, "command-first", Menu::Step, &[key(Key::Home)]),
     row(Command::Last, "command-last", Menu::Step, &[key(Key::End)]),
+    row(Command::GoToStep, "command-go-to-step", Menu::Step, &[ctrl(Key::G)]),
     row(Command::FirstWrong, "command-first-wrong", Menu::Step, &[key(Key::W)]),
     row(Command::Play, "command-play", Menu::Step, &[key(Key::Space)]),
     row(Command::Faster, "command-faster", Menu::Step, &[key(Key::CloseBracket)]),
@@ -325,10 +328,10 @@ pub fn belongs_to_list(shortcut: &KeyboardShortcut) -> bool {
 }
 
 impl Command {
-    /// Whether what is typed after it is meant for a dialog, and for no command.
-    pub fn opens_dialog(self) -> bool {
-        use Command::{About, Export, Find, Keys, Lab, Open, Save, SaveAs};
-        matches!(self, About | Export | Find | Keys | Lab | Open | Save | SaveAs)
+    /// Whether what is typed after it is meant for a dialog or a field, and for no command.
+    pub fn takes_keys(self) -> bool {
+        use Command::{About, Export, Find, GoToStep, Keys, Lab, Open, Save, SaveAs};
+        matches!(self, About | Export | Find | GoToStep | Keys | Lab | Open | Save | SaveAs)
     }
 }
 

@@ -16,11 +16,14 @@ pub struct Playback {
     /// Part of a step that has passed since the last one, in steps.
     #[serde(skip)]
     elapsed: f64,
+    /// Whether the number of the step is to be typed, from the next frame on.
+    #[serde(skip)]
+    is_asked: bool,
 }
 
 impl Default for Playback {
     fn default() -> Self {
-        Self { step: 0, playing: false, speed: 2.0, elapsed: 0.0 }
+        Self { step: 0, playing: false, speed: 2.0, elapsed: 0.0, is_asked: false }
     }
 }
 
@@ -32,6 +35,16 @@ impl Playback {
     pub fn go_to(&mut self, step: usize, length: usize) {
         self.step = step.min(length);
         self.elapsed = 0.0;
+    }
+
+    /// Has the number of the step typed; it does not go on meanwhile.
+    pub fn ask_for_number(&mut self) {
+        (self.playing, self.is_asked) = (false, true);
+    }
+
+    /// Whether the number is to be typed from now on, which is told once.
+    pub fn take_question(&mut self) -> bool {
+        std::mem::take(&mut self.is_asked)
     }
 
     /// Starts playing, from the beginning if the trace is at its end; or stops.

@@ -33,7 +33,7 @@ impl App {
 
     /// Commands whose keys were pressed in the frame that is being shown. What a click
     /// in it has brought takes keys as well as what was there before: in a slow frame
-    /// both come together. What follows the key of a dialog is left for the dialog.
+    /// both come together. What follows the key of a dialog or of a field is left for that.
     pub(super) fn pressed(&self, context: &Context) -> Vec<Command> {
         let (before, now) = (self.taken, self.taken(context));
         if before.all || now.all {
@@ -55,12 +55,11 @@ impl App {
             // Each press counts, also where a slow frame brings several.
             let (mut given, mut kept) = (Vec::new(), Vec::new());
             for event in std::mem::take(&mut input.events) {
-                let is_for_dialog =
-                    given.last().is_some_and(|command: &Command| command.opens_dialog());
-                match command_of(&event, &free).filter(|_| !is_for_dialog) {
+                let are_taken = given.last().is_some_and(|command: &Command| command.takes_keys());
+                match command_of(&event, &free).filter(|_| !are_taken) {
                     Some(command) => {
                         given.push(command);
-                        if command.opens_dialog() {
+                        if command.takes_keys() {
                             kept.clear();
                         }
                     }
@@ -72,9 +71,10 @@ impl App {
         })
     }
 
-    /// Keeps what was typed after the key of a dialog for the next frame, which shows it.
+    /// Keeps what was typed after the key of a dialog or of a field for the next frame, in
+    /// which that takes it.
     pub(super) fn hold_back(&mut self, context: &Context, commands: &[Command]) {
-        if commands.last().is_some_and(|command| command.opens_dialog()) {
+        if commands.last().is_some_and(|command| command.takes_keys()) {
             let typed = |event: &Event| matches!(event, Event::Key { .. } | Event::Text(_));
             self.held_back = context
                 .input(|input| input.events.iter().filter(|event| typed(event)).cloned().collect());
@@ -125,6 +125,7 @@ impl App {
             }
             Command::Redo => self.history.can_redo(),
             Command::StepForward | Command::NextLeaf | Command::Last => step < length,
+            Command::GoToStep => length > 0,
             Command::StepBack | Command::PreviousLeaf | Command::First => {
                 step > 0 || self.view.playback.playing
             }

@@ -49,6 +49,10 @@ impl App {
             Command::StepBack => self.go_to(step.saturating_sub(1)),
             Command::First => self.go_to(0),
             Command::Last => self.go_to(length),
+            Command::GoToStep => {
+                self.view.blank = false;
+                self.view.playback.ask_for_number();
+            }
             Command::NextLeaf => {
                 self.go_to(with_document!(&self.document, d => d.trace.next_leaf(step)));
             }

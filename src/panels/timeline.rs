@@ -1,13 +1,16 @@
 //! The trace as a ruler, with the keys of a player.
 
+mod count;
+
 use crate::command::Command;
 use crate::look::Look;
 use crate::playback::Playback;
 use crate::shortcut;
 use crate::widgets::{acted_at, hint_above, step_slider};
+use count::Count;
 use eframe::egui::{
-    Color32, FontId, Painter, Pos2, Rangef, Rect, Response, RichText, Sense, Shape, Stroke, Ui,
-    WidgetInfo, accesskit::Role, lerp, pos2, remap_clamp, vec2,
+    Color32, Painter, Pos2, Rangef, Rect, Response, RichText, Sense, Shape, Stroke, Ui, WidgetInfo,
+    accesskit::Role, lerp, pos2, remap_clamp, vec2,
 };
 use octoscope_core::event::Event;
 use octoscope_core::trace::Trace;
@@ -39,7 +42,6 @@ pub fn ui<const D: usize>(
     bar: Rangef,
     commands: &mut Vec<Command>,
 ) -> Option<NodeId> {
-    let length = trace.events.len();
     let play = if playback.playing { Icon::Pause } else { Icon::Play };
     for (icon, command) in [
         (Icon::First, Command::First),
@@ -56,16 +58,10 @@ pub fn ui<const D: usize>(
     if !look.is_for_hall() {
         speed(ui, look, playback, bar, commands);
     }
-    let more = if trace.is_cut() { " …" } else { "" };
-    let count = format!("{} / {length}{more}", playback.step);
-    let font = FontId::new(16.0, look.strong_family());
-    let galley = ui.painter().layout_no_wrap(count.clone(), font, look.palette.ink);
-    let width = ui.available_width() - galley.size().x.max(84.0) - 16.0;
+    let count = Count::of(ui, look, trace);
+    let width = ui.available_width() - count.width() - 16.0;
     let pointed = ruler(ui, look, trace, marked, playback, bar, width.max(60.0));
-    let label = ui.label(RichText::new(count).size(16.0).strong());
-    if trace.is_cut() {
-        hint_above(ui, label, bar, &look.text("timeline-cut"));
-    }
+    count.ui(ui, look, playback, bar);
     pointed
 }
 

@@ -1,7 +1,7 @@
 //! Stepping, playing and the presenter's keys.
 
 use crate::desk::{Desk, spoken};
-use eframe::egui::{Color32, Key, Shape, accesskit::Role, vec2};
+use eframe::egui::{Color32, Event as Input, Key, Modifiers, Shape, accesskit::Role, vec2};
 use egui_kittest::Node;
 use egui_kittest::kittest::{NodeT, Queryable};
 use octoscope_core::event::Event;
@@ -92,6 +92,52 @@ fn a_focused_slider_is_moved_by_keys_and_by_screen_readers() {
     }
     desk.press(Key::Home);
     assert_eq!(desk.step_number(), 0);
+}
+
+#[test]
+fn the_number_of_a_step_is_typed_to_go_there() {
+    for preset in [Key::Num2, Key::Num6] {
+        let mut desk = Desk::new();
+        desk.press(preset);
+        let length = desk.plane().trace.events.len();
+        desk.press_with(Modifiers::COMMAND, Key::G);
+        desk.event(Input::Text("80".to_owned()));
+        desk.press(Key::Enter);
+        assert_eq!(desk.step_number(), 80);
+        // The keys are commands again.
+        desk.press(Key::ArrowRight);
+        assert_eq!(desk.step_number(), 81);
+
+        // What is no step is said, and what was there holds.
+        let name = "Number of the step";
+        for wrong in [(length + 1).to_string(), "-1".to_owned(), "two".to_owned()] {
+            desk.type_into(name, &wrong);
+            let said = format!("“{wrong}” is no whole number from 0 to {length}");
+            assert!(desk.says(&said), "{said}: {:?}", desk.texts());
+            assert_eq!(desk.step_number(), 81);
+            desk.press(Key::Escape);
+            assert_eq!(desk.step_number(), 81);
+        }
+        let node = desk.get_by_role_and_label(Role::SpinButton, name);
+        assert_eq!(node.accesskit_node().numeric_value(), Some(81.0));
+    }
+}
+
+#[test]
+fn a_number_typed_at_once_with_its_key_is_no_command() {
+    let mut desk = Desk::new();
+    let (preset, ray) = (desk.state().view.preset, desk.plane().scenario.ray);
+    desk.press(Key::Space);
+    desk.key_press_modifiers(Modifiers::COMMAND, Key::G);
+    for (key, digit) in [(Key::Num1, "1"), (Key::Num2, "2")] {
+        desk.key_press(key);
+        desk.event(Input::Text(digit.to_owned()));
+    }
+    desk.run();
+    desk.press(Key::Enter);
+    assert_eq!(desk.step_number(), 12);
+    assert_eq!((desk.state().view.preset, desk.plane().scenario.ray), (preset, ray));
+    assert!(!desk.state().view.playback.playing);
 }
 
 #[test]
