@@ -10,7 +10,7 @@ use octoscope_core::geometry::Aabb;
 use octoscope_core::locate::{Direction, NeighbourMethod, Reach};
 use octoscope_core::query::{PointMethod, Query};
 use octoscope_core::traverse::Variants;
-use octoscope_core::tree::NodeId;
+use octoscope_core::tree::{Domain, NodeId};
 
 /// Asks what a click at `at` asks for.
 pub(super) fn click<const D: usize>(grasp: &mut Grasp<'_, D>, at: Pos2) {
@@ -77,18 +77,24 @@ pub(super) fn ask_region<const D: usize>(grasp: &mut Grasp<'_, D>, from: Pos2, t
     let Some(corners) = corners else { return };
     let Some(bounds) = Aabb::around(corners) else { return };
     let resolution = camera.unit(frame.page);
-    let root = document.tree.domain().root_box();
-    // A box that reaches beyond the root is cut there, just inside its upper faces.
-    let smallest = document.tree.domain().cell_side(0);
-    let inside = |p: [f64; D]| {
-        std::array::from_fn(|e| {
-            rounded(p[e], resolution).clamp(root.min[e], root.max[e] - 0.5 * smallest)
-        })
-    };
+    let inside = |corner| inside_root(document.tree.domain(), corner, resolution);
     let variants = match document.scenario.query {
         Query::Region { variants, .. } => variants,
         Query::Ray { .. } | Query::Point { .. } | Query::Neighbour { .. } => Variants::NONE,
     };
     let (min, max) = (inside(bounds.min), inside(bounds.max));
     document.scenario.query = Query::Region { min, max, variants };
+}
+
+/// A corner of a region, in numbers of this resolution: what reaches beyond the root is
+/// cut there, just inside its upper faces.
+pub(super) fn inside_root<const D: usize>(
+    domain: &Domain<D>,
+    corner: [f64; D],
+    resolution: f64,
+) -> [f64; D] {
+    let (root, smallest) = (domain.root_box(), domain.cell_side(0));
+    std::array::from_fn(|e| {
+        rounded(corner[e], resolution).clamp(root.min[e], root.max[e] - 0.5 * smallest)
+    })
 }

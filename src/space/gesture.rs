@@ -1,12 +1,14 @@
 //! What the mouse does in the space view.
 //!
-//! Handles of the ray are dragged, the head of its arrow turns it, its shaft moves it whole. Elsewhere a drag
-//! pans the plane or orbits space, with Shift or in a region query it draws a
-//! box; the wheel zooms to the pointer. A double click locates the point, a
-//! click picks what the present query asks for.
+//! Handles of the ray are dragged, the head of its arrow turns it, its shaft moves it
+//! whole; so are the point and the corners of the region that are asked about. Elsewhere a
+//! drag pans the plane or orbits space, with Shift or in a region query it draws a box; the
+//! wheel zooms to the pointer. A double click locates the point, a click picks what the
+//! present query asks for.
 
 use super::ask::{ask_point, ask_region, click};
-use super::grasp::{Grasp, drawn_arrow};
+use super::grasp::{Grasp, Grip, drawn_arrow, nearest};
+use super::of_query;
 use super::pick::{leaf_at, side_at};
 use crate::look::Look;
 use crate::short_number::rounded;
@@ -20,24 +22,9 @@ use octoscope_core::query::Query;
 use octoscope_core::tree::NodeId;
 use octoscope_figure::far_end;
 
-/// Points within which a handle, the shaft or a side is hit.
-const REACH: f32 = 14.0;
+/// Points within which the shaft or a side is hit.
 const SHAFT_REACH: f32 = 8.0;
 pub(super) const SIDE_REACH: f32 = 8.0;
-
-/// What is being dragged.
-#[derive(Clone, Copy, Debug, PartialEq)]
-enum Grip {
-    Origin,
-    Tip,
-    /// The head of the arrow of a ray whose direction has this length.
-    Head {
-        length: f64,
-    },
-    Shaft,
-    Camera,
-    Region(Pos2),
-}
 
 /// What a click asks for.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -75,7 +62,7 @@ pub fn handle<const D: usize>(
             ui.data_mut(|data| data.insert_temp(memory, grip));
         }
     }
-    let grip = ui.data(|data| data.get_temp::<Grip>(memory));
+    let grip = ui.data(|data| data.get_temp::<Grip<D>>(memory));
     if response.dragged()
         && let (Some(grip), Some(at)) = (grip, response.interact_pointer_pos())
     {
@@ -85,7 +72,7 @@ pub fn handle<const D: usize>(
         if let (Some(Grip::Region(from)), Some(to)) = (grip, acted_at(response)) {
             ask_region(grasp, from, to);
         }
-        ui.data_mut(|data| data.remove::<Grip>(memory));
+        ui.data_mut(|data| data.remove::<Grip<D>>(memory));
     }
     if response.double_clicked() {
         if let Some(at) = acted_at(response) {
@@ -93,24 +80,29 @@ pub fn handle<const D: usize>(
         }
     } else if response.clicked()
         && let Some(at) = acted_at(response)
+        && !grip_at(ui, grasp, at).is_handle()
     {
-        match grip_at(ui, grasp, at) {
-            Grip::Camera | Grip::Region(_) => click(grasp, at),
-            Grip::Origin | Grip::Tip | Grip::Head { .. } | Grip::Shaft => {}
-        }
+        click(grasp, at);
     }
     if let Some(at) = response.hover_pos() {
         let over = grip.unwrap_or_else(|| grip_at(ui, grasp, at));
-        ui.set_cursor_icon(match (over, grip) {
-            (Grip::Region(_), _) => CursorIcon::Crosshair,
-            (Grip::Camera, _) => CursorIcon::Default,
-            (Grip::Origin | Grip::Tip | Grip::Head { .. } | Grip::Shaft, None) => CursorIcon::Grab,
-            (Grip::Origin | Grip::Tip | Grip::Head { .. } | Grip::Shaft, Some(_)) => {
-                CursorIcon::Grabbing
+        ui.set_cursor_icon(match over {
+            Grip::Region(_) => CursorIcon::Crosshair,
+            Grip::Camera => CursorIcon::Default,
+            Grip::Origin
+            | Grip::Tip
+            | Grip::Head { .. }
+            | Grip::Shaft
+            | Grip::Point
+            | Grip::Corner { .. } => {
+                if grip.is_some() {
+                    CursorIcon::Grabbing
+                } else {
+                    CursorIcon::Grab
+                }
             }
         });
-        let is_free = grip.is_none() && matches!(over, Grip::Camera | Grip::Region(_));
-        let is_free = is_free && has_moved(ui, response, at);
+        let is_free = grip.is_none() && !over.is_handle() && has_moved(ui, response, at);
         return is_free.then(|| under(grasp, at)).flatten();
     }
     None
@@ -143,8 +135,13 @@ pub(super) fn under<const D: usize>(grasp: &Grasp<'_, D>, at: Pos2) -> Option<Un
 }
 
 /// Paints the box that is being drawn.
-pub fn paint_region_being_drawn(ui: &Ui, painter: &Painter, look: &Look, response: &Response) {
-    let grip = ui.data(|data| data.get_temp::<Grip>(grip_id(response)));
+pub fn paint_region_being_drawn<const D: usize>(
+    ui: &Ui,
+    painter: &Painter,
+    look: &Look,
+    response: &Response,
+) {
+    let grip = ui.data(|data| data.get_temp::<Grip<D>>(grip_id(response)));
     if let (Some(Grip::Region(from)), Some(to)) = (grip, response.interact_pointer_pos()) {
         let rect = Rect::from_two_pos(from, to);
         painter.rect_filled(rect, 0.0, look.palette.current_fill);
@@ -158,7 +155,7 @@ fn grip_id(response: &Response) -> Id {
 }
 
 /// What a press at `at` would take hold of.
-fn grip_at<const D: usize>(ui: &Ui, grasp: &Grasp<'_, D>, at: Pos2) -> Grip {
+fn grip_at<const D: usize>(ui: &Ui, grasp: &Grasp<'_, D>, at: Pos2) -> Grip<D> {
     let query = &grasp.document.scenario.query;
     let (shift, secondary) = ui.input(|input| {
         (
@@ -169,11 +166,14 @@ fn grip_at<const D: usize>(ui: &Ui, grasp: &Grasp<'_, D>, at: Pos2) -> Grip {
     if secondary {
         return Grip::Camera;
     }
-    if matches!(query, Query::Ray { .. })
-        && !shift
-        && let Some(grip) = ray_grip_at(grasp, at)
-    {
-        return grip;
+    let handle = match query {
+        Query::Ray { .. } => ray_grip_at(grasp, at),
+        Query::Point { .. } | Query::Region { .. } | Query::Neighbour { .. } => {
+            of_query::grip_at(grasp, at)
+        }
+    };
+    if let Some(handle) = handle.filter(|_| !shift) {
+        return handle;
     }
     if shift || matches!(query, Query::Region { .. }) {
         return Grip::Region(at);
@@ -182,7 +182,7 @@ fn grip_at<const D: usize>(ui: &Ui, grasp: &Grasp<'_, D>, at: Pos2) -> Grip {
 }
 
 /// The part of the ray at `at`: the nearest handle, else the shaft.
-fn ray_grip_at<const D: usize>(grasp: &Grasp<'_, D>, at: Pos2) -> Option<Grip> {
+fn ray_grip_at<const D: usize>(grasp: &Grasp<'_, D>, at: Pos2) -> Option<Grip<D>> {
     let Grasp { frame, camera, document } = grasp;
     let ray = document.scenario.ray;
     let ends = [ray.origin(), ray.at(1.0)];
@@ -191,11 +191,8 @@ fn ray_grip_at<const D: usize>(grasp: &Grasp<'_, D>, at: Pos2) -> Option<Grip> {
     let head = Grip::Head { length: length(ray.direction()) };
     let arrow = drawn_arrow(document, camera, frame.page);
     let head = arrow.map(|arrow| (head, frame.on_screen(arrow.on_page[1])));
-    let handles = [tip, origin, head].into_iter().flatten();
-    let distances = handles.map(|(grip, place)| (grip, place.distance(at)));
-    let nearest = distances.min_by(|a, b| a.1.total_cmp(&b.1));
-    if let Some((grip, _)) = nearest.filter(|(_, distance)| *distance < REACH) {
-        return Some(grip);
+    if let Some(handle) = nearest([tip, origin, head].into_iter().flatten(), at) {
+        return Some(handle);
     }
     let line = [ends[0], far_end(&document.tree, &ray)];
     let [from, to] = camera.visible_segment(frame.page, line)?.map(|p| frame.on_screen(p));
@@ -204,7 +201,7 @@ fn ray_grip_at<const D: usize>(grasp: &Grasp<'_, D>, at: Pos2) -> Option<Grip> {
 
 /// Point of the ray's line as far from the eye as a grip on it: its tip or head if that
 /// is held and in sight, else the point nearest to the middle of the tree.
-fn depth_of<const D: usize>(grasp: &Grasp<'_, D>, grip: Grip) -> [f64; D] {
+fn depth_of<const D: usize>(grasp: &Grasp<'_, D>, grip: Grip<D>) -> [f64; D] {
     let Grasp { frame, camera, document } = grasp;
     let ray = document.scenario.ray;
     let [width, height] = [frame.page.width, frame.page.height];
@@ -218,7 +215,12 @@ fn depth_of<const D: usize>(grasp: &Grasp<'_, D>, grip: Grip) -> [f64; D] {
             let arrow = drawn_arrow(document, camera, frame.page);
             arrow.map(|arrow| camera.point_at(frame.page, arrow.ends, arrow.on_page[1]))
         }
-        Grip::Origin | Grip::Shaft | Grip::Camera | Grip::Region(_) => None,
+        Grip::Origin
+        | Grip::Shaft
+        | Grip::Point
+        | Grip::Corner { .. }
+        | Grip::Camera
+        | Grip::Region(_) => None,
     };
     let is_in_sight =
         |end: &[f64; D]| camera.project(frame.page, *end).is_some_and(|end| in_sight(end.at));
@@ -239,7 +241,7 @@ fn drag<const D: usize>(
     ui: &Ui,
     response: &Response,
     grasp: &mut Grasp<'_, D>,
-    grip: Grip,
+    grip: Grip<D>,
     at: Pos2,
 ) {
     let (frame, ray) = (grasp.frame, grasp.document.scenario.ray);
@@ -265,6 +267,14 @@ fn drag<const D: usize>(
             let shifted = |p: [f64; D]| std::array::from_fn(|e| p[e] + by[e]);
             Some((shifted(ray.origin()), shifted(ray.at(1.0))))
         }
+        Grip::Point => {
+            of_query::move_point(grasp, at);
+            None
+        }
+        Grip::Corner { held, opposite } => {
+            of_query::move_corner(grasp, [held, opposite], at);
+            None
+        }
         Grip::Camera => {
             turn(ui, response, grasp);
             None
@@ -274,12 +284,11 @@ fn drag<const D: usize>(
     if let Some((origin, tip)) = ends {
         let resolution = grasp.camera.unit(frame.page);
         let [origin, tip] = [origin, tip].map(|p| p.map(|x| rounded(x, resolution)));
-        let direction = match grip {
-            // Moved as a whole it keeps its direction to the last bit.
-            Grip::Shaft => ray.direction(),
-            Grip::Origin | Grip::Tip | Grip::Head { .. } | Grip::Camera | Grip::Region(_) => {
-                std::array::from_fn(|e| rounded(tip[e] - origin[e], resolution))
-            }
+        // Moved as a whole it keeps its direction to the last bit.
+        let direction = if grip == Grip::Shaft {
+            ray.direction()
+        } else {
+            std::array::from_fn(|e| rounded(tip[e] - origin[e], resolution))
         };
         // A ray of no length is refused; the last one stays.
         if let Ok(ray) = Ray::new(origin, direction) {

@@ -9,6 +9,7 @@ mod gesture;
 mod grasp;
 mod hover;
 mod leaves;
+mod of_query;
 mod pick;
 mod placed;
 mod run;
@@ -76,7 +77,7 @@ pub fn ui<const D: usize>(ui: &mut Ui, look: &Look, space: Space<'_, D>) {
     let is_busy = view.playback.playing || ui.input(|input| !input.events.is_empty());
     let pace = if is_busy { Pace::Busy } else { Pace::Rest };
     let figure = paint(ui, look, &scene, marks, layers.map(|layers| (layers, pace)));
-    gesture::paint_region_being_drawn(ui, &ui.painter_at(rect), look, &response);
+    gesture::paint_region_being_drawn::<D>(ui, &ui.painter_at(rect), look, &response);
     tell(ui, look, &scene, view, (hovered, under), &figure);
     tell_away(&response, look, frame, &figure);
 }
@@ -95,7 +96,7 @@ fn handled<const D: usize>(
     let is_as_large = view.space.replace(rect).map(|room| room.size()) == Some(rect.size());
     let kept: Option<Camera<D>> = view.camera();
     let mut camera = kept.unwrap_or_else(|| document.framed(frame.page));
-    let (before, ray) = (camera, document.scenario.ray);
+    let (before, ray, query) = (camera, document.scenario.ray, document.scenario.query);
     view.fitted |= kept.is_none();
     if view.fitted && kept.is_some() && !is_as_large {
         document.frame(&mut camera, frame.page);
@@ -112,11 +113,14 @@ fn handled<const D: usize>(
     let under = gesture::handle(ui, response, &mut grasp);
     view.fitted &= (camera.target, camera.height) == (stood.target, stood.height);
     // Who takes hold of the picture stops it where it is.
-    let held = camera != stood || document.scenario.ray != ray;
+    let is_dragged = response.dragged() && document.scenario.query != query;
+    let is_moved = document.scenario.ray != ray || is_dragged;
+    let held = camera != stood || is_moved;
     view.flight = view.flight.filter(|_| !held);
     let kept = if view.flight.is_some() { goal } else { camera };
-    // While the ray is dragged, the picture stays where it is, and afterwards.
-    if kept != before || document.scenario.ray != ray {
+    // While the ray or what is asked is dragged, the picture stays where it is, and
+    // afterwards.
+    if kept != before || is_moved {
         view.set_camera(kept);
     }
     (camera, under)

@@ -1,12 +1,15 @@
 //! Questions that are asked by the mouse in the picture.
 
 use crate::desk::Desk;
-use eframe::egui::{Key, Modifiers, accesskit::Role};
+use eframe::egui::{CursorIcon, Key, Modifiers, accesskit::Role, vec2};
 use egui_kittest::kittest::Queryable;
 use octoscope::document::AnyDocument;
+use octoscope::widgets::PageInWindow;
 use octoscope_core::query::{Arithmetic, Query};
+use octoscope_core::scenario::built_in;
 use octoscope_core::traverse::Algorithm;
 use octoscope_core::tree::Node;
+use octoscope_figure::Page;
 
 /// A leaf whose sides are far enough apart to be told apart by the mouse, away
 /// from the ray.
@@ -30,6 +33,92 @@ fn a_double_click_locates_the_point() {
     assert!(bounds.owns(at), "{at:?} in {bounds:?}");
     desk.press(Key::End);
     assert_eq!(desk.plane().moment(desk.step_number()).current, Some(leaf.id));
+}
+
+#[test]
+fn the_point_is_dragged_and_undone_as_a_whole() {
+    let mut desk = Desk::new();
+    desk.click(Role::Button, "Point");
+    let asked = |desk: &Desk| match desk.plane().scenario.query {
+        Query::Point { at, .. } => at,
+        other => panic!("{other:?}"),
+    };
+    let (before, to) = (asked(&desk), [0.21, 0.87]);
+    let from = desk.place(before);
+    desk.point_at(from);
+    assert_eq!(desk.output().platform_output.cursor_icon, CursorIcon::Grab);
+    let corner = desk.place([1.0, 1.0]);
+    desk.drag([from, desk.place(to)], Modifiers::NONE);
+    let moved = asked(&desk);
+    assert!((0..2).all(|e| (moved[e] - to[e]).abs() < 4e-3), "{moved:?}");
+    assert_eq!(desk.place([1.0, 1.0]), corner, "the picture stays where it is");
+    desk.press(Key::End);
+    let found = desk.plane().moment(desk.step_number()).current.unwrap();
+    assert!(desk.plane().tree.node_box(found).owns(moved));
+    desk.press_with(Modifiers::COMMAND, Key::Z);
+    assert_eq!(asked(&desk), before);
+    // A press beside it does not take it along.
+    let beside = from + vec2(40.0, 0.0);
+    desk.drag([beside, beside + vec2(30.0, 30.0)], Modifiers::NONE);
+    assert_eq!(asked(&desk), before);
+}
+
+#[test]
+fn every_corner_of_the_region_is_dragged_also_past_the_opposite_one() {
+    let asked = |desk: &Desk| match desk.plane().scenario.query {
+        Query::Region { min, max, .. } => [min, max],
+        other => panic!("{other:?}"),
+    };
+    let mut desk = Desk::new();
+    desk.click(Role::Button, "Region");
+    let before = asked(&desk);
+    for [x, y] in [[0, 0], [0, 1], [1, 0], [1, 1]] {
+        let (held, opposite) = ([before[x][0], before[y][1]], [before[1 - x][0], before[1 - y][1]]);
+        for to in [[0.05, 0.92], [0.9, 0.9], [0.7, 0.03], [1.2, -0.3]] {
+            desk.drag([desk.place(held), desk.place(to)], Modifiers::NONE);
+            let [min, max] = asked(&desk);
+            for e in 0..2 {
+                let ends = [opposite[e], to[e].clamp(0.0, 1.0)];
+                let [least, most] = [ends[0].min(ends[1]), ends[0].max(ends[1])];
+                assert!((min[e] - least).abs() < 2e-2 && (max[e] - most).abs() < 2e-2, "{min:?}");
+                assert!([min[e], max[e]].contains(&opposite[e]), "the other corner stays");
+            }
+            desk.press_with(Modifiers::COMMAND, Key::Z);
+            assert_eq!(asked(&desk), before, "one drag is one step");
+        }
+    }
+}
+
+#[test]
+fn in_space_points_and_corners_are_dragged_across_the_line_of_sight() {
+    let mut desk = Desk::new();
+    desk.open_scenario(&built_in("points-3d").unwrap());
+    for button in ["Point", "Region"] {
+        desk.click(Role::Button, button);
+        let rect = desk.state().view.space.unwrap();
+        let page = Page { width: f64::from(rect.width()), height: f64::from(rect.height()) };
+        let view = PageInWindow { page, corner: rect.min, scale: 1.0 };
+        let camera = desk.state().view.camera::<3>().unwrap_or_else(|| desk.space().framed(page));
+        let held = |desk: &Desk| match desk.space().scenario.query {
+            Query::Point { at, .. } => at,
+            Query::Region { max, .. } => max,
+            other => panic!("{other:?}"),
+        };
+        let before = held(&desk);
+        let from = view.place(&camera, before).unwrap();
+        let to = from + vec2(24.0, -18.0);
+        desk.drag([from, to], Modifiers::NONE);
+        let after = held(&desk);
+        let place = view.place(&camera, after).unwrap();
+        assert!(place.distance(to) < 2.0, "{button}: {place} {to}");
+        assert_eq!(desk.state().view.camera::<3>(), Some(camera), "{button}");
+        let [right, up, towards] = camera.basis();
+        let along = |way: [f64; 3]| (0..3).map(|e| way[e] * (after[e] - before[e])).sum::<f64>();
+        assert!(along(right) > 0.01 && along(up) > 0.01, "{before:?} {after:?}");
+        assert!(along(towards).abs() < 0.02, "{before:?} {after:?}");
+        desk.press_with(Modifiers::COMMAND, Key::Z);
+        assert_eq!(held(&desk), before);
+    }
 }
 
 #[test]
@@ -175,8 +264,7 @@ fn escape_in_a_field_leaves_the_field_alone() {
     let mut desk = Desk::new();
     desk.click(Role::Button, "Point");
     let asked = desk.plane().scenario.query;
-    let field = desk.get_all_by_role(Role::SpinButton).next();
-    field.expect("the coordinates of the point").click();
+    desk.click(Role::SpinButton, "Point x0");
     desk.run();
     desk.press(Key::Escape);
     assert_eq!(desk.plane().scenario.query, asked);
