@@ -345,7 +345,9 @@ impl eframe::App for App {
         } else {
             self.show(ui, &mut commands);
         }
-        commands.extend(self.pressed(&context));
+        let pressed = self.pressed(&context);
+        self.hold_back(&context, &pressed);
+        commands.extend(pressed);
         self.show_hall(&context, &mut commands);
         if let Some(wrong) = refused_number(&context) {
             match wrong.as_str() {
@@ -354,7 +356,6 @@ impl eframe::App for App {
                 wrong => self.notice.say(wrong),
             }
         }
-        self.hold_back(&context, &commands);
         for command in commands {
             self.obey(&context, command);
         }

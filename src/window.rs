@@ -6,6 +6,7 @@ use anyhow::anyhow;
 use eframe::egui::{ColorImage, ScreenshotCallback, ViewportBuilder, ViewportCommand};
 use octoscope_core::progress::Progress;
 use octoscope_figure::Pixels;
+use std::cell::Cell;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -32,10 +33,12 @@ pub fn run(opening: Opening) -> anyhow::Result<()> {
         .with_drag_and_drop(true);
     let options = eframe::NativeOptions { viewport, ..Default::default() };
     let named = opening.file.clone();
+    let was_there = Cell::new(false);
     let result = eframe::run_native(
         "Octoscope",
         options,
-        Box::new(move |creation| {
+        Box::new(|creation| {
+            was_there.set(true);
             Ok(match opening.picture {
                 Some(picture) => Box::new(Demonstration::new(App::first(creation), picture)),
                 None => Box::new(App::new(creation, opening.file)),
@@ -53,7 +56,8 @@ pub fn run(opening: Opening) -> anyhow::Result<()> {
              The commands of `octoscope help` need no window."
         );
         // The window would have told what is wrong with the file.
-        match named.map(|name| open(&name, &Progress::default())) {
+        let untold = named.filter(|_| !was_there.get());
+        match untold.map(|name| open(&name, &Progress::default())) {
             Some(Err(of_file)) => anyhow!("{of_file:#}\n{none}"),
             Some(Ok(_)) | None => anyhow!(none),
         }

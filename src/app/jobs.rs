@@ -38,14 +38,21 @@ pub(super) enum Task {
 impl App {
     /// Opens a file on another thread.
     pub fn open(&mut self, context: &Context, path: PathBuf) {
-        let is_restoring = matches!(self.job, Some((_, Task::Restore)));
-        let task = if is_restoring { Task::Start } else { Task::Open };
-        self.begin_to_open(context, path, task);
+        self.begin_to_open(context, path, self.or_start(Task::Open));
     }
 
     /// The same by a path that was typed.
     pub(super) fn open_typed(&mut self, context: &Context, path: PathBuf) {
-        self.begin_to_open(context, path, Task::OpenTyped);
+        self.begin_to_open(context, path, self.or_start(Task::OpenTyped));
+    }
+
+    /// `task`, or a start if that gives up what was open last while it comes: this comes
+    /// back if the file cannot be opened.
+    fn or_start(&self, task: Task) -> Task {
+        match self.job {
+            Some((_, Task::Restore)) => Task::Start,
+            Some(_) | None => task,
+        }
     }
 
     /// Opens the file that the window is started with; what was open last comes back if
@@ -232,7 +239,7 @@ impl App {
         }
         self.document = document;
         (self.tracing, self.judging) = (None, None);
-        // What no file has is tried again by the next start until it is there.
+        // What no file has is tried again by the next start, as long as nothing else is made.
         let is_safe = |last: &Last| last.unchanged.is_none();
         if task == Task::Restore || self.unrestored.as_ref().is_some_and(is_safe) {
             self.unrestored = None;

@@ -16,7 +16,7 @@ pub(super) struct Taken {
     escape: bool,
     /// Those by which a control is operated or left, as it is focused.
     by_control: bool,
-    /// All without Ctrl, by an open list or menu.
+    /// Those that an open list or menu is operated by, see `belongs_to_list`.
     by_list: bool,
 }
 
@@ -72,9 +72,9 @@ impl App {
     }
 
     /// Keeps what was typed after the key of a dialog or of a field for the next frame, in
-    /// which that takes it.
-    pub(super) fn hold_back(&mut self, context: &Context, commands: &[Command]) {
-        if commands.last().is_some_and(|command| command.takes_keys()) {
+    /// which that takes it; `pressed` are the commands whose keys were pressed.
+    pub(super) fn hold_back(&mut self, context: &Context, pressed: &[Command]) {
+        if pressed.last().is_some_and(|command| command.takes_keys()) {
             let typed = |event: &Event| matches!(event, Event::Key { .. } | Event::Text(_));
             self.held_back = context
                 .input(|input| input.events.iter().filter(|event| typed(event)).cloned().collect());

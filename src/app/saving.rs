@@ -210,10 +210,10 @@ impl App {
     }
 
     /// Says why nothing came of the path that was typed last, if `is_it`: where another
-    /// one can be typed. Else as all errors are told.
+    /// one can be typed, unless another dialog is shown. Else as all errors are told.
     pub(super) fn refuse_path(&mut self, error: &anyhow::Error, is_it: impl Fn(&Typed) -> bool) {
         match self.saving.typed.take_if(|typed| is_it(typed)) {
-            Some(typed) if !matches!(self.view.dialog, Some(Dialog::Error(_))) => {
+            Some(typed) if self.view.dialog.is_none() => {
                 let refused = Some(complaint::told(&self.look.texts, error));
                 self.view.dialog = Some(Dialog::Path(Typed { refused, replaces: false, ..typed }));
             }

@@ -8,7 +8,7 @@ use eframe::egui::Ui;
 use octoscope_core::event::Event;
 use octoscope_core::explain::{RichText, Span, approx};
 use octoscope_core::geometry::{AXIS_NAMES, Axes};
-use octoscope_core::query::{Arithmetic, Query};
+use octoscope_core::query::Query;
 use octoscope_core::trace::{Cuts, Extent, Frame, Moment};
 use octoscope_core::traverse::Algorithm;
 use octoscope_core::tree::{Child, Tree};
@@ -50,31 +50,17 @@ pub enum Rule {
     Flips,
     /// Each by the sides of the mid planes on which its middle lies.
     Middles,
-    /// Each by the mid planes that are passed where it begins.
-    Beginnings,
 }
 
 impl Rule {
     /// That of a query.
     pub fn of<const D: usize>(query: &Query<D>) -> Self {
         match query {
-            Query::Ray { algorithm: Algorithm::Gargantini, arithmetic, .. } => match arithmetic {
-                Arithmetic::Doubles => Self::Middles,
-                Arithmetic::Exact => Self::Beginnings,
-            },
+            Query::Ray { algorithm: Algorithm::Gargantini, .. } => Self::Middles,
             Query::Ray { .. }
             | Query::Point { .. }
             | Query::Region { .. }
             | Query::Neighbour { .. } => Self::Flips,
-        }
-    }
-
-    /// The parameter of a piece with which the mid planes are compared.
-    fn compared<const D: usize>(self, piece: &Piece<D>) -> Option<f64> {
-        match self {
-            Self::Flips => None,
-            Self::Middles => Some(0.5 * (piece.from + piece.to)),
-            Self::Beginnings => Some(piece.from),
         }
     }
 }
@@ -103,13 +89,11 @@ pub fn ui<const D: usize>(
                 child_bits(ui, look, Child::<D>(mask.0));
             });
         }
-        Rule::Middles | Rule::Beginnings => {
+        Rule::Middles => {
             let now = pieces.iter().flatten().find(|piece| Some(piece.child) == frame.child);
-            let at = now.and_then(|piece| rule.compared(piece));
-            let told = at.map_or_else(|| "–".into(), |at| sides(mid, at));
-            let key = if rule == Rule::Middles { "cuts-middle" } else { "cuts-beginning" };
+            let told = now.map_or_else(|| "–".into(), |piece| sides(piece, mask));
             ui.horizontal(|ui| {
-                caption(ui, look, look.text(key));
+                caption(ui, look, look.text("cuts-middle"));
                 rich_label(ui, look, &told, 13.0, f32::INFINITY);
             });
         }
@@ -128,11 +112,13 @@ pub fn ui<const D: usize>(
     });
 }
 
-/// On which side of each mid plane a parameter lies: 0.5034 ≥ t_xm, < t_ym.
-fn sides<const D: usize>(mid: [f64; D], at: f64) -> RichText {
-    let mut told = RichText::from(format!("{} ", approx(at)));
+/// On which side of each mid plane the middle of a piece lies: 0.5034 ≥ t_xm, < t_ym. The
+/// bits of its child tell it, as no plane is met within a piece, however short it is.
+fn sides<const D: usize>(piece: &Piece<D>, mask: Axes<D>) -> RichText {
+    let mut told = RichText::from(format!("{} ", approx(0.5 * piece.from + 0.5 * piece.to)));
+    let passed = Axes::<D>(piece.child.0 ^ mask.0);
     for (axis, name) in AXIS_NAMES.into_iter().enumerate().take(D) {
-        let sign = if mid[axis] <= at { "≥" } else { "<" };
+        let sign = if passed.contains(axis) { "≥" } else { "<" };
         let gap = if axis == 0 { "" } else { ", " };
         told.0.push(Span { text: format!("{gap}{sign} "), ..Span::default() });
         let mut plane = RichText::with_subscripts(&format!("t_{name}m"));
@@ -254,10 +240,10 @@ mod tests {
 
     #[test]
     fn a_middle_lies_on_a_side_of_every_mid_plane() {
-        assert_eq!(sides([0.25, 0.5], 0.375).plain(), "0.375 ≥ t_xm, < t_ym");
         let piece = Piece { from: 0.25, to: 0.5, child: Child::<2>(2), flipped: Axes(0) };
-        let all = [Rule::Flips, Rule::Middles, Rule::Beginnings];
-        assert_eq!(all.map(|rule| rule.compared(&piece)), [None, Some(0.375), Some(0.25)]);
+        let told = |mask: u8| sides(&piece, Axes(mask)).plain();
+        assert_eq!(told(0), "0.375 ≥ t_xm, < t_ym");
+        assert_eq!(told(3), "0.375 < t_xm, ≥ t_ym");
     }
 
     #[test]

@@ -100,7 +100,9 @@ impl Scale {
 
     /// Place of a t on a bar between two places.
     fn place(&self, t: f64, [left, right]: [f32; 2]) -> f32 {
-        let share = (t - self.range[0]) / (self.range[1] - self.range[0]);
+        let [low, high] = self.range;
+        // An interval without a length has one place, the middle.
+        let share = if high > low { (t - low) / (high - low) } else { 0.5 };
         left + share as f32 * (right - left)
     }
 }

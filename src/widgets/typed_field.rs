@@ -156,8 +156,8 @@ fn before_editing(ui: &Ui, field: Id, value: f64) -> Option<f64> {
     kept
 }
 
-/// What is wrong with what was typed into the field that is edited, pointed at or was just
-/// left; empty if that was just given up or mended.
+/// What is wrong with what was typed into the field that is edited or was just left; empty
+/// if that was just given up or mended.
 pub fn refused_number(context: &Context) -> Option<String> {
     context.data_mut(|data| data.remove_temp(Id::unique(REFUSED)))
 }

@@ -5,8 +5,10 @@ use eframe::egui::accesskit::Role;
 use eframe::egui::{Event, Key, Modifiers, MouseWheelSource, MouseWheelUnit, TouchPhase, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
+use octoscope::text::texts;
 use octoscope::view::Dialog;
 use octoscope_core::query::Query;
+use octoscope_core::text::Language;
 use octoscope_core::traverse::{Algorithm, Variant};
 use octoscope_figure::Theme;
 
@@ -54,6 +56,28 @@ fn what_is_typed_faster_than_frames_are_drawn_is_searched_for() {
         assert_eq!(desk.state().view.dialog, None);
         assert!(desk.says("4320 cylinders"), "{:?}", desk.texts());
         assert_eq!(desk.step_number(), 0);
+    }
+}
+
+#[test]
+fn the_key_that_opens_it_from_the_menu_is_no_word_and_no_choice() {
+    for key in [Key::Enter, Key::Space] {
+        let mut desk = Desk::new();
+        let help = texts(Language::English).get("menu-help");
+        desk.get_all_by_role_and_label(Role::Button, &help).next().unwrap().click();
+        desk.run();
+        desk.get_all_by_role_and_label(Role::Button, "Find a command… Ctrl+K")
+            .next()
+            .unwrap()
+            .focus();
+        desk.run();
+        desk.event(pressed(key, Modifiers::NONE));
+        if key == Key::Space {
+            desk.event(Event::Text(" ".to_owned()));
+        }
+        desk.run();
+        let Some(Dialog::Find(search)) = &desk.state().view.dialog else { panic!("not open") };
+        assert_eq!(search.wanted, "");
     }
 }
 

@@ -15,7 +15,6 @@ algorithms-reference = Vergleichsmaßstab
 
 cuts-none = Zeigt die sortierten Mittelebenen, sobald ein Knoten zerschnitten wird.
 cuts-middle = Mitte
-cuts-beginning = Anfang
 cuts-mask = Vorzeichen
 cuts-plane = Ebene
 cuts-inside = schneidet

@@ -45,7 +45,7 @@ lab-holds-agrees = ja
 lab-holds-same-side = nur die Reihenfolge
 lab-holds-differs = nein
 lab-holds-not-measured = nicht gemessen
-lab-published-note = So sind die Zahlen zu lesen: Zeit des ersten Verfahrens geteilt durch die des zweiten, als geometrisches Mittel über die Szenen der Aussage und alle gemessenen Tiefen. Knoten und Vergleiche sind ebenso geteilt.
+lab-published-note = So sind die Zahlen zu lesen: Zeit des ersten Verfahrens geteilt durch die des zweiten, als geometrisches Mittel über die Szenen der Aussage und alle gemessenen Tiefen. Zugriffe und Vergleiche sind ebenso geteilt.
 lab-verdict-none = Keine der veröffentlichten Aussagen betrifft, was gemessen wurde.
 lab-verdict =
     { $measured ->
@@ -65,8 +65,8 @@ lab-verdict =
        *[other] , { $differs } gelten nicht
     }.
 lab-why-agrees = „{ $of }“ braucht { $here }-mal so lange wie „{ $against }“{ $place }; veröffentlicht ist der Faktor { $published }.
-lab-why-same-side = „{ $of }“ braucht { $here }-mal so lange wie „{ $against }“{ $place }; veröffentlicht ist der Faktor { $published }. Schneller ist also dasselbe Verfahren, aber um einen anderen Faktor: Es erreicht { $nodes }-mal so viele Knoten und vergleicht { $comparisons }-mal so oft.
-lab-why-differs = „{ $of }“ braucht { $here }-mal so lange wie „{ $against }“{ $place }; veröffentlicht ist der Faktor { $published }. Es erreicht { $nodes }-mal so viele Knoten und vergleicht { $comparisons }-mal so oft; was das kostet, hängt von Prozessor, Compiler und der Lage des Baums im Speicher ab.
+lab-why-same-side = „{ $of }“ braucht { $here }-mal so lange wie „{ $against }“{ $place }; veröffentlicht ist der Faktor { $published }. Schneller ist also dasselbe Verfahren, aber um einen anderen Faktor: Es greift { $nodes }-mal so oft auf Knoten zu und vergleicht { $comparisons }-mal so oft.
+lab-why-differs = „{ $of }“ braucht { $here }-mal so lange wie „{ $against }“{ $place }; veröffentlicht ist der Faktor { $published }. Es greift { $nodes }-mal so oft auf Knoten zu und vergleicht { $comparisons }-mal so oft; was das kostet, hängt von Prozessor, Compiler und der Lage des Baums im Speicher ab.
 lab-sources = Nach Revelles, Ureña und Lastra (2000) ist das parametrische Verfahren etwa so schnell wie das von Gargantini und der Octree um 10.4, 12.7 und 6.8 % schneller als der BSP-Baum. Nach Havran (1999) ist Samets Verfahren schneller als das von Gargantini, im geometrischen Mittel von neun anderen Szenen. Von all diesen Szenen sind nur Größe und Art bekannt; unsere entstehen aus einem Startwert.
 lab-memory = Lesezugriffe auf den Speicher
 lab-branches = Entscheidungen

@@ -15,7 +15,6 @@ algorithms-reference = Reference
 
 cuts-none = Shows the sorted mid planes once a node is cut.
 cuts-middle = middle
-cuts-beginning = beginning
 cuts-mask = signs
 cuts-plane = plane
 cuts-inside = cuts

@@ -45,7 +45,7 @@ lab-holds-agrees = yes
 lab-holds-same-side = only the order
 lab-holds-differs = no
 lab-holds-not-measured = not measured
-lab-published-note = How to read the numbers: the time of the first algorithm divided by that of the second, as the geometric mean over the scenes of the statement and all measured depths. Nodes and comparisons are divided in the same way.
+lab-published-note = How to read the numbers: the time of the first algorithm divided by that of the second, as the geometric mean over the scenes of the statement and all measured depths. Node touches and comparisons are divided in the same way.
 lab-verdict-none = None of the published statements is about what was measured.
 lab-verdict =
     { $measured ->
@@ -65,8 +65,8 @@ lab-verdict =
        *[other] , { $differs } do not hold
     }.
 lab-why-agrees = “{ $of }” takes { $here } times as long as “{ $against }”{ $place }; the published factor is { $published }.
-lab-why-same-side = “{ $of }” takes { $here } times as long as “{ $against }”{ $place }; the published factor is { $published }. So the same one is faster here, but by another factor: it reaches { $nodes } times as many nodes and makes { $comparisons } times as many comparisons.
-lab-why-differs = “{ $of }” takes { $here } times as long as “{ $against }”{ $place }; the published factor is { $published }. It reaches { $nodes } times as many nodes and makes { $comparisons } times as many comparisons; what these cost depends on the processor, the compiler and how the tree lies in memory.
+lab-why-same-side = “{ $of }” takes { $here } times as long as “{ $against }”{ $place }; the published factor is { $published }. So the same one is faster here, but by another factor: it touches { $nodes } times as many nodes and makes { $comparisons } times as many comparisons.
+lab-why-differs = “{ $of }” takes { $here } times as long as “{ $against }”{ $place }; the published factor is { $published }. It touches { $nodes } times as many nodes and makes { $comparisons } times as many comparisons; what these cost depends on the processor, the compiler and how the tree lies in memory.
 lab-sources = Revelles, Ureña and Lastra (2000) found the parametric algorithm about as fast as Gargantini’s, and the octree faster than the BSP tree by 10.4, 12.7 and 6.8 %. Havran (1999) found Samet’s algorithm faster than Gargantini’s, in the geometric mean of nine other scenes. Of all their scenes only size and kind are known; ours are made from a seed.
 lab-memory = Reads from memory
 lab-branches = Decisions

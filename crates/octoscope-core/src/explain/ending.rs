@@ -13,9 +13,8 @@ impl<const D: usize> Teller<'_, D> {
             End::LeftRoot => {
                 let n = self.before.leaves.len() as u64;
                 // A rule as printed may end without the ray having been in the root.
-                let is_printed =
-                    self.trace.query.variants_at_work().iter().any(|v| v.is_misprint());
-                let key = if is_printed { "end-printed" } else { "end-left-root" };
+                let key =
+                    if self.trace.query.is_misprinted() { "end-printed" } else { "end-left-root" };
                 words.texts.format(key, &[("n", n.into())])
             }
             End::FirstFull => words.texts.get("end-first-full"),

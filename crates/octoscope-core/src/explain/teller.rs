@@ -117,7 +117,9 @@ impl<const D: usize> Teller<'_, D> {
             }
             Event::Step { state, exits, axes, next } => self.step(state, exits, axes, next),
             Event::Up { node: Some(node) } => {
-                let done = self.before.current.and_then(|done| words.tree.child_index(done));
+                // What was tested last may lie below it.
+                let done = self.before.frame().map(|frame| frame.node);
+                let done = done.and_then(|done| words.tree.child_index(done));
                 let state = done.map_or(String::new(), |child| child.0.to_string());
                 let child = words.say("child", &[("state", state)]);
                 let mut arguments = vec![("child", child), ("node", words.node(node))];

@@ -150,7 +150,7 @@ pub fn variables<const D: usize>(
 
     // The result.
     if runs(Algorithm::Exhaustive) {
-        list.push("met", &moment.met.len().to_string());
+        list.push("met", &moment.n_met.to_string());
     }
     if !moment.leaves.is_empty() {
         list.push("leaves", &moment.leaves.len().to_string());

@@ -1,11 +1,11 @@
-//! Which comparisons decide the way an algorithm goes, and how well they can be guessed.
+//! Which comparisons decide the way an algorithm goes, and how well that can be predicted.
 //!
 //! A processor works on later instructions before a comparison is done; where it has
-//! guessed wrong, all of that is thrown away. Told here is the outcome of every
-//! comparison that the events tell of, each guessed by a two-bit counter of its own
+//! predicted wrongly, all of that is thrown away. Told here is the outcome of every
+//! comparison that the events tell of, each predicted by a two-bit counter of its own
 //! ([`TwoBit`]). Left out are the comparisons that find codes, and those of the planes
 //! of a box that is tested by itself, of which events tell only what they come to. A
-//! compiler may turn a comparison into arithmetic, and processors guess better than
+//! compiler may turn a comparison into arithmetic, and processors predict better than
 //! two bits do: this is what a plain processor and a plain program would meet.
 
 use super::TwoBit;
@@ -71,7 +71,7 @@ pub struct Branches<'a, const D: usize> {
     far: [f64; D],
     /// Whether it is still open how far is climbed.
     climbs: bool,
-    /// Of every kind the number of comparisons, and of those guessed wrong.
+    /// Of every kind the number of comparisons, and of those predicted wrongly.
     pub counts: [[u64; 2]; BranchKind::ALL.len()],
     /// All comparisons, if they are wanted.
     pub history: Option<Vec<Branch>>,
@@ -91,7 +91,7 @@ impl<'a, const D: usize> Branches<'a, D> {
         }
     }
 
-    /// Number of comparisons, and of those guessed wrong, of all kinds.
+    /// Number of comparisons, and of those predicted wrongly, of all kinds.
     pub fn total(&self) -> [u64; 2] {
         std::array::from_fn(|n| self.counts.iter().map(|count| count[n]).sum())
     }
@@ -292,7 +292,7 @@ mod tests {
     /// Near planes at t = 0.5 and −2, far ones at 1.5 and 6, mid planes at 1 and 2.
     #[test]
     fn comparisons_are_counted_by_hand() {
-        // It takes a second leaf to expect a third one: both are guessed wrong.
+        // It takes a second leaf to expect a third one: both are predicted wrongly.
         // Root: −2 > 0.5? 6 < 1.5? A hit. No leaf; −2 > 0.5, 0.5 ≤ 0, mid planes passed?
         // Leaf 0 is one; left at min(1, 2), not the last. Leaf 2 is one, the last: left
         // at min(1.5, 2).

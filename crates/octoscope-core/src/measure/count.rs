@@ -42,7 +42,7 @@ pub struct Counted {
     /// Lines of memory: all reads, those that were a ray's first of a line, those that
     /// a cache of 32 KiB did not have.
     pub lines: [u64; 3],
-    /// Comparisons that decide the way, and those guessed wrong.
+    /// Comparisons that decide the way, and those predicted wrongly.
     pub branches: [u64; 2],
 }
 

@@ -1,7 +1,7 @@
 //! What algorithms cost on many rays, and what of it does not depend on the machine.
 //!
 //! [`count`] runs a query on all rays and counts; [`Memory`] and [`Branches`] watch
-//! what a processor has to fetch and to guess. Times are taken by whoever has a
+//! what a processor has to fetch and to predict. Times are taken by whoever has a
 //! clock, and kept beside the counts in [`Results`], from which [`growth`] fits
 //! exponents and [`judged`] tells what of the published comparison holds.
 

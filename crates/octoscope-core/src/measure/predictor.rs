@@ -1,4 +1,4 @@
-//! How processors guess which way a branch goes.
+//! How processors predict which way a branch goes.
 
 /// A counter of two bits: 0 and 1 predict that a branch is not taken, 2 and 3 that it
 /// is. It takes two surprises to change its mind [Smith 1981].
@@ -43,7 +43,7 @@ mod tests {
         // next beginning.
         check(&[t, t, t, f, t, t], &[f, t, t, f, t, t]);
         check(&[f, f, t, f, f], &[t, t, f, t, t]);
-        // Alternating is guessed wrong for ever from here.
+        // Alternating is predicted wrongly for ever from here.
         check(&[t, f, t, f], &[f, f, f, f]);
     }
 }

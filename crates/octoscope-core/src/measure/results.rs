@@ -72,7 +72,7 @@ pub enum Quantity {
     Lines,
     /// Reads a ray that a cache of 32 KiB does not have.
     CacheMisses,
-    /// Comparisons a ray that are guessed wrong.
+    /// Comparisons a ray that are predicted wrongly.
     BranchMisses,
     /// Smallest cells along an axis: 2 to the power of the depth.
     Cells,

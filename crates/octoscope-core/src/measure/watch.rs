@@ -1,4 +1,4 @@
-//! What one ray has a processor fetch and guess.
+//! What one ray has a processor fetch and predict.
 
 use super::{Branch, BranchKind, Branches, Cache, Memory, Read};
 use crate::event::{Event, Observer};
@@ -16,16 +16,16 @@ pub struct Watched {
     pub reads: Vec<Read>,
     /// Different lines among them.
     pub n_lines: u64,
-    /// Comparisons, guessed by counters that know nothing yet.
+    /// Comparisons, predicted by counters that know nothing yet.
     pub branches: Vec<Branch>,
-    /// Of every kind the number of comparisons, and of those guessed wrong.
+    /// Of every kind the number of comparisons, and of those predicted wrongly.
     pub kinds: [[u64; 2]; BranchKind::ALL.len()],
     /// Whether the run was too long to be watched to its end.
     pub is_cut: bool,
 }
 
 impl Watched {
-    /// Comparisons guessed wrong.
+    /// Comparisons predicted wrongly.
     pub fn n_wrong(&self) -> u64 {
         self.kinds.iter().map(|[_, wrong]| wrong).sum()
     }

@@ -27,8 +27,11 @@ pub struct Moment<const D: usize> {
     /// Parameters between which the ray is in the current node, if that was tested
     /// last.
     pub tested: Option<[f64; 2]>,
-    /// Leaves that were tested by themselves and met the ray, in the order of the tests.
+    /// Leaves that were tested by themselves and are cut by the ray, in the order of the
+    /// tests. At the end only those count that were visited, and none is left here.
     pub met: Vec<LeafOnRay>,
+    /// Number of leaves that were tested by themselves and met the ray, be it in a point.
+    pub n_met: usize,
     /// Leaves that were tested by themselves and missed the ray.
     pub missed: Vec<NodeId>,
     /// Codes that are followed.
@@ -111,13 +114,16 @@ impl<const D: usize> Moment<D> {
                 let interval = [enter, exit];
                 self.clip = Some(RootClip { near, far, interval, hit, mirror });
             }
-            Event::Test { node, interval, .. } => {
+            Event::Test { node, interval, touch, .. } => {
                 self.current = Some(node);
                 self.tested = interval;
                 match interval {
                     None => self.missed.push(node),
                     Some([enter, exit]) if tree.node(node).is_leaf() => {
-                        self.met.push(LeafOnRay { node, enter, exit });
+                        self.n_met += 1;
+                        if !touch {
+                            self.met.push(LeafOnRay { node, enter, exit });
+                        }
                     }
                     Some(_) => {}
                 }
@@ -264,7 +270,10 @@ impl<const D: usize> Moment<D> {
                 self.current = Some(node);
                 self.found = Some(node);
             }
-            Event::End(end) => self.end = Some(end),
+            Event::End(end) => {
+                self.end = Some(end);
+                self.met.clear();
+            }
         }
     }
 

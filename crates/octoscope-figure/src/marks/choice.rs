@@ -32,12 +32,10 @@ impl<const D: usize> Choice<D> {
         match *event? {
             Event::First { .. } | Event::Step { .. } => {
                 let frame = moment.frame()?;
-                let mask = moment.clip.map_or(Axes::NONE, |clip| clip.mirror);
-                let taken = query.variants_at_work().child_of_state(frame.child_state?, mask);
                 // Once the last child is left, no plane is crossed within the node.
                 let is_last = matches!(event, Some(Event::Step { next: None, .. }));
                 let crossed = if is_last { Axes::NONE } else { all };
-                Some(run.after(frame.node, taken, crossed))
+                Some(run.after_state(frame.node, frame.child_state?, crossed))
             }
             Event::Classify { child, .. } | Event::Flip { child, .. } => {
                 let frame = moment.frame()?;
@@ -107,6 +105,23 @@ impl<const D: usize> Run<'_, D> {
             Query::Point { .. } | Query::Region { .. } | Query::Neighbour { .. } => false,
         };
         self.choice(parent, Some(taken), |child, _| !is_ahead(child))
+    }
+
+    /// The choice of a state of the automaton, which goes on to states with more bits,
+    /// those of `crossed` axes. Which children these mean, a misprint decides, too.
+    fn after_state(&self, parent: NodeId, state: Child<D>, crossed: Axes<D>) -> Choice<D> {
+        let mask = self.moment.clip.map_or(Axes::NONE, |clip| clip.mirror);
+        let variants = self.query.variants_at_work();
+        let moving = Axes::<D>::of(|e| crossed.contains(e) && self.ray.direction()[e] != 0.0);
+        let is_ahead = |later: &Child<D>| {
+            let gained = later.0 ^ state.0;
+            gained & state.0 == 0 && gained & !moving.0 == 0
+        };
+        let ahead = Child::all().filter(is_ahead);
+        let ahead: Vec<Child<D>> =
+            ahead.map(|state| variants.child_of_state(state, mask)).collect();
+        let taken = variants.child_of_state(state, mask);
+        self.choice(parent, Some(taken), |child, _| !ahead.contains(&child))
     }
 
     /// What halving has left of the children: of a node that is halved, or of the parent

@@ -310,3 +310,37 @@ fn a_cell_that_spans_the_next_side_is_told_to_need_no_link() {
         ],
     );
 }
+
+#[test]
+fn the_child_that_is_done_is_the_one_that_was_gone_down_to() {
+    fn check<const D: usize>() {
+        let mut n_checked = BTreeMap::new();
+        for_all_runs(|tree: &Tree<D>, ray, _, query| {
+            let Query::Ray { algorithm, .. } = query else { return };
+            let trace = record(tree, ray, query);
+            let sentences = sentence::sentences(tree, ray, &trace, Language::English);
+            let mut inside = Vec::new();
+            // The first sentence is that before all events.
+            for (event, told) in trace.events.iter().zip(sentences.skip(1)) {
+                match *event {
+                    Event::Visit { node, .. } | Event::Enter { node, .. } => inside.push(node),
+                    Event::Up { node } => {
+                        let done = inside.pop().unwrap();
+                        let Some(child) = node.and_then(|_| tree.child_index(done)) else {
+                            continue;
+                        };
+                        let told = told.plain();
+                        let begins = told.starts_with(&format!("Child {} is ", child.0));
+                        assert!(begins, "{query:?} {ray:?}: {child:?}, {told}");
+                        *n_checked.entry(algorithm.id()).or_insert(0) += 1;
+                    }
+                    _ => {}
+                }
+            }
+        });
+        assert!(n_checked["all-children"] > 20, "{n_checked:?}");
+        assert!(n_checked["parametric"] > 20, "{n_checked:?}");
+    }
+    check::<2>();
+    check::<3>();
+}

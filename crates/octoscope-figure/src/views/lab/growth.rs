@@ -120,7 +120,7 @@ pub fn growth_chart(
     let unit = texts.get(&format!("lab-unit-{}", of.size.id()));
     sheet.text(Role::Scale, [right, lower + 30.0], Anchor::End, unit);
 
-    for (series, shift) in all.iter().zip(shifts) {
+    for (series, &shift) in all.iter().zip(&shifts) {
         let role = role_of(series.way);
         let shifted = |[x, y]: [f64; 2]| [x, y + shift];
         let line: Vec<[f64; 2]> = series.points.iter().map(|&p| shifted(place(p))).collect();
@@ -130,8 +130,8 @@ pub fn growth_chart(
         }
     }
     // Names at the ends, as near to them as there is room.
-    let ends: Vec<f64> =
-        all.iter().map(|s| s.points.last().map_or(lower, |&p| place(p)[1])).collect();
+    let end = |series: &Series| series.points.last().map_or(lower, |&p| place(p)[1]);
+    let ends: Vec<f64> = all.iter().zip(shifts).map(|(s, shift)| end(s) + shift).collect();
     let tops = spread(&ends, LABEL, [upper - 8.0, lower + 8.0]);
     for (((series, label), end), y) in all.iter().zip(labels).zip(ends).zip(tops) {
         let role = role_of(series.way);

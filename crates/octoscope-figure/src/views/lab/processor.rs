@@ -13,7 +13,7 @@ const STRIP: f64 = 13.0;
 const GAP: f64 = 22.0;
 
 /// For every algorithm its reads and its decisions, one after the other: short what
-/// went well, tall what did not; and by kind how many were guessed wrong. A figure of
+/// went well, tall what did not; and by kind how many were predicted wrongly. A figure of
 /// this width.
 pub fn processor_chart(watched: &[Watched], texts: &Texts, width: f64) -> Figure {
     let mut sheet = Sheet::default();
@@ -102,7 +102,7 @@ fn strip(sheet: &mut Sheet, missed: &[bool], [x, y]: [f64; 2], width: f64) {
     sheet.line(Role::Scale, [[x, base + 1.0], [x + width, base + 1.0]]);
 }
 
-/// Of every kind of decision how many were guessed wrong, of how many.
+/// Of every kind of decision how many were predicted wrongly, of how many.
 fn kinds(watched: &[Watched], texts: &Texts) -> Table {
     let mut columns = vec![Anchor::Start];
     columns.extend([Anchor::End; BranchKind::ALL.len()]);
