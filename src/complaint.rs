@@ -8,7 +8,7 @@ use crate::open::{AtPath, OpenFault};
 use octoscope_core::scenario::ScenarioError;
 use octoscope_core::text::Texts;
 use octoscope_core::tree::{BuildError, DomainError, MAX_NODES};
-use octoscope_import::{ImportError, Place};
+use octoscope_import::{ImportError, PictureFault, Place};
 use scenario::of_fault;
 
 /// The whole error: the fact first, then what to do, the path last. What only a
@@ -76,18 +76,20 @@ fn of_import(texts: &Texts, error: &ImportError) -> String {
             texts.format("error-wrong-content", &arguments)
         }
         ImportError::Utf16 => texts.get("error-utf-16"),
-        ImportError::Malformed { place, fact, remedy } => {
+        ImportError::Malformed { place, told } => {
             let place = match place {
                 Place::Line { line, column } => {
                     line_and_column(texts, "error-line", [*line, *column])
                 }
                 Place::Byte(byte) => texts.format("error-byte", &[("byte", (*byte).into())]),
             };
-            let details = format!("{fact}; {remedy}");
-            let arguments = [("place", place.into()), ("details", details.into())];
+            let arguments = [("place", place.into()), ("details", told.told(texts).into())];
             texts.format("error-malformed", &arguments)
         }
-        ImportError::Picture { reason } => {
+        ImportError::Picture(PictureFault::EndsEarly) => texts.get("error-picture-ends"),
+        ImportError::Picture(PictureFault::GivenUp) => texts.get("error-picture-given-up"),
+        // Decoders speak English.
+        ImportError::Picture(PictureFault::Decoder(reason)) => {
             texts.format("error-picture", &[("reason", reason.clone().into())])
         }
         ImportError::TooLarge { what, found, limit } => {

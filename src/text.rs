@@ -1,7 +1,9 @@
 //! Texts of the window.
 
+use octoscope_core::scenario::scenario_texts;
 use octoscope_core::text::{Language, Texts};
 use octoscope_figure::views::figure_texts;
+use octoscope_import::import_texts;
 
 /// Texts of the window in `language`.
 pub fn texts(language: Language) -> Texts {
@@ -12,6 +14,8 @@ pub fn texts(language: Language) -> Texts {
             include_str!("../assets/texts/en/gallery.ftl"),
             include_str!("../assets/texts/en/algorithms.ftl"),
             include_str!("../assets/texts/en/errors.ftl"),
+            import_texts(language),
+            scenario_texts(language),
         ],
         Language::German => [
             include_str!("../assets/texts/de/window.ftl"),
@@ -19,6 +23,8 @@ pub fn texts(language: Language) -> Texts {
             include_str!("../assets/texts/de/gallery.ftl"),
             include_str!("../assets/texts/de/algorithms.ftl"),
             include_str!("../assets/texts/de/errors.ftl"),
+            import_texts(language),
+            scenario_texts(language),
         ],
     };
     Texts::new(language, &sources)
@@ -40,20 +46,25 @@ mod tests {
 
     #[test]
     fn both_languages_have_the_same_keys() {
-        let of = |window, algorithms, errors, figures| {
-            [keys(window), keys(algorithms), keys(errors), keys(figures)].concat()
+        let of = |language, own: [&'static str; 3]| {
+            let others = [figure_texts, import_texts, scenario_texts].map(|texts| texts(language));
+            own.into_iter().chain(others).flat_map(keys).collect::<Vec<_>>()
         };
         let english = of(
-            include_str!("../assets/texts/en/window.ftl"),
-            include_str!("../assets/texts/en/algorithms.ftl"),
-            include_str!("../assets/texts/en/errors.ftl"),
-            figure_texts(Language::English),
+            Language::English,
+            [
+                include_str!("../assets/texts/en/window.ftl"),
+                include_str!("../assets/texts/en/algorithms.ftl"),
+                include_str!("../assets/texts/en/errors.ftl"),
+            ],
         );
         let german = of(
-            include_str!("../assets/texts/de/window.ftl"),
-            include_str!("../assets/texts/de/algorithms.ftl"),
-            include_str!("../assets/texts/de/errors.ftl"),
-            figure_texts(Language::German),
+            Language::German,
+            [
+                include_str!("../assets/texts/de/window.ftl"),
+                include_str!("../assets/texts/de/algorithms.ftl"),
+                include_str!("../assets/texts/de/errors.ftl"),
+            ],
         );
         assert_eq!(english, german);
         assert!(english.len() > 100);
@@ -87,7 +98,9 @@ mod tests {
         let texts = texts(Language::English);
         let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR"));
         let mut named = 0;
-        let mut folders = vec![root.join("src"), root.join("crates/octoscope-figure/src")];
+        let crates = ["figure/src", "import/src", "core/src/scenario"];
+        let mut folders = vec![root.join("src")];
+        folders.extend(crates.map(|of| root.join(format!("crates/octoscope-{of}"))));
         while let Some(folder) = folders.pop() {
             for entry in std::fs::read_dir(folder).unwrap() {
                 let path = entry.unwrap().path();
@@ -95,7 +108,9 @@ mod tests {
                     folders.push(path);
                 } else if path.extension().is_some_and(|ending| ending == "rs") {
                     let source = std::fs::read_to_string(&path).unwrap();
-                    for start in ["look.text(\"", "texts.format(\"", "texts.get(\""] {
+                    for start in
+                        ["look.text(\"", "texts.format(\"", "texts.get(\"", "Message::new(\""]
+                    {
                         for rest in source.split(start).skip(1) {
                             let key = rest.split('"').next().unwrap();
                             assert!(texts.has(key), "{key} in {}", path.display());

@@ -46,10 +46,7 @@ pub(super) fn of_fault(texts: &Texts, fault: &Fault) -> String {
         Fault::Outside { count, first, .. } => super::outside(texts, *count, *first),
         Fault::Unusable { .. } => get("unusable"),
         Fault::Source(source) => of_source(texts, source),
-        // What to write in a file is told in the words of the file.
-        Fault::Field(details) => {
-            texts.format("error-scenario", &[("details", details.clone().into())])
-        }
+        Fault::Field(told) => told.told(texts),
     }
 }
 

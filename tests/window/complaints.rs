@@ -6,20 +6,23 @@ use octoscope::text::texts;
 use octoscope_core::progress::Progress;
 use octoscope_core::scenario::AnyScenario;
 use octoscope_core::text::Language;
+use octoscope_import::import;
 use std::fs;
 
 #[test]
 fn errors_of_files_are_told_in_both_languages_with_the_path_at_their_end() {
     let folder = tempfile::tempdir().unwrap();
     let picture = include_bytes!("../../assets/scenes/landscape.png");
+    let photograph = include_bytes!("../../assets/scenes/spheres.jpg");
     let data = br#"{"octoscope": 1, "dimension": 2, "scene": {"file": "missing.png"}}"#;
-    let cases: [(&str, &[u8], &str, &str); 9] = [
+    let cases: [(&str, &[u8], &str, &str); 10] = [
         ("empty.png", b"", "is empty", "ist leer"),
         ("some.kind", b"?", ".svg, .pdf, .png or .tex", ".svg, .pdf, .png oder .tex"),
         ("other.svg", b"<svg/>", "no scenario inside", "kein Szenario"),
         ("mesh.png", b"v 0 0 0\nv 1 0 0\n", "holds", "darin ist"),
         ("cut.png", &picture[..999], "damaged", "beschädigt"),
         ("hole.obj", b"v 0 0 0\nf 1 2 3\n", "line 2", "Zeile 2"),
+        ("cut.jpg", &photograph[..9999], "ends too early", "endet zu früh"),
         ("bad.octo", b"{", "line 1", "Zeile 1"),
         ("new.octo", br#"{"octoscope": 9}"#, "version 9", "Fassung 9"),
         ("data.octo", data, "data file", "Datendatei"),
@@ -64,6 +67,17 @@ fn what_is_wrong_with_a_scenario_is_told_in_german_too() {
         (built_in(r#""build": {"capacity": 0}"#), "Kapazität"),
         (built_in(r#""ray": {"origin": [0, 0], "direction": [0, 0]}"#), "ist null"),
         (built_in(r#""domain": {"min": [0, 0], "side": 0}"#), "endliche Ecken"),
+        (built_in(r#""raay": 1"#), "Ein Feld „raay“ gibt es hier nicht; schreiben Sie „ray“ oder"),
+        (
+            built_in(r#""build": {"depth": "x"}"#),
+            "„build.depth“ ist \"x\"; schreiben Sie eine ganze",
+        ),
+        (built_in(r#""ray": {"origin": [0, 0]}"#), "„direction“ fehlt; schreiben Sie 2 Zahlen"),
+        (built_in(r#""query": "tree""#), "„query“ ist \"tree\"; es gibt ray"),
+        ("{\"octoscope\": 1".to_owned(), "endet innerhalb eines Objekts; schließen Sie es mit }"),
+        ("{\"octoscope\": 1,}".to_owned(), "Vor der schließenden Klammer steht ein Komma"),
+        (scene("{\"points\": [[0, 0] [1, 1]]}"), "Vor [1, 1]]}} fehlt ein Komma oder eine ]"),
+        (scene("{\"points\": [[0, nan]]}"), "nan ist kein Wert; schreiben Sie eine endliche Zahl"),
     ];
     let texts = texts(Language::German);
     for (text, fact) in cases {
@@ -71,6 +85,27 @@ fn what_is_wrong_with_a_scenario_is_told_in_german_too() {
         let told = told(&texts, &error);
         assert!(told.starts_with("Zeile 1, Spalte ") && told.contains(fact), "{text}: {told}");
         assert!(!told.contains("Englisch"), "{told}");
+    }
+}
+
+#[test]
+fn what_is_wrong_inside_an_imported_file_is_told_in_german_too() {
+    let ply = |lines: &str| format!("ply\nformat ascii 1.0\n{lines}\nend_header\n");
+    let cases = [
+        ("a.xyz", "1\n".to_owned(), "Zeile 1, Spalte 2: Die Zeile hat eine Spalte"),
+        ("a.xyz", "1 2 3\n1 2 x\n".to_owned(), "Spalte 5: „x“ ist keine Zahl"),
+        ("a.csv", "x,y\n1,2,3\n".to_owned(), "Die Zeile hat 3 Spalten, die erste hat 2"),
+        ("a.obj", "v 0 0 0\nf 1 2 3\n".to_owned(), "Die Ecke 2 steht nicht darüber"),
+        ("a.obj", "v 0 0\n".to_owned(), "Die Ecke hat zu wenige Koordinaten"),
+        ("a.stl", "solid a\nvertexx\n".to_owned(), "„vertexx“ ist kein Wort von STL"),
+        ("a.ply", ply("element vertex x"), "„x“ ist keine Anzahl von Zeilen"),
+        ("a.ply", ply("element vertex 1"), "Ein Element mit Zeilen hat keine Eigenschaften"),
+    ];
+    let texts = texts(Language::German);
+    for (name, text, fact) in cases {
+        let error = import(name, text.as_bytes(), &Progress::default()).unwrap_err();
+        let told = told(&texts, &error.into());
+        assert!(told.contains(fact) && !told.contains("Englisch"), "{name} {text}: {told}");
     }
 }
 

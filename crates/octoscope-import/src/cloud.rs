@@ -4,6 +4,7 @@ use crate::error::ImportError;
 use crate::shape::{Shape, check_points};
 use crate::words::{Line, Word, lines};
 use octoscope_core::progress::Progress;
+use octoscope_core::text::Message;
 
 /// Most columns that a line may have; a file that is no list of points may be
 /// one endless line.
@@ -79,10 +80,8 @@ fn points<'a, const D: usize>(
     for (line, words) in rows {
         progress.advance(line.text.len() as u64 + 1)?;
         if words.len() != n_columns {
-            let n = words.len();
-            let columns = if n == 1 { "column" } else { "columns" };
-            let fact = format!("the line has {n} {columns}, the first has {n_columns}");
-            return Err(ImportError::at(line.end(), fact, "give every line the same columns"));
+            let told = Message::new("import-columns").with("n", words.len());
+            return Err(ImportError::at(line.end(), told.with("first", n_columns)));
         }
         let mut point = [0.0; D];
         for (coordinate, &column) in point.iter_mut().zip(&columns) {
@@ -113,13 +112,11 @@ fn is_number(word: &Word<'_>) -> bool {
 }
 
 fn too_few(line: &Line<'_>) -> ImportError {
-    let fact = "the line has one column";
-    ImportError::at(line.end(), fact, "write two or three coordinates a line")
+    ImportError::at(line.end(), Message::new("import-one-column"))
 }
 
 fn too_many(line: &Line<'_>) -> ImportError {
-    let fact = format!("the line has more than {MOST_COLUMNS} columns");
-    ImportError::at(line.place(0), fact, "write one point a line")
+    ImportError::at(line.place(0), Message::new("import-many-columns").with("most", MOST_COLUMNS))
 }
 
 /// The separator that occurs in the first line; a decimal comma counts last.

@@ -1,7 +1,9 @@
 //! Why a file cannot be read.
 
 use octoscope_core::progress::Cancelled;
+use octoscope_core::text::{Language, Message, Texts};
 use std::fmt;
+use std::sync::LazyLock;
 use thiserror::Error;
 
 /// Where in a file something is wrong.
@@ -52,21 +54,16 @@ pub enum ImportError {
     #[error("the text is in UTF-16; save it in UTF-8")]
     Utf16,
     /// The content breaks the rules of its format.
-    #[error("{place}: {fact}; {remedy}")]
+    #[error("{place}: {}", told.told(&IN_ENGLISH))]
     Malformed {
         /// Where.
         place: Place,
-        /// What is there.
-        fact: String,
-        /// What would be right.
-        remedy: &'static str,
+        /// What is there and what would be right, in words of [`import_texts`].
+        told: Message,
     },
     /// A picture that its decoder refuses; decoders do not tell where.
-    #[error("the picture is damaged: {reason}; save it again as PNG or JPEG")]
-    Picture {
-        /// What the decoder says.
-        reason: String,
-    },
+    #[error("the picture is damaged: {0}; save it again as PNG or JPEG")]
+    Picture(PictureFault),
     /// More than this program is willing to hold in memory.
     #[error("the file holds {found} {what}, more than {limit}; reduce it first")]
     TooLarge {
@@ -87,7 +84,34 @@ pub enum ImportError {
 
 impl ImportError {
     /// Error at `place`.
-    pub(crate) fn at(place: Place, fact: impl Into<String>, remedy: &'static str) -> Self {
-        Self::Malformed { place, fact: fact.into(), remedy }
+    pub(crate) fn at(place: Place, told: Message) -> Self {
+        Self::Malformed { place, told }
     }
 }
+
+/// Why a picture cannot be decoded.
+#[derive(Clone, Debug, Error, PartialEq, Eq)]
+pub enum PictureFault {
+    /// A part at its end is missing.
+    #[error("it ends too early")]
+    EndsEarly,
+    /// The decoder fails at it.
+    #[error("its decoder gave up")]
+    GivenUp,
+    /// What the decoder says, in its words.
+    #[error("{0}")]
+    Decoder(String),
+}
+
+/// Source of the texts of what is wrong inside files, in `language`.
+pub fn import_texts(language: Language) -> &'static str {
+    match language {
+        Language::English => include_str!("../../../assets/texts/en/imports.ftl"),
+        Language::German => include_str!("../../../assets/texts/de/imports.ftl"),
+    }
+}
+
+static IN_ENGLISH: LazyLock<Texts> = LazyLock::new(|| {
+    let language = Language::English;
+    Texts::new(language, &[import_texts(language)])
+});

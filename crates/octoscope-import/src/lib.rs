@@ -23,7 +23,7 @@ mod stl;
 mod text_formats;
 mod words;
 
-pub use error::{ImportError, Place};
+pub use error::{ImportError, PictureFault, Place, import_texts};
 pub use hash::hash;
 pub use hexadecimal::hexadecimal;
 pub use import::{Imported, import};

@@ -5,6 +5,7 @@ use crate::error::{ImportError, Place};
 use crate::shape::{Shape, check_points, push_fan};
 use crate::words::{Line, Word, lines};
 use octoscope_core::progress::Progress;
+use octoscope_core::text::Message;
 
 /// Most words that a statement may have.
 const MOST_WORDS: usize = 1 << 20;
@@ -26,8 +27,8 @@ pub fn read(bytes: &[u8], progress: &Progress) -> Result<Shape, ImportError> {
         words.extend(line.words().take(MOST_WORDS + 1));
         end = line.end();
         if words.len() > MOST_WORDS {
-            let fact = format!("the statement has more than {MOST_WORDS} words");
-            return Err(ImportError::at(line.place(0), fact, "split it"));
+            let told = Message::new("import-obj-statement").with("most", MOST_WORDS);
+            return Err(ImportError::at(line.place(0), told));
         }
         if !goes_on {
             mesh.add(&words, end)?;
@@ -58,8 +59,8 @@ impl Mesh {
                 let corner = |word| index(word, self.vertices.len()).map(|i| self.vertices[i]);
                 let corners: Vec<_> = words.iter().map(corner).collect::<Result<_, _>>()?;
                 if corners.len() < 3 {
-                    let fact = format!("the face has {} corners", corners.len());
-                    return Err(ImportError::at(end, fact, "give it at least 3"));
+                    let told = Message::new("import-face").with("n", corners.len());
+                    return Err(ImportError::at(end, told));
                 }
                 push_fan(&corners, &mut self.triangles)?;
             }
@@ -83,8 +84,7 @@ fn vertex(words: &[Word<'_>], end: Place) -> Result<[f64; 3], ImportError> {
         for word in words {
             word.number()?;
         }
-        let fact = "the vertex has too few coordinates";
-        return Err(ImportError::at(end, fact, "write “v x y z”"));
+        return Err(ImportError::at(end, Message::new("import-obj-vertex")));
     };
     Ok([x.number()?, y.number()?, z.number()?])
 }
@@ -95,20 +95,17 @@ fn index(word: &Word<'_>, n_vertices: usize) -> Result<usize, ImportError> {
     let number = word.text.split(|&b| b == b'/').next().unwrap_or_default();
     let parsed = std::str::from_utf8(number).ok().and_then(|text| text.parse::<i64>().ok());
     let Some(reference) = parsed else {
-        return Err(missing(word.place, format!("{} is not a vertex number", word.quoted())));
+        let told = Message::new("import-obj-number").with("word", word.short());
+        return Err(ImportError::at(word.place, told));
     };
     let from_zero = match reference {
         1.. => reference.checked_sub(1),
         _ => reference.checked_add(n_vertices as i64).filter(|_| reference != 0),
     };
-    from_zero
-        .and_then(|i| usize::try_from(i).ok())
-        .filter(|&i| i < n_vertices)
-        .ok_or_else(|| missing(word.place, format!("vertex {reference} is not defined above")))
-}
-
-fn missing(place: Place, fact: String) -> ImportError {
-    ImportError::at(place, fact, "number the vertices from 1, or from -1 backwards")
+    from_zero.and_then(|i| usize::try_from(i).ok()).filter(|&i| i < n_vertices).ok_or_else(|| {
+        let told = Message::new("import-obj-missing").with("number", reference.to_string());
+        ImportError::at(word.place, told)
+    })
 }
 
 #[cfg(test)]

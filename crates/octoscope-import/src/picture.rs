@@ -1,6 +1,6 @@
 //! Pictures: PNG and JPEG.
 
-use crate::error::ImportError;
+use crate::error::{ImportError, PictureFault};
 use crate::jpeg_end::jpeg_is_whole;
 use image::{DynamicImage, ImageDecoder, ImageFormat, ImageReader, Limits};
 use octoscope_core::progress::Progress;
@@ -21,12 +21,12 @@ pub fn read(bytes: &[u8], format: ImageFormat, progress: &Progress) -> Result<Im
     progress.start(0);
     progress.check()?;
     if format == ImageFormat::Jpeg && !jpeg_is_whole(bytes) {
-        return Err(damaged(&"it ends too early"));
+        return Err(ImportError::Picture(PictureFault::EndsEarly));
     }
     // The last resort against a decoder that panics on a damaged file: nothing
     // of it is used afterwards.
     let decoded = catch_unwind(AssertUnwindSafe(|| decode(bytes, format)));
-    let picture = decoded.unwrap_or_else(|_| Err(damaged(&"its decoder gave up")))?;
+    let picture = decoded.unwrap_or(Err(ImportError::Picture(PictureFault::GivenUp)))?;
     progress.check()?;
     let (width, height) = (picture.width(), picture.height());
     let pixels = picture.into_rgba8().pixels().map(|pixel| on_white(pixel.0)).collect();
@@ -51,7 +51,8 @@ fn decode(bytes: &[u8], format: ImageFormat) -> Result<DynamicImage, ImportError
 }
 
 fn damaged(reason: &impl ToString) -> ImportError {
-    ImportError::Picture { reason: reason.to_string().trim_end_matches('.').to_owned() }
+    let reason = reason.to_string().trim_end_matches('.').to_owned();
+    ImportError::Picture(PictureFault::Decoder(reason))
 }
 
 fn on_white([r, g, b, alpha]: [u8; 4]) -> [u8; 3] {

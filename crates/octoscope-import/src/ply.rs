@@ -5,6 +5,7 @@ use crate::ply_header::{self, Element, Encoding, Header, Property, Scalar};
 use crate::shape::{Shape, check_points, check_triangles, push_fan};
 use crate::words::{Word, lines};
 use octoscope_core::progress::Progress;
+use octoscope_core::text::Message;
 
 /// Triangles of the faces of a PLY file, or its vertices if it has no faces.
 ///
@@ -38,16 +39,14 @@ fn check_counts(header: &Header<'_>, mut available: usize) -> Result<(), ImportE
     for element in &header.elements {
         let row = element.least_row(header.encoding);
         if row == 0 && element.count > 0 {
-            let fact = "an element with rows has no properties";
-            return Err(ImportError::at(element.place, fact, "give it properties or 0 rows"));
+            let told = Message::new("import-ply-no-properties");
+            return Err(ImportError::at(element.place, told));
         }
         let needed = row.saturating_mul(element.count);
         if needed > available {
-            let fact = format!(
-                "{} rows are announced, which take {needed} bytes or more, but {available} follow",
-                element.count
-            );
-            return Err(ImportError::at(element.place, fact, "fetch the file again"));
+            let told = Message::new("import-ply-announced").with("rows", element.count.to_string());
+            let told = told.with("needed", needed.to_string()).with("found", available);
+            return Err(ImportError::at(element.place, told));
         }
         available -= needed;
         match element.name {
@@ -105,8 +104,7 @@ fn read_vertices(
         _ => None,
     };
     if !(0..3).all(|e| element.properties.iter().any(|p| axis(p) == Some(e))) {
-        let fact = "the vertices lack one of the properties x, y and z";
-        return Err(ImportError::at(element.place, fact, "add what is missing"));
+        return Err(ImportError::at(element.place, Message::new("import-ply-no-xyz")));
     }
     for _ in 0..element.count {
         progress.advance(1)?;
@@ -118,9 +116,8 @@ fn read_vertices(
             };
             let coordinate = numbers.next(property.item)?;
             if !coordinate.is_finite() {
-                let fact = format!("a coordinate of vertex {} is not finite", vertices.len());
-                let remedy = "repair the file where it was made";
-                return Err(ImportError::at(numbers.place(), fact, remedy));
+                let told = Message::new("import-ply-not-finite").with("number", vertices.len());
+                return Err(ImportError::at(numbers.place(), told));
             }
             vertex[axis] = coordinate;
         }
@@ -140,8 +137,7 @@ fn read_faces(
         p.length.is_some() && matches!(p.name, b"vertex_indices" | b"vertex_index")
     };
     if element.count > 0 && !element.properties.iter().any(is_corners) {
-        let fact = "the faces lack the list vertex_indices";
-        return Err(ImportError::at(element.place, fact, "add it, or leave the faces out"));
+        return Err(ImportError::at(element.place, Message::new("import-ply-no-indices")));
     }
     let mut corners = Vec::new();
     for _ in 0..element.count {
@@ -158,17 +154,17 @@ fn read_faces(
                     .then(|| vertices.get(index as usize))
                     .flatten();
                 let Some(vertex) = vertex else {
-                    let fact = format!("vertex {index} is not among the {}", vertices.len());
-                    let remedy = "number the vertices from 0 and put them before the faces";
-                    return Err(ImportError::at(numbers.place(), fact, remedy));
+                    let told = Message::new("import-ply-missing").with("number", index.to_string());
+                    let told = told.with("n", vertices.len());
+                    return Err(ImportError::at(numbers.place(), told));
                 };
                 corners.push(*vertex);
                 // A polygon of n corners becomes n − 2 triangles.
                 check_triangles(corners.len().saturating_sub(2))?;
             }
             if corners.len() < 3 {
-                let fact = format!("the face has {} corners", corners.len());
-                return Err(ImportError::at(numbers.place(), fact, "give it at least 3"));
+                let told = Message::new("import-face").with("n", corners.len());
+                return Err(ImportError::at(numbers.place(), told));
             }
             push_fan(&corners, triangles)?;
         }
@@ -181,8 +177,8 @@ fn length(property: &Property<'_>, numbers: &mut impl Numbers) -> Result<u64, Im
     let Some(scalar) = property.length else { return Ok(1) };
     let length = numbers.next(scalar)?;
     if length < 0.0 || length.fract() != 0.0 || !length.is_finite() {
-        let fact = format!("a list cannot have {length} items");
-        return Err(ImportError::at(numbers.place(), fact, "write a whole number from 0"));
+        let told = Message::new("import-ply-length").with("length", length.to_string());
+        return Err(ImportError::at(numbers.place(), told));
     }
     Ok(length as u64)
 }
@@ -203,8 +199,7 @@ struct Text<I> {
 impl<'a, I: Iterator<Item = Word<'a>>> Numbers for Text<I> {
     fn next(&mut self, _: Scalar) -> Result<f64, ImportError> {
         let Some(word) = self.words.next() else {
-            let fact = "the file ends behind this, where more numbers are due";
-            return Err(ImportError::at(self.last, fact, "fetch the file again"));
+            return Err(ImportError::at(self.last, Message::new("import-ply-ends")));
         };
         self.last = word.place;
         // Words such as "nan" are numbers where nobody needs them finite.
@@ -231,9 +226,8 @@ impl Binary<'_> {
     fn take<const N: usize>(&mut self) -> Result<[u8; N], ImportError> {
         let Some(chunk) = self.bytes.get(self.offset..).and_then(|rest| rest.first_chunk::<N>())
         else {
-            let fact = "the file ends within a row";
             let place = Place::Byte(self.bytes.len());
-            return Err(ImportError::at(place, fact, "fetch the file again"));
+            return Err(ImportError::at(place, Message::new("import-ply-row-ends")));
         };
         self.offset += N;
         let mut chunk = *chunk;

@@ -2,6 +2,7 @@
 
 use crate::error::{ImportError, Place};
 use crate::words::{Line, Word, lines};
+use octoscope_core::text::Message;
 
 /// How the numbers behind the header are written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -94,9 +95,8 @@ impl Scalar {
             b"float" | b"float32" => Self::F32,
             b"double" | b"float64" => Self::F64,
             _ => {
-                let fact = format!("{} is no type of PLY", word.quoted());
-                let remedy = "write char, uchar, short, ushort, int, uint, float or double";
-                return Err(ImportError::at(word.place, fact, remedy));
+                let told = Message::new("import-ply-type").with("word", word.short());
+                return Err(ImportError::at(word.place, told));
             }
         })
     }
@@ -140,27 +140,25 @@ pub fn read(bytes: &[u8]) -> Result<Header<'_>, ImportError> {
             (b"property", arguments) => {
                 let property = property(&line, arguments)?;
                 let Some(element) = elements.last_mut() else {
-                    let fact = "a property precedes the first element";
-                    return Err(ImportError::at(keyword.place, fact, "put an element before it"));
+                    let told = Message::new("import-ply-property-first");
+                    return Err(ImportError::at(keyword.place, told));
                 };
                 element.properties.push(property);
             }
             (b"end_header", []) => {
                 let Some(encoding) = encoding else {
-                    let fact = "the header names no format";
-                    let remedy = "add “format ascii 1.0” or one of the binary formats";
-                    return Err(ImportError::at(keyword.place, fact, remedy));
+                    let told = Message::new("import-ply-no-format");
+                    return Err(ImportError::at(keyword.place, told));
                 };
                 return Ok(Header { encoding, elements, length, n_lines: line.number });
             }
             _ => {
-                let fact = format!("{} is no complete line of a PLY header", keyword.quoted());
-                let remedy = "write format, comment, element, property or end_header";
-                return Err(ImportError::at(keyword.place, fact, remedy));
+                let told = Message::new("import-ply-line").with("word", keyword.short());
+                return Err(ImportError::at(keyword.place, told));
             }
         }
     }
-    Err(ImportError::at(last, "the file ends before “end_header”", "fetch the file again"))
+    Err(ImportError::at(last, Message::new("import-ply-header-ends")))
 }
 
 fn encoding_named(word: &Word<'_>) -> Result<Encoding, ImportError> {
@@ -169,9 +167,8 @@ fn encoding_named(word: &Word<'_>) -> Result<Encoding, ImportError> {
         b"binary_little_endian" => Ok(Encoding::LittleEndian),
         b"binary_big_endian" => Ok(Encoding::BigEndian),
         _ => {
-            let fact = format!("{} is no format of PLY", word.quoted());
-            let remedy = "write ascii, binary_little_endian or binary_big_endian";
-            Err(ImportError::at(word.place, fact, remedy))
+            let told = Message::new("import-ply-format").with("word", word.short());
+            Err(ImportError::at(word.place, told))
         }
     }
 }
@@ -181,23 +178,20 @@ fn property<'a>(line: &Line<'a>, arguments: &[Word<'a>]) -> Result<Property<'a>,
         [list, length, item, name] if list.text == b"list" => {
             let counts = Scalar::named(length)?;
             if matches!(counts, Scalar::F32 | Scalar::F64) {
-                let fact = "the length of a list is not a whole number";
-                return Err(ImportError::at(length.place, fact, "write uchar or int"));
+                let told = Message::new("import-ply-length-type");
+                return Err(ImportError::at(length.place, told));
             }
             Ok(Property { name: name.text, length: Some(counts), item: Scalar::named(item)? })
         }
         [item, name] => Ok(Property { name: name.text, length: None, item: Scalar::named(item)? }),
-        _ => {
-            let remedy = "write “property TYPE NAME” or “property list TYPE TYPE NAME”";
-            Err(ImportError::at(line.end(), "the property is incomplete", remedy))
-        }
+        _ => Err(ImportError::at(line.end(), Message::new("import-ply-property"))),
     }
 }
 
 fn whole(word: &Word<'_>) -> Result<usize, ImportError> {
     let parsed = std::str::from_utf8(word.text).ok().and_then(|text| text.parse().ok());
     parsed.ok_or_else(|| {
-        let fact = format!("{} is not a number of rows", word.quoted());
-        ImportError::at(word.place, fact, "write a whole number from 0")
+        let told = Message::new("import-ply-rows").with("word", word.short());
+        ImportError::at(word.place, told)
     })
 }

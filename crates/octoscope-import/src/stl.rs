@@ -5,6 +5,7 @@ use crate::kind::starts_with_word;
 use crate::shape::{Shape, check_triangles};
 use crate::words::lines;
 use octoscope_core::progress::Progress;
+use octoscope_core::text::Message;
 
 /// Length of what precedes the triangles of a binary file: 80 bytes of comment
 /// and the number of triangles.
@@ -38,13 +39,13 @@ fn count(bytes: &[u8]) -> Option<usize> {
 
 fn read_binary(bytes: &[u8], progress: &Progress) -> Result<Vec<[[f64; 3]; 3]>, ImportError> {
     let Some(n_triangles) = count(bytes) else {
-        let fact = "the file ends within its header of 84 bytes";
-        return Err(ImportError::at(Place::Byte(bytes.len()), fact, "fetch the file again"));
+        let told = Message::new("import-stl-header-ends").with("length", HEADER);
+        return Err(ImportError::at(Place::Byte(bytes.len()), told));
     };
     let rows = bytes[HEADER..].chunks_exact(TRIANGLE);
     if n_triangles > rows.len() {
-        let fact = format!("{n_triangles} triangles are announced, {} follow", rows.len());
-        return Err(ImportError::at(Place::Byte(HEADER - 4), fact, "fetch the file again"));
+        let told = Message::new("import-stl-count").with("announced", n_triangles);
+        return Err(ImportError::at(Place::Byte(HEADER - 4), told.with("n", rows.len())));
     }
     check_triangles(n_triangles)?;
     let mut triangles = Vec::with_capacity(n_triangles);
@@ -60,8 +61,8 @@ fn read_binary(bytes: &[u8], progress: &Progress) -> Result<Vec<[[f64; 3]; 3]>, 
             std::array::from_fn(|v| std::array::from_fn(|e| number_at(3 * v + e)));
         if let Some(i) = corners.as_flattened().iter().position(|x| !x.is_finite()) {
             let place = Place::Byte(HEADER + number * TRIANGLE + 12 + 4 * i);
-            let fact = format!("a coordinate of triangle {} is not finite", number + 1);
-            return Err(ImportError::at(place, fact, "repair the mesh where it was made"));
+            let told = Message::new("import-stl-not-finite").with("number", number + 1);
+            return Err(ImportError::at(place, told));
         }
         triangles.push(corners);
     }
@@ -85,37 +86,30 @@ fn read_text(bytes: &[u8], progress: &Progress) -> Result<Vec<[[f64; 3]; 3]>, Im
             b"vertex" => {
                 let mut coordinate = || match words.next() {
                     Some(word) => word.number(),
-                    None => Err(ImportError::at(
-                        line.end(),
-                        "the vertex has too few coordinates",
-                        "write “vertex x y z”",
-                    )),
+                    None => Err(ImportError::at(line.end(), Message::new("import-stl-vertex"))),
                 };
                 corners.push([coordinate()?, coordinate()?, coordinate()?]);
                 if corners.len() > 3 {
-                    let fact = "the loop has more than 3 vertices";
-                    return Err(ImportError::at(keyword.place, fact, "give it 3"));
+                    return Err(ImportError::at(keyword.place, Message::new("import-stl-long")));
                 }
             }
             b"endloop" => {
                 let Ok(triangle) = <[[f64; 3]; 3]>::try_from(corners.as_slice()) else {
-                    let fact = format!("the loop has {} vertices", corners.len());
-                    return Err(ImportError::at(keyword.place, fact, "give it 3"));
+                    let told = Message::new("import-stl-loop").with("n", corners.len());
+                    return Err(ImportError::at(keyword.place, told));
                 };
                 corners.clear();
                 triangles.push(triangle);
                 check_triangles(triangles.len())?;
             }
             _ => {
-                let fact = format!("{} is no STL keyword", keyword.quoted());
-                let remedy = "write solid, facet, outer, vertex, endloop, endfacet or endsolid";
-                return Err(ImportError::at(keyword.place, fact, remedy));
+                let told = Message::new("import-stl-keyword").with("word", keyword.short());
+                return Err(ImportError::at(keyword.place, told));
             }
         }
     }
     if !complete {
-        let fact = "the file ends before “endsolid”";
-        return Err(ImportError::at(last, fact, "fetch the file again"));
+        return Err(ImportError::at(last, Message::new("import-stl-ends")));
     }
     Ok(triangles)
 }

@@ -4,6 +4,7 @@ use crate::error::ImportError;
 use crate::hexadecimal::hexadecimal;
 use crate::words::{Line, Word, lines};
 use octoscope_core::geometry::Ray;
+use octoscope_core::text::Message;
 use octoscope_core::tree::{Code, MAX_ROOT_LEVEL};
 
 /// Codes of the occupied cells of a `.cells` text, in its order: one cell a
@@ -54,11 +55,8 @@ pub fn rays<const D: usize>(text: &str) -> Result<Vec<Ray<D>>, ImportError> {
             *number = ray_number(word)?;
         }
         let [origin, direction] = numbers;
-        let ray = Ray::new(origin, direction).map_err(|_| {
-            let fact = "the direction is zero";
-            let remedy = "give at least one of its components another value";
-            ImportError::at(words[D].place, fact, remedy)
-        })?;
+        let ray = Ray::new(origin, direction)
+            .map_err(|_| ImportError::at(words[D].place, Message::new("import-zero-direction")))?;
         rays.push(ray);
     }
     Ok(rays)
@@ -66,14 +64,14 @@ pub fn rays<const D: usize>(text: &str) -> Result<Vec<Ray<D>>, ImportError> {
 
 fn check_length(line: &Line<'_>, words: &[Word<'_>], due: usize) -> Result<(), ImportError> {
     if words.len() < due {
-        let fact = format!("the line has {} of {due} numbers", words.len());
-        return Err(ImportError::at(line.end(), fact, "add what is missing"));
+        let told = Message::new("import-few-numbers").with("n", words.len()).with("due", due);
+        return Err(ImportError::at(line.end(), told));
     }
     match words.get(due) {
         None => Ok(()),
         Some(extra) => {
-            let fact = format!("the line has more than {due} numbers");
-            Err(ImportError::at(extra.place, fact, "take the rest away, or write # before it"))
+            let told = Message::new("import-many-numbers").with("due", due);
+            Err(ImportError::at(extra.place, told))
         }
     }
 }
@@ -81,8 +79,8 @@ fn check_length(line: &Line<'_>, words: &[Word<'_>], due: usize) -> Result<(), I
 fn cell_number(word: &Word<'_>, grid_size: u32) -> Result<u32, ImportError> {
     let parsed = std::str::from_utf8(word.text).ok().and_then(|text| text.parse::<u32>().ok());
     parsed.filter(|&number| number < grid_size).ok_or_else(|| {
-        let fact = format!("{} is not a whole number in 0 … {}", word.quoted(), grid_size - 1);
-        ImportError::at(word.place, fact, "write cells of the grid, or ask for a greater depth")
+        let told = Message::new("import-cell").with("word", word.short());
+        ImportError::at(word.place, told.with("most", (grid_size - 1).to_string()))
     })
 }
 

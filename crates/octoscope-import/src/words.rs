@@ -1,6 +1,7 @@
 //! Lines and words of a text, each with its place.
 
 use crate::error::{ImportError, Place};
+use octoscope_core::text::Message;
 
 /// One line of a text, without its end.
 #[derive(Clone, Copy, Debug)]
@@ -67,11 +68,11 @@ impl<'a> Line<'a> {
 
 impl Word<'_> {
     /// The word between quotation marks, cut to a length that fits a message.
-    pub fn quoted(&self) -> String {
+    pub fn short(&self) -> String {
         let text = String::from_utf8_lossy(&self.text[..self.text.len().min(160)]);
         let short: String = text.chars().filter(|c| !c.is_control()).take(30).collect();
         let dots = if text.chars().count() > 30 { "…" } else { "" };
-        format!("“{short}{dots}”")
+        format!("{short}{dots}")
     }
 
     /// Finite number, written in decimal.
@@ -86,15 +87,15 @@ impl Word<'_> {
     /// `parsed` if it is a finite number, otherwise the reason why not.
     pub fn finite(&self, parsed: Option<f64>) -> Result<f64, ImportError> {
         let Some(number) = parsed else {
-            let fact = match self.text {
-                [] => "a number is missing".to_owned(),
-                _ => format!("{} is not a number", self.quoted()),
+            let told = match self.text {
+                [] => Message::new("import-no-number"),
+                _ => Message::new("import-not-a-number").with("word", self.short()),
             };
-            return Err(ImportError::at(self.place, fact, "write a number such as -1.25 or 3e-4"));
+            return Err(ImportError::at(self.place, told));
         };
         if !number.is_finite() {
-            let fact = format!("{} is not a finite number", self.quoted());
-            return Err(ImportError::at(self.place, fact, "write a number below 1e308"));
+            let told = Message::new("import-not-finite").with("word", self.short());
+            return Err(ImportError::at(self.place, told));
         }
         Ok(number)
     }
@@ -128,6 +129,6 @@ mod tests {
     fn long_words_are_cut_in_messages() {
         let line = Line { number: 1, text: &[b'x'; 500] };
         let word = line.words().next().expect("the line has a word");
-        assert_eq!(word.quoted(), format!("“{}…”", "x".repeat(30)));
+        assert_eq!(word.short(), format!("{}…", "x".repeat(30)));
     }
 }

@@ -2,6 +2,7 @@
 
 use super::place::{Spot, line_and_column, spot_before, spot_of};
 use super::{BUILT_IN, Fault, ScenarioError};
+use crate::text::{Argument, Language, Message};
 use serde_json::error::Category;
 
 /// Explains an error of the reader in `text`; `dimension` is that of the
@@ -16,120 +17,96 @@ pub(super) fn explained(
     let message = message.strip_suffix(&place).unwrap_or(&message);
     let line_start = text.split_inclusive('\n').take(error.line().saturating_sub(1));
     let offset = line_start.map(str::len).sum::<usize>() + error.column();
-    let (offset, message) = match error.classify() {
+    let (offset, told) = match error.classify() {
         Category::Syntax | Category::Eof | Category::Io => of_syntax(message, text, offset),
         Category::Data => of_data(message, text, &spot_before(text, offset), dimension),
     };
     let [line, column] = line_and_column(text, offset);
-    ScenarioError { line, column, fault: Fault::Field(message) }
+    ScenarioError { line, column, fault: Fault::Field(told) }
 }
 
 /// What breaks the rules of JSON, and where.
-fn of_syntax(message: &str, text: &str, offset: usize) -> (usize, String) {
+fn of_syntax(message: &str, text: &str, offset: usize) -> (usize, Message) {
     let last = text.floor_char_boundary(offset.saturating_sub(1));
-    let word = word_at(text, last);
     let end = text.trim_end().len();
-    let (place, message) = match message {
+    let of_word = |key, start| (start, Message::new(key).with("word", word_at(text, start)));
+    let plain = |key, start| (start, Message::new(key));
+    match message {
         "EOF while parsing a value" if end == 0 => {
-            (0, format!("the text is empty; write {LEAST} at least"))
+            (0, Message::new("field-empty").with("least", LEAST))
         }
-        "EOF while parsing a value" => {
-            (end, "the text ends where a value is due; write what is missing".to_owned())
-        }
-        "EOF while parsing a string" => {
-            (end, "the text ends within quotation marks; close them".to_owned())
-        }
-        "EOF while parsing an object" => {
-            (end, "the text ends within an object; close it with }".to_owned())
-        }
-        "EOF while parsing a list" => {
-            (end, "the text ends within a list; close it with ]".to_owned())
-        }
-        "expected `:`" => {
-            (last, format!("a colon is missing before {word}; write \"name\": value"))
-        }
-        "expected `,` or `}`" => {
-            (last, format!("a comma is missing before {word}, or a }}; write what is due"))
-        }
-        "expected `,` or `]`" => {
-            (last, format!("a comma is missing before {word}, or a ]; write what is due"))
-        }
-        "trailing comma" => {
-            (last, "a comma stands before the closing bracket; take it away".to_owned())
-        }
-        "key must be a string" => {
-            (last, format!("{word} is no name of a field; write the name in quotation marks"))
-        }
+        "EOF while parsing a value" => plain("field-no-value", end),
+        "EOF while parsing a string" => plain("field-open-text", end),
+        "EOF while parsing an object" => plain("field-open-object", end),
+        "EOF while parsing a list" => plain("field-open-list", end),
+        "expected `:`" => of_word("field-colon", last),
+        "expected `,` or `}`" => of_word("field-comma-in-object", last),
+        "expected `,` or `]`" => of_word("field-comma-in-list", last),
+        "trailing comma" => plain("field-comma-too-many", last),
+        "key must be a string" => of_word("field-no-name", last),
         "number out of range" | "invalid number" => {
-            let spot = spot_before(text, offset);
-            let word = word_at(text, spot.start);
-            (spot.start, format!("{word} is no number; write one below 1e308, such as -0.25"))
+            of_word("field-no-number", spot_before(text, offset).start)
         }
         "expected value" | "expected ident" => {
             let spot = spot_before(text, offset);
-            let start = if spot.end > last { spot.start } else { last };
-            let word = word_at(text, start);
-            (start, format!("{word} is no value; write a finite number or a text in quotes"))
+            of_word("field-strange-value", if spot.end > last { spot.start } else { last })
         }
-        "trailing characters" => {
-            (last, format!("{word} follows the end of the scenario; take it away"))
-        }
-        "recursion limit exceeded" => {
-            (last, "lists and objects are nested more than 127 deep; nest them less".to_owned())
-        }
-        other if other.starts_with("control character") => (
-            last,
-            "a text in quotes holds a line end or another control character; write \\n".to_owned(),
-        ),
-        "invalid escape" => {
-            (last, format!("\\ does not go with {word}; write \\\\ for a backslash"))
-        }
-        other => (last, format!("{other}; write it as JSON asks")),
-    };
-    (place, message)
+        "trailing characters" => of_word("field-behind-the-end", last),
+        "recursion limit exceeded" => plain("field-too-deep", last),
+        other if other.starts_with("control character") => plain("field-control", last),
+        "invalid escape" => of_word("field-escape", last),
+        other => (last, Message::new("field-json").with("details", other)),
+    }
 }
 
 /// What is no scenario, though it is JSON, and where.
-fn of_data(message: &str, text: &str, spot: &Spot, dimension: Option<usize>) -> (usize, String) {
+fn of_data(message: &str, text: &str, spot: &Spot, dimension: Option<usize>) -> (usize, Message) {
     let names: Vec<&str> = message.split('`').skip(1).step_by(2).collect();
     let name = names.first().copied().unwrap_or_default();
     let known = names.get(1..).unwrap_or_default();
-    let there_are = || match nearest(name, known) {
-        Some(near) => format!("write ‘{near}’, or one of {}", known.join(", ")),
-        None => format!("there are {}", known.join(", ")),
+    let there_are = || {
+        let listed = |key| Message::new(key).with("known", known.join(", "));
+        match nearest(name, known) {
+            Some(near) => listed("field-one-of").with("near", near),
+            None => listed("field-there-are"),
+        }
     };
     let value = || word_at(text, spot.start);
     let is = |kind: &str| message.starts_with(kind);
     let is_name = text[spot.end..].trim_start().starts_with(':');
     let told = if is("unknown field `") || is("unknown variant `") && is_name {
-        format!("there is no field ‘{name}’ here; {}", there_are())
+        Message::new("field-unknown").with("name", name).with("due", there_are())
     } else if is("unknown variant `") {
-        format!("{} is {}; {}", of_path(&spot.path), value(), there_are())
+        let told = Message::new("field-value").with("path", of_path(&spot.path));
+        told.with("value", value()).with("due", there_are())
     } else if is("missing field `") {
         let path = if spot.path.is_empty() { name } else { &format!("{}.{name}", spot.path) };
-        format!("the field ‘{name}’ is missing; {}", due(path, dimension, text))
+        Message::new("field-missing").with("name", name).with("due", due(path, dimension, text))
     } else if is("duplicate field `") {
-        format!("the field ‘{name}’ is there twice; take one away")
-    } else if is("invalid ") && is_name {
-        format!("{} is not written so; {}", of_path(&spot.path), due(&spot.path, dimension, text))
+        Message::new("field-twice").with("name", name)
     } else if is("invalid ") {
-        format!("{} is {}; {}", of_path(&spot.path), value(), due(&spot.path, dimension, text))
+        let key = if is_name { "field-otherwise" } else { "field-value" };
+        let told = Message::new(key).with("path", of_path(&spot.path)).with("value", value());
+        told.with("due", due(&spot.path, dimension, text))
     } else {
         // What the fields say themselves.
-        message.to_owned()
+        Message::new("field-said").with("details", message)
     };
     (spot.start, told)
 }
 
-fn of_path(path: &str) -> String {
-    if path.is_empty() { "the whole".to_owned() } else { format!("‘{path}’") }
+fn of_path(path: &str) -> Message {
+    match path {
+        "" => Message::new("field-whole"),
+        path => Message::new("field-path").with("path", path),
+    }
 }
 
 /// The beginning of what stands at `start`.
-fn word_at(text: &str, start: usize) -> String {
+fn word_at(text: &str, start: usize) -> Argument {
     const MOST: usize = 24;
     let rest = text.get(start..).unwrap_or_default();
-    let Some(first) = rest.chars().next() else { return "the end".to_owned() };
+    let Some(first) = rest.chars().next() else { return Message::new("field-end").into() };
     let length = match first {
         '"' => rest[1..].find('"').map_or(rest.len(), |end| end + 2),
         '{' | '[' => rest.find('\n').unwrap_or(rest.len()),
@@ -144,64 +121,63 @@ fn word_at(text: &str, start: usize) -> String {
     if word.chars().count() > MOST {
         short.push('…');
     }
-    short
+    short.into()
 }
 
 /// The least that a scenario is.
 pub const LEAST: &str = r#"{"octoscope": 1, "scene": {"built-in": "cloud"}}"#;
 
-/// What is right at a path, without the indices of lists; # is the dimension, ~ the end of
-/// the range that the built-in scene gives.
+/// Key of what is right at a path, without the indices of lists.
 const DUE: [(&str, &str); 45] = [
-    ("octoscope", "write 1, the version of the format"),
-    ("dimension", "write 2 for a quadtree or 3 for an octree"),
-    ("domain", r#"write an object with "min" and "side""#),
-    ("domain.min", "write # numbers in brackets, one for each axis"),
-    ("domain.side", "write a number above 0"),
-    ("scene", r#"write an object such as {"built-in": "cloud"}"#),
-    ("scene.built-in", r#"write the name of a scene in quotes, such as "cloud""#),
-    ("scene.parameters", r#"write an object with "seed" or "n""#),
-    ("scene.parameters.seed", "write a whole number from 0"),
-    ("scene.parameters.n", "write a whole number from 1~, in digits alone"),
-    ("scene.points", "write a list of points of # numbers each"),
-    ("scene.cells", "write a list of cells of # whole numbers from 0 each"),
-    ("scene.image", r#"write an object with "width", "height" and "rows""#),
-    ("scene.image.width", "write a whole number of pixels"),
-    ("scene.image.height", "write a whole number of pixels"),
-    ("scene.image.rows", r#"write a list of rows such as "00 7f ff""#),
-    ("scene.spheres", r#"write a list of objects with "centre" and "radius""#),
-    ("scene.spheres.centre", "write # numbers in brackets, one for each axis"),
-    ("scene.spheres.radius", "write a number above 0"),
-    ("scene.boxes", r#"write a list of objects with "min" and "max""#),
-    ("scene.boxes.min", "write # numbers in brackets, one for each axis"),
-    ("scene.boxes.max", "write # numbers in brackets, one for each axis"),
-    ("scene.triangles", "write a list of triangles of 3 points of # numbers each"),
-    ("scene.file", "write a path in quotes, relative to this file"),
-    ("scene.hash", r#"write a text in quotes such as "sha256:…", or leave it out"#),
-    ("build", r#"write an object such as {"depth": 6}"#),
-    ("build.depth", "write a whole number from 0 to 20"),
-    ("build.capacity", "write a whole number from 1"),
-    ("build.threshold", "write a whole number from 0 to 255"),
-    ("ray", r#"write an object with "origin" and "direction""#),
-    ("ray.origin", "write # numbers in brackets, one for each axis"),
-    ("ray.direction", "write # numbers in brackets, one for each axis, not all of them 0"),
-    ("query", r#"write "ray", or an object with "point", "region" or "neighbour""#),
-    ("query.ray", r#"write "query": "ray"; its numbers go into the field "ray" beside it"#),
-    ("query.point", r#"write an object with "at""#),
-    ("query.point.at", "write # numbers in brackets, one for each axis"),
-    ("query.region", r#"write an object with "min" and "max""#),
-    ("query.region.min", "write # numbers in brackets, one for each axis"),
-    ("query.region.max", "write # numbers in brackets, one for each axis"),
-    ("query.neighbour", r#"write an object with "level", "code" and "direction""#),
-    ("query.neighbour.level", "write a whole number from 0 to 20"),
-    ("query.neighbour.code", "write # whole numbers from 0 in brackets, one for each axis"),
-    ("query.neighbour.direction", "write # of the numbers -1, 0 and 1 in brackets"),
-    ("step", r#"write "first", "last" or a whole number from 0"#),
-    ("view", "write an object, or leave it out"),
+    ("octoscope", "due-octoscope"),
+    ("dimension", "due-dimension"),
+    ("domain", "due-domain"),
+    ("domain.min", "due-vector"),
+    ("domain.side", "due-domain-side"),
+    ("scene", "due-scene"),
+    ("scene.built-in", "due-scene-built-in"),
+    ("scene.parameters", "due-scene-parameters"),
+    ("scene.parameters.seed", "due-whole"),
+    ("scene.parameters.n", "due-range"),
+    ("scene.points", "due-scene-points"),
+    ("scene.cells", "due-scene-cells"),
+    ("scene.image", "due-scene-image"),
+    ("scene.image.width", "due-pixels"),
+    ("scene.image.height", "due-pixels"),
+    ("scene.image.rows", "due-scene-image-rows"),
+    ("scene.spheres", "due-scene-spheres"),
+    ("scene.spheres.centre", "due-vector"),
+    ("scene.spheres.radius", "due-domain-side"),
+    ("scene.boxes", "due-scene-boxes"),
+    ("scene.boxes.min", "due-vector"),
+    ("scene.boxes.max", "due-vector"),
+    ("scene.triangles", "due-scene-triangles"),
+    ("scene.file", "due-scene-file"),
+    ("scene.hash", "due-scene-hash"),
+    ("build", "due-build"),
+    ("build.depth", "due-depth"),
+    ("build.capacity", "due-build-capacity"),
+    ("build.threshold", "due-build-threshold"),
+    ("ray", "due-ray"),
+    ("ray.origin", "due-vector"),
+    ("ray.direction", "due-ray-direction"),
+    ("query", "due-query"),
+    ("query.ray", "due-query-ray"),
+    ("query.point", "due-query-point"),
+    ("query.point.at", "due-vector"),
+    ("query.region", "due-query-region"),
+    ("query.region.min", "due-vector"),
+    ("query.region.max", "due-vector"),
+    ("query.neighbour", "due-query-neighbour"),
+    ("query.neighbour.level", "due-depth"),
+    ("query.neighbour.code", "due-query-neighbour-code"),
+    ("query.neighbour.direction", "due-query-neighbour-direction"),
+    ("step", "due-step"),
+    ("view", "due-view"),
 ];
 
 /// What would be right at `path` of `text`.
-fn due(path: &str, dimension: Option<usize>, text: &str) -> String {
+fn due(path: &str, dimension: Option<usize>, text: &str) -> Message {
     let mut plain = String::new();
     let mut depth = 0;
     for c in path.chars() {
@@ -212,22 +188,35 @@ fn due(path: &str, dimension: Option<usize>, text: &str) -> String {
             _ => {}
         }
     }
-    let number = dimension.map_or("2 or 3".to_owned(), |d| d.to_string());
+    let n: Argument = match dimension {
+        Some(dimension) => dimension.to_string().into(),
+        None => Message::new("due-two-or-three").into(),
+    };
     match DUE.iter().find(|(path, _)| *path == plain) {
-        Some((_, right)) if right.contains('~') => right.replace('~', &most_of_scene(text)),
-        Some((_, right)) => right.replace('#', &number),
-        None if path.is_empty() => format!("write an object such as {LEAST}"),
-        None => "write a text in quotes".to_owned(),
+        Some((_, "due-range")) => match most_of_scene(text) {
+            Some(most) => Message::new("due-range-to").with("most", most.to_string()),
+            None => Message::new("due-range"),
+        },
+        Some((_, right)) => Message::new(right).with("n", n),
+        None if path.is_empty() => Message::new("due-scenario").with("least", LEAST),
+        None => Message::new("due-text"),
     }
 }
 
-/// How far the parameter of the built-in scene that `text` names goes; empty without one.
-fn most_of_scene(text: &str) -> String {
+/// How far the parameter of the built-in scene that `text` names goes, if it has one.
+fn most_of_scene(text: &str) -> Option<u32> {
     let spot = spot_of(text, "scene.built-in");
     let name = text[spot.start..spot.end].trim_matches('"');
     let known = BUILT_IN.iter().find(|entry| entry.id == name);
-    let range = known.and_then(|entry| entry.n);
-    range.map_or(String::new(), |[_, most]| format!(" to {most}"))
+    known.and_then(|entry| entry.n).map(|[_, most]| most)
+}
+
+/// Source of the texts of what is wrong with the fields of a scenario, in `language`.
+pub fn scenario_texts(language: Language) -> &'static str {
+    match language {
+        Language::English => include_str!("../../../../assets/texts/en/scenarios.ftl"),
+        Language::German => include_str!("../../../../assets/texts/de/scenarios.ftl"),
+    }
 }
 
 /// The known name that differs least from `name`, unless all differ much.
@@ -257,6 +246,7 @@ fn distance(a: &str, b: &str) -> usize {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::text::Texts;
 
     #[test]
     fn the_nearest_name_is_one_that_could_be_meant() {
@@ -266,6 +256,23 @@ mod tests {
         assert_eq!(nearest("neighbor", &known), Some("neighbour"));
         assert_eq!(nearest("colour", &known), None);
         assert_eq!(nearest("x", &known), None);
+    }
+
+    #[test]
+    fn every_text_is_there_in_every_language_and_none_is_for_nothing() {
+        let source = include_str!("fault.rs").split("mod tests").next().unwrap();
+        for language in Language::ALL {
+            let texts = Texts::new(language, &[scenario_texts(language)]);
+            let named = source.split('"').filter(|word| {
+                !word.contains(' ') && (word.starts_with("due-") || word.starts_with("field-"))
+            });
+            assert!(named.clone().count() > 60);
+            named.for_each(|key| assert!(texts.has(key), "{key} in {language:?}"));
+            let lines = scenario_texts(language).lines().filter(|line| !line.starts_with('#'));
+            for (key, _) in lines.filter_map(|line| line.split_once(" = ")) {
+                assert!(source.contains(&format!("\"{key}\"")), "{key} in {language:?}");
+            }
+        }
     }
 
     #[test]

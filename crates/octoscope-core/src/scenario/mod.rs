@@ -9,7 +9,7 @@ mod read;
 mod source;
 
 pub use built_in::{BUILT_IN, BuiltIn, built_in};
-pub use fault::LEAST;
+pub use fault::{LEAST, scenario_texts};
 pub use read::{Fault, ScenarioError, VERSION};
 pub use source::{Parameters, Source, SourceError};
 

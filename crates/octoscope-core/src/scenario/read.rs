@@ -1,6 +1,6 @@
 //! Reading scenario files.
 
-use super::fault::{LEAST, explained};
+use super::fault::{LEAST, explained, scenario_texts};
 use super::fields::{File, Head, Picture, QueryField, Scene, Vector, Version};
 use super::place::{line_and_column, spot_of};
 use super::{
@@ -10,8 +10,10 @@ use crate::geometry::{Aabb, Ray, RayError};
 use crate::locate::{Direction, DirectionError};
 use crate::query::Query;
 use crate::scene::{Content, Cube, Image, Sphere};
+use crate::text::{Language, Message, Texts};
 use crate::tree::{DomainError, MAX_ROOT_LEVEL, Outside, Recipe, outside};
 use serde::Deserialize;
+use std::sync::LazyLock;
 use thiserror::Error;
 
 /// Version of the format that is written, and the newest that is read.
@@ -32,9 +34,10 @@ pub struct ScenarioError {
 /// What is wrong with a scenario.
 #[derive(Clone, Debug, Error, PartialEq)]
 pub enum Fault {
-    /// No JSON, an unknown or missing field, or a value that does not fit.
-    #[error("{0}")]
-    Field(String),
+    /// No JSON, an unknown or missing field, or a value that does not fit; in words of
+    /// [`scenario_texts`].
+    #[error("{}", .0.told(&IN_ENGLISH))]
+    Field(Message),
     /// Neither empty nor an object.
     #[error("this is no scenario; write an object such as {LEAST}")]
     NoObject,
@@ -120,6 +123,11 @@ pub enum Fault {
         item: usize,
     },
 }
+
+static IN_ENGLISH: LazyLock<Texts> = LazyLock::new(|| {
+    let language = Language::English;
+    Texts::new(language, &[scenario_texts(language)])
+});
 
 impl Fault {
     /// The same with its place in `text`.
