@@ -67,12 +67,12 @@ fn top_down_walks_cost_what_is_counted_by_hand() {
         Additions, Calls, Divisions, EntryComparisons, ExitComparisons, NodeTouches,
         RangeComparisons, SortComparisons, TableLookups, Transitions,
     };
-    // The root and two leaves. First: 1 for the near plane, 1 with the origin, 2
-    // with the mid planes. Two steps with 1 each.
+    // Two leaves; no link leads to the root. First: 1 for the near plane, 1 with the
+    // origin, 2 with the mid planes. Two steps with 1 each.
     check(
         Algorithm::Parametric,
         &[
-            (NodeTouches, 3),
+            (NodeTouches, 2),
             (Calls, 3),
             (EntryComparisons, 2 + 4),
             (ExitComparisons, 1 + 2),
@@ -85,7 +85,7 @@ fn top_down_walks_cost_what_is_counted_by_hand() {
     check(
         Algorithm::ParametricTable,
         &[
-            (NodeTouches, 3),
+            (NodeTouches, 2),
             (Calls, 3),
             (EntryComparisons, 2 + 2),
             (ExitComparisons, 1 + 2 + 3),
@@ -97,7 +97,7 @@ fn top_down_walks_cost_what_is_counted_by_hand() {
     check(
         Algorithm::Hero,
         &[
-            (NodeTouches, 3),
+            (NodeTouches, 2),
             (Calls, 3),
             (EntryComparisons, 2 + 2),
             (ExitComparisons, 1),
@@ -110,7 +110,7 @@ fn top_down_walks_cost_what_is_counted_by_hand() {
     check(
         Algorithm::Gargantini,
         &[
-            (NodeTouches, 3),
+            (NodeTouches, 2),
             (Calls, 3),
             (EntryComparisons, 2 + 4),
             (RangeComparisons, 2 + 4),
@@ -122,7 +122,7 @@ fn top_down_walks_cost_what_is_counted_by_hand() {
     check(
         Algorithm::AllChildren,
         &[
-            (NodeTouches, 3),
+            (NodeTouches, 2),
             (EntryComparisons, 2 + 4 * 2),
             (ExitComparisons, 1 + 4),
             (RangeComparisons, 2 + 4),
@@ -133,7 +133,7 @@ fn top_down_walks_cost_what_is_counted_by_hand() {
     check(
         Algorithm::Esvo,
         &[
-            (NodeTouches, 3),
+            (NodeTouches, 2),
             (Calls, 0),
             (EntryComparisons, 2 + 2),
             (ExitComparisons, 1 + 2),
@@ -142,10 +142,10 @@ fn top_down_walks_cost_what_is_counted_by_hand() {
             (Divisions, 4 + 2),
         ],
     );
-    // The binary tree: the root, its halves, in each of them a quarter.
+    // The binary tree: both halves of the root, in each of them a quarter.
     check(
         Algorithm::Bsp,
-        &[(NodeTouches, 5), (Divisions, 4 + 3), (RangeComparisons, 2 + 3 * 3), (TableLookups, 0)],
+        &[(NodeTouches, 4), (Divisions, 4 + 3), (RangeComparisons, 2 + 3 * 3), (TableLookups, 0)],
     );
 }
 
@@ -308,8 +308,9 @@ fn walks_of_one_kind_touch_the_same_nodes() {
             for algorithm in [ByCodes, Glassner, Samet, SametCorner, SametNet] {
                 assert_eq!(divisions(algorithm), 6 + 3 * leaves, "{algorithm:?}");
             }
-            assert_eq!(divisions(Bsp), 6 + touches(Bsp) - leaves);
-            assert_eq!(divisions(AllChildren), 6 + 6 * 8 * (nodes - leaves));
+            // Of the root and what is reached, all but the leaves are inner nodes.
+            assert_eq!(divisions(Bsp), 6 + 1 + touches(Bsp) - leaves);
+            assert_eq!(divisions(AllChildren), 6 + 6 * 8 * (1 + nodes - leaves));
         }
     }
 }

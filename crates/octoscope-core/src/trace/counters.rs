@@ -7,13 +7,14 @@
 //! Sorting n leaves counts as n ⌊log₂ n⌋ comparisons.
 
 use crate::event::{Event, Lookup, Search};
-use crate::tree::NodeId;
+use crate::tree::{NodeId, Part};
 
 /// One kind of work.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Counter {
-    /// A node is reached: from its parent, from a child or across a side. Of the
-    /// binary tree that emulates an octree, every part that is entered counts.
+    /// A node is reached by a link: from its parent, from a child or across a side, so
+    /// never the root from which a walk begins. Of the binary tree that emulates an
+    /// octree, every part that is entered counts.
     NodeTouches,
     /// A node is asked whether it is a leaf.
     LeafTests,
@@ -168,10 +169,12 @@ impl Counters {
                 let n = u64::from(n_leaves);
                 count(SortComparisons, n * u64::from(n.max(1).ilog2()));
             }
-            Event::Visit { .. } | Event::Enter { .. } => {
-                count(NodeTouches, 1);
+            Event::Visit { node, .. } | Event::Enter { node, .. } => {
+                // No link leads to the root.
+                let by_link = u64::from(node != NodeId::ROOT);
+                count(NodeTouches, by_link);
+                count(Descends, by_link);
                 count(LeafTests, 1);
-                count(Descends, 1);
                 let in_a_loop = matches!(event, Event::Enter { call: false, .. });
                 count(Calls, u64::from(!in_a_loop));
                 self.push();
@@ -194,8 +197,8 @@ impl Counters {
                     self.push();
                 }
             }
-            Event::Pop { .. } => {
-                count(NodeTouches, 1);
+            Event::Pop { part, .. } => {
+                count(NodeTouches, u64::from(part != Part::whole(NodeId::ROOT)));
                 count(LeafTests, 1);
                 self.on_stack = self.on_stack.saturating_sub(1);
             }
