@@ -10,39 +10,39 @@ use octoscope_core::explain::{Span, approx, shown_number};
 use octoscope_core::trace::{Moment, Trace};
 use octoscope_core::tree::{NodeId, Tree};
 use octoscope_figure::DiagramOf;
-use octoscope_figure::views::{RailFigure, rail_of, t_rail, t_rail_height};
+use octoscope_figure::views::{RailFigure, RailRows, rail_of, t_rail, t_rail_height};
 
-/// Height of a row in a lecture.
-pub fn lecture_row<const D: usize>() -> f32 {
-    if D == 2 { 66.0 } else { 38.0 }
+/// How rows are set in a lecture.
+pub fn lecture_rows<const D: usize>() -> RailRows {
+    // Three large ones would leave no room for formulas.
+    if D == 2 { RailRows::Large } else { RailRows::Small }
 }
 
 /// Height of the rail in a lecture.
 pub fn lecture_height<const D: usize>() -> f32 {
-    height::<D>(lecture_row::<D>())
+    height::<D>(lecture_rows::<D>())
 }
 
-/// Height of the rail with rows of this height.
-fn height<const D: usize>(row: f32) -> f32 {
-    t_rail_height::<D>(f64::from(row)) as f32
+/// Height of the rail with rows that are set like this.
+fn height<const D: usize>(rows: RailRows) -> f32 {
+    t_rail_height::<D>(rows) as f32
 }
 
-/// One bar per axis from t0 to t1 with tm, in rows of height `row`; dragging goes to the leaf at that t.
-/// Returns what is pointed at.
+/// One bar per axis from t0 to t1 with tm; dragging goes to the leaf at that t. Returns what
+/// is pointed at.
 pub fn ui<const D: usize>(
     ui: &mut Ui,
     look: &Look,
     trace: &Trace<D>,
     of: &DiagramOf<'_, D>,
-    row: f32,
+    rows: RailRows,
 ) -> Pointed {
     let moment = of.moment;
     let title = look.text("panel-t-rail");
     let width = ui.available_width();
-    let size = [f64::from(width), f64::from(row)];
     let least = f64::from(look.least_type);
-    let Some(rail) = t_rail(&look.texts, of, size, least) else {
-        let size = vec2(width, height::<D>(row));
+    let Some(rail) = t_rail(&look.texts, of, f64::from(width), rows, least) else {
+        let size = vec2(width, height::<D>(rows));
         let (rect, response) = ui.allocate_exact_size(size, Sense::click_and_drag());
         let hint = RichText::new(look.text("t-rail-none")).color(look.palette.quiet);
         let middle = UiBuilder::new().max_rect(rect).layout(Layout::top_down(Align::Center));

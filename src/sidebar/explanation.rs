@@ -19,7 +19,7 @@ use octoscope_core::query::Query;
 use octoscope_core::trace::{Counters, Moment};
 use octoscope_core::traverse::Variant;
 use octoscope_core::tree::NodeId;
-use octoscope_figure::views::changed_variables;
+use octoscope_figure::views::{RailRows, changed_variables};
 use std::sync::Arc;
 
 /// Sides of at least this width, in points, have two columns of panels.
@@ -149,8 +149,8 @@ fn body<const D: usize>(
         PanelKind::Neighbour => neighbour::ui(ui, look, &tree, moment),
         PanelKind::Rail => {
             let is_lecture = view.preset == Preset::Lecture;
-            let row = if is_lecture { t_rail::lecture_row::<D>() } else { 40.0 };
-            let pointed = t_rail::ui(ui, look, &trace, &document.shown(moment), row);
+            let rows = if is_lecture { t_rail::lecture_rows::<D>() } else { RailRows::Small };
+            let pointed = t_rail::ui(ui, look, &trace, &document.shown(moment), rows);
             if let Some(step) = pointed.step {
                 view.playback.playing = false;
                 view.playback.go_to(step, trace.events.len());

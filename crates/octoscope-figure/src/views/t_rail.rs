@@ -7,7 +7,8 @@ use super::sheet::Sheet;
 use super::subject::Subject;
 use super::words::{on_axis, parameter};
 use crate::{Anchor, DiagramOf, Figure, Form, Part, Role, metrics};
-use labels::{BADGE, HIGH, Label, spread};
+pub use labels::RailRows;
+use labels::{BADGE, Label, Sizes, spread};
 use octoscope_core::explain::{RichText, distinct};
 use octoscope_core::geometry::AXIS_NAMES;
 use octoscope_core::query::Query;
@@ -39,27 +40,33 @@ impl RailFigure {
     }
 }
 
-/// One bar per axis from t0 to t1 with tm, in rows of height `row` on a page of
-/// this width, with room for type of at least `least` page units; `None` as long as
-/// no parameter is known.
+/// One bar per axis from t0 to t1 with tm, in rows set like this on a page of this
+/// width, with room for type of at least `least` page units; `None` as long as no
+/// parameter is known.
 pub fn t_rail<const D: usize>(
     texts: &Texts,
     of: &DiagramOf<D>,
-    [width, row]: [f64; 2],
+    width: f64,
+    rows: RailRows,
     least: f64,
 ) -> Option<RailFigure> {
     let rail = Rail::of(of.moment)?.with_planes(of.tree, of.ray);
     let missed = missed(&rail, of, texts);
-    let (range, track) = (rail.range(), [24.0, width - 8.0]);
-    let drawing = Drawing { rail: &rail, range, track, row, least };
+    let (range, track) = (rail.range(), track(width));
+    let drawing = Drawing { rail: &rail, range, track, rows, sizes: rows.sizes(), least };
     let mut sheet = Sheet::default();
     drawing.draw(&mut sheet, texts, missed.as_deref());
-    let figure = sheet.figure([width, t_rail_height::<D>(row)]);
+    let figure = sheet.figure([width, t_rail_height::<D>(rows)]);
     let of_axis = |axis| rail.stops(axis).into_iter().map(move |(t, plane)| (axis, plane, t));
     let parameters = (0..D).flat_map(of_axis).map(|(axis, plane, t)| (parameter(axis, plane), t));
     let parameters = parameters.collect();
     let limits = rail.limits();
     Some(RailFigure { figure, limits, missed, parameters, range, track })
+}
+
+/// Where the common axis begins and ends on a page of this width.
+fn track(width: f64) -> [f64; 2] {
+    [24.0, width - 8.0]
 }
 
 /// Why the ray misses the node, in words, if it was found to.
@@ -105,7 +112,6 @@ pub fn rail_of<const D: usize>(moment: &Moment<D>) -> Option<RailOf<D>> {
 
 /// The rail with the node above it, as a figure of this width.
 pub(super) fn view<const D: usize>(subject: &Subject<D>, width: f64) -> Option<Figure> {
-    const ROW: f64 = 40.0;
     const HEAD: f64 = 20.0;
     let Subject { tree, ray, moment, .. } = *subject;
     let of = DiagramOf {
@@ -116,7 +122,7 @@ pub(super) fn view<const D: usize>(subject: &Subject<D>, width: f64) -> Option<F
         event: subject.event(),
         strayed: &[],
     };
-    let rail = t_rail(subject.texts, &of, [width, ROW], 0.0)?;
+    let rail = t_rail(subject.texts, &of, width, RailRows::Small, 0.0)?;
     let mut sheet = Sheet::default();
     let text = rail_of(subject.moment)?.note(subject.texts, subject.tree);
     sheet.text(Role::Note, [0.0, 8.0], Anchor::Start, text);
@@ -124,11 +130,11 @@ pub(super) fn view<const D: usize>(subject: &Subject<D>, width: f64) -> Option<F
     Some(sheet.figure([width, rail.figure.page.height + HEAD]))
 }
 
-/// Height of a rail with rows of this height.
-pub fn t_rail_height<const D: usize>(row: f64) -> f64 {
+/// Height of a rail with rows that are set like this.
+pub fn t_rail_height<const D: usize>(rows: RailRows) -> f64 {
     /// Room below the bars.
     const BELOW: f64 = 40.0;
-    row * D as f64 + BELOW
+    rows.sizes().row * D as f64 + BELOW
 }
 
 /// Where `t` lies between `low` and `high`, from 0 to 1; halved, as the whole
@@ -147,12 +153,10 @@ struct Drawing<'a, const D: usize> {
     rail: &'a Rail<D>,
     range: [f64; 2],
     track: [f64; 2],
-    row: f64,
+    rows: RailRows,
+    sizes: Sizes,
     least: f64,
 }
-
-/// Half the height of the mark of a plane on its bar.
-const TICK: f64 = 8.0;
 
 impl<const D: usize> Drawing<'_, D> {
     fn x_of(&self, t: f64) -> f64 {
@@ -160,23 +164,12 @@ impl<const D: usize> Drawing<'_, D> {
         left + share_of(t, self.range) * (right - left)
     }
 
-    /// Half the height that a label takes.
-    fn half_line(&self) -> f64 {
-        let least = if self.is_high() { 10.0 } else { 8.0 };
-        (0.6 * self.least).max(least)
-    }
-
     fn bar_y(&self, axis: usize) -> f64 {
-        let up = if self.is_high() { 0.0 } else { 8.0 };
-        self.row * (axis as f64 + 0.5) - up
-    }
-
-    fn is_high(&self) -> bool {
-        self.row >= HIGH
+        self.sizes.row * axis as f64 + self.sizes.bar
     }
 
     fn bottom(&self) -> f64 {
-        self.row * D as f64
+        self.sizes.row * D as f64
     }
 
     fn draw(&self, sheet: &mut Sheet, texts: &Texts, missed: Option<&str>) {
@@ -191,14 +184,13 @@ impl<const D: usize> Drawing<'_, D> {
         }
         for axis in 0..D {
             self.bar(sheet, axis);
-            let of_axis = self.labels(axis);
-            of_axis.iter().filter_map(|label| self.leader(axis, label)).for_each(|line| {
+            self.labels(axis).iter().filter_map(Label::leader).for_each(|line| {
                 sheet.push(Role::Stop(axis), Part::Fine, Form::Polyline(line.to_vec()));
             });
         }
-        for Label { role, at, width, text, is_odd, is_above, tick: _ } in labels {
+        for Label { role, at, width, text, is_framed, .. } in labels {
             let mut start = at;
-            if is_odd && !is_above {
+            if is_framed {
                 let half = self.half_line();
                 sheet.rect(Role::Blank, [at[0], at[1] - half], [width, 2.0 * half]);
                 start[0] += BADGE;
@@ -224,7 +216,7 @@ impl<const D: usize> Drawing<'_, D> {
                 let unknown = vec![[self.track[0], y], [from, y]];
                 sheet.push(Role::Stop(axis), Part::Fine, Form::Polyline(unknown));
             }
-            if self.is_high() {
+            if self.rows == RailRows::Large {
                 // As thick again.
                 for off in [-2.5, 2.5] {
                     sheet.line(Role::Bar(axis), [[from, y + off], [to, y + off]]);
@@ -235,7 +227,7 @@ impl<const D: usize> Drawing<'_, D> {
         for (t, _) in self.rail.stops(axis) {
             let x = self.x_of(t);
             if (low..=high).contains(&t) {
-                sheet.line(Role::Stop(axis), [[x, y - TICK], [x, y + TICK]]);
+                sheet.line(Role::Stop(axis), [[x, y - self.sizes.tick], [x, y + self.sizes.tick]]);
             } else if !t.is_nan() {
                 // Beyond the end: a head that is higher than the bar.
                 let way = if t > high { 9.0 } else { -9.0 };

@@ -1,82 +1,120 @@
-//! What is written beside the bars of the rail, and where.
+//! What is written above and below the bars of the rail, and where.
 
-use super::{Drawing, TICK};
-use crate::views::words::{joined, parameter};
+use super::Drawing;
+use crate::views::words::parameter;
 use crate::{Role, metrics};
 use octoscope_core::explain::RichText;
 
-/// How far labels stand from their bar.
-struct Off {
-    /// To the middle of their height.
-    middle: f64,
-    /// To their letters.
-    letters: f64,
+/// How the rows of a rail are set.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum RailRows {
+    /// As the rest of a panel.
+    Small,
+    /// In larger type, with thicker bars.
+    Large,
 }
 
-/// Of labels below a bar.
-const DOWN: Off = Off { middle: 17.0, letters: 12.0 };
-/// In rows of at least this height names stand above the bars and values below them, both
-/// in larger type.
-pub(super) const HIGH: f64 = 60.0;
-/// Of names and values there.
-const APART: Off = Off { middle: 21.0, letters: 13.0 };
-/// What names and values are set as there.
-const LARGE: Role = Role::Formula(0);
+/// How labels stand beside their bar.
+#[derive(Clone, Copy)]
+pub(super) struct Off {
+    /// From the bar to the middle of their height.
+    middle: f64,
+    /// From there back to where letters end.
+    reach: f64,
+}
+
+/// Sizes of a row: names stand above its bar and values below it.
+#[derive(Clone, Copy)]
+pub(super) struct Sizes {
+    /// What names and values are set as.
+    role: Role,
+    /// Its height.
+    pub row: f64,
+    /// From its top to its bar.
+    pub bar: f64,
+    /// Half the height of the mark of a plane on its bar.
+    pub tick: f64,
+    /// Half the height that a label takes.
+    half_line: f64,
+    names: Off,
+    values: Off,
+}
+
+impl RailRows {
+    pub(super) fn sizes(self) -> Sizes {
+        match self {
+            Self::Small => Sizes {
+                role: Role::Words,
+                row: 56.0,
+                bar: 28.0,
+                tick: 6.0,
+                half_line: 8.0,
+                names: Off { middle: 20.0, reach: 8.0 },
+                values: Off { middle: 18.0, reach: 6.0 },
+            },
+            Self::Large => Sizes {
+                role: Role::Formula(0),
+                row: 72.0,
+                bar: 38.0,
+                tick: 8.0,
+                half_line: 10.0,
+                names: Off { middle: 26.0, reach: 11.0 },
+                values: Off { middle: 23.0, reach: 8.0 },
+            },
+        }
+    }
+}
 
 /// Between an odd number and the frame around it.
 pub(super) const BADGE: f64 = 4.0;
 
-/// Text beside a bar.
+/// Text above or below a bar.
 pub(super) struct Label {
     pub role: Role,
-    /// Whether it stands above the bar.
-    pub is_above: bool,
-    /// Where its mark stands on the bar.
-    pub tick: f64,
+    /// Where its line begins: at its mark on the bar; `None` of what is nowhere.
+    pub mark: Option<[f64; 2]>,
     /// Its left end and its middle height.
     pub at: [f64; 2],
     /// With the frame, if it has one.
     pub width: f64,
     pub text: RichText,
-    /// Whether the number has to be looked at twice: ±∞ or NaN.
-    pub is_odd: bool,
+    /// Whether it is a number that has to be looked at twice: ±∞ or NaN.
+    pub is_framed: bool,
+    /// Where its letters end towards the bar.
+    edge: f64,
+}
+
+/// On which side of a bar labels stand.
+#[derive(Clone, Copy)]
+enum Side {
+    Above,
+    Below,
 }
 
 impl<const D: usize> Drawing<'_, D> {
-    /// t with its subscript at each mark, and the value where there is room.
+    /// t with its subscript above each mark, and below the value where there is room.
     pub(super) fn labels(&self, axis: usize) -> Vec<Label> {
-        let y = self.bar_y(axis);
-        let stops = self.rail.stops(axis);
-        if self.is_high() {
-            let name =
-                |&(t, plane): &(f64, &str)| self.label(t, parameter(axis, plane), LARGE, true);
-            let names = self.in_line(stops.iter().map(name).collect(), y - APART.middle);
-            let values = self.first_that_fits(|shown| {
-                let stops = stops.iter().filter(|(_, plane)| shown(plane));
-                let value = |&(t, _): &(f64, &str)| {
-                    self.label(t, self.rail.value(axis, t).into(), LARGE, false)
-                };
-                stops.map(value).collect()
-            });
-            return names.into_iter().chain(self.in_line(values, y + APART.middle)).collect();
-        }
-        let labels = self.first_that_fits(|shown| {
-            let label = |&(t, plane): &(f64, &str)| {
-                let value = if shown(plane) {
-                    format!(" {}", self.rail.value(axis, t))
-                } else {
-                    String::new()
-                };
-                let text = joined([parameter(axis, plane), value.into()]);
-                self.label(t, text, Role::Words, false)
-            };
-            stops.iter().map(label).collect()
+        let mut stops = self.rail.stops(axis);
+        stops.sort_by(|(a, _), (b, _)| self.x_of(*a).total_cmp(&self.x_of(*b)));
+        let name =
+            |&(t, plane): &(f64, &str)| self.label(axis, t, parameter(axis, plane), Side::Above);
+        let names = self.spread_out(stops.iter().map(name).collect());
+        let value = |&(t, _): &(f64, &str)| {
+            self.label(axis, t, self.rail.value(axis, t).into(), Side::Below)
+        };
+        let values = self.first_that_fits(|shown| {
+            stops.iter().filter(|(_, plane)| shown(plane)).map(value).collect()
         });
-        self.in_line(labels, y + DOWN.middle)
+        names.into_iter().chain(self.spread_out(values)).collect()
     }
 
-    /// The labels in the first way in which all have room side by side: with all values,
-    /// with those of the planes of sides, with none.
+    /// Half the height that a label takes.
+    pub(super) fn half_line(&self) -> f64 {
+        (0.6 * self.least).max(self.sizes.half_line)
+    }
+
+    /// The labels in the first way in which all have room side by side: of all planes,
+    /// of those of sides, of none.
     fn first_that_fits(&self, labels: impl Fn(fn(&str) -> bool) -> Vec<Label>) -> Vec<Label> {
         let room = self.room();
         let fits = |labels: &[Label]| {
@@ -93,36 +131,49 @@ impl<const D: usize> Drawing<'_, D> {
         [18.0, self.track[1] + 6.0]
     }
 
-    /// The labels with their middles at this height, none over another.
-    fn in_line(&self, mut labels: Vec<Label>, y: f64) -> Vec<Label> {
+    /// The labels in their order, none over another.
+    fn spread_out(&self, mut labels: Vec<Label>) -> Vec<Label> {
         let wanted: Vec<[f64; 2]> = labels.iter().map(|label| [label.at[0], label.width]).collect();
         for (label, start) in labels.iter_mut().zip(spread(&wanted, LABEL_GAP, self.room())) {
-            label.at = [start, y];
+            label.at[0] = start;
         }
         labels
     }
 
-    /// Text of a parameter, wished with its middle at the mark.
-    fn label(&self, t: f64, text: RichText, role: Role, is_above: bool) -> Label {
-        let is_odd = !t.is_finite();
-        let x = if t.is_nan() { 0.5 * (self.track[0] + self.track[1]) } else { self.x_of(t) };
-        let around = if is_odd && !is_above { 2.0 * BADGE } else { 0.0 };
+    /// Text of a parameter of an axis, wished with its middle at the mark.
+    fn label(&self, axis: usize, t: f64, text: RichText, side: Side) -> Label {
+        let (role, bar) = (self.sizes.role, self.bar_y(axis));
+        let (off, way) = match side {
+            Side::Above => (self.sizes.names, -1.0),
+            Side::Below => (self.sizes.values, 1.0),
+        };
+        let is_framed = matches!(side, Side::Below) && !t.is_finite();
+        let around = if is_framed { 2.0 * BADGE } else { 0.0 };
+        let reach = if is_framed { self.half_line() } else { off.reach };
         let width = metrics::width_of_least(role, &text, self.least) + around;
-        Label { role, is_above, tick: x, at: [x - 0.5 * width, 0.0], width, text, is_odd }
+        let x = if t.is_nan() { 0.5 * (self.track[0] + self.track[1]) } else { self.x_of(t) };
+        // Beyond the end it is the tip of a head that is its mark.
+        let [low, high] = self.range;
+        let tick = if (low..=high).contains(&t) { self.sizes.tick } else { 0.0 };
+        Label {
+            role,
+            mark: (!t.is_nan()).then_some([x, bar + way * tick]),
+            at: [x - 0.5 * width, bar + way * off.middle],
+            width,
+            text,
+            is_framed,
+            edge: bar + way * (off.middle - reach),
+        }
     }
+}
 
-    /// The line from a mark to its label, where that could not stand in its middle; none
-    /// where there is no place to be marked.
-    pub(super) fn leader(&self, axis: usize, label: &Label) -> Option<[[f64; 2]; 2]> {
-        const OFF: f64 = 4.0;
-        let [left, right] = [label.at[0], label.at[0] + label.width];
-        let is_off = (0.5 * (left + right) - label.tick).abs() > OFF;
-        let foot = label.tick.max(left + OFF).min(right - OFF);
-        let y = self.bar_y(axis);
-        let down = if self.is_high() { APART.letters } else { DOWN.letters };
-        let [tick, letters] =
-            [TICK, down].map(|down| if label.is_above { y - down } else { y + down });
-        (is_off && !label.is_odd).then_some([[label.tick, tick], [foot, letters]])
+impl Label {
+    /// The line from its mark to its middle, where it could not stand at the mark.
+    pub(super) fn leader(&self) -> Option<[[f64; 2]; 2]> {
+        const OFF: f64 = 2.0;
+        let mark = self.mark?;
+        let middle = self.at[0] + 0.5 * self.width;
+        ((middle - mark[0]).abs() > OFF).then_some([mark, [middle, self.edge]])
     }
 }
 

@@ -18,77 +18,165 @@ fn quadtree() -> Tree<2> {
     scenario.tree().unwrap()
 }
 
-fn along(algorithm: Algorithm, segment_end: Option<f64>) -> Query<2> {
+fn along<const D: usize>(algorithm: Algorithm, segment_end: Option<f64>) -> Query<D> {
     let options = Options { segment_end, ..Options::default() };
     Query::Ray { algorithm, options, arithmetic: Arithmetic::Doubles }
 }
 
 fn rail(tree: &Tree<2>, ray: &Ray<2>, query: &Query<2>, moment: &Moment<2>) -> Option<RailFigure> {
     let texts = Texts::new(Language::English, &[figure_texts(Language::English)]);
-    t_rail(
-        &texts,
-        &DiagramOf { tree, ray, query, moment, event: None, strayed: &[] },
-        [400.0, 40.0],
-        0.0,
-    )
+    let of = DiagramOf { tree, ray, query, moment, event: None, strayed: &[] };
+    t_rail(&texts, &of, 400.0, RailRows::Small, 0.0)
+}
+
+/// A page: its width, how rows are set, and the least type.
+type PageOfRail = (f64, RailRows, f64);
+
+/// Panels of the narrowest, of usual and of wide windows; then lectures.
+const PAGES: [PageOfRail; 8] = [
+    (228.0, RailRows::Small, 0.0),
+    (288.0, RailRows::Small, 0.0),
+    (359.0, RailRows::Small, 0.0),
+    (424.0, RailRows::Small, 0.0),
+    (256.0, RailRows::Small, 12.5),
+    (288.0, RailRows::Large, 12.5),
+    (384.0, RailRows::Small, 12.5),
+    (384.0, RailRows::Large, 12.5),
+];
+
+/// Shows `check` every rail of every algorithm along these rays, on pages of all sizes in
+/// turn.
+fn for_every_rail<const D: usize>(
+    tree: &Tree<D>,
+    rays: &[Ray<D>],
+    check: &mut impl FnMut(&Drawing<D>, &str),
+) {
+    for (ray, algorithm) in rays.iter().flat_map(|ray| Algorithm::ALL.map(|one| (ray, one))) {
+        let trace = record(tree, ray, &along(algorithm, None));
+        let mut moment = Moment::default();
+        for (step, event) in trace.events.iter().enumerate() {
+            moment.apply(tree, event);
+            let Some(rail) = Rail::of(&moment) else { continue };
+            let rail = rail.with_planes(tree, ray);
+            let (width, rows, least) = PAGES[step % PAGES.len()];
+            let (range, track, sizes) = (rail.range(), track(width), rows.sizes());
+            let drawing = Drawing { rail: &rail, range, track, rows, sizes, least };
+            check(&drawing, &format!("{algorithm:?} after step {}, {width} wide", step + 1));
+        }
+    }
+}
+
+/// The octree of the points in space, and rays through it: the one of the scene, in the
+/// other direction, along an axis, and in one plane.
+fn octree() -> (Tree<3>, Vec<Ray<3>>) {
+    let Some(AnyScenario::Octree(scenario)) = built_in("points-3d") else { panic!() };
+    let rays = [
+        ([-0.16, 0.13, 0.2], [1.0, 0.62, 0.41]),
+        ([1.2, 0.9, 0.8], [-1.0, -0.62, -0.41]),
+        ([-0.16, 0.13, 0.2], [1.0, 0.0, 0.0]),
+        ([-0.1, 1.1, 0.3], [0.5, -0.5, 0.0]),
+    ];
+    let rays = rays.map(|(origin, direction)| Ray::new(origin, direction).unwrap());
+    (scenario.tree().unwrap(), rays.to_vec())
 }
 
 #[test]
-fn labels_that_are_pushed_away_have_a_line_to_their_marks() {
-    let Some(AnyScenario::Octree(scenario)) = built_in("points-3d") else { panic!() };
-    let tree = scenario.tree().unwrap();
-    let ray = Ray::new([-0.16, 0.13, 0.2], [1.0, 0.62, 0.41]).unwrap();
-    let (algorithm, arithmetic) = (Algorithm::Parametric, Arithmetic::Doubles);
-    let query = Query::Ray { algorithm, options: Options::default(), arithmetic };
-    let trace = record(&tree, &ray, &query);
-    let mut n_lines = 0;
-    for step in 0..=trace.events.len() {
-        let moment = Moment::after(&tree, &trace, step);
-        let Some(rail) = Rail::of(&moment) else { continue };
-        let (range, track) = (rail.range(), [24.0, 252.0]);
-        let drawing = Drawing { rail: &rail, range, track, row: 40.0, least: 0.0 };
-        for axis in 0..3 {
+fn every_label_stands_at_its_mark_or_has_a_line_to_it() {
+    let (mut n_lines, mut n_at_marks) = (0, 0);
+    fn check_rail<const D: usize>(drawing: &Drawing<D>, told: &str, n: [&mut usize; 2]) {
+        let [n_lines, n_at_marks] = n;
+        for axis in 0..D {
             let labels = drawing.labels(axis);
-            for (label, &(t, _)) in labels.iter().zip(&rail.stops(axis)) {
-                let [left, right] = [label.at[0], label.at[0] + label.width];
-                let middle = 0.5 * (left + right);
-                let Some([tick, foot]) = drawing.leader(axis, label) else {
-                    assert!((middle - drawing.x_of(t)).abs() <= 4.0, "step {step}: {t}");
-                    continue;
-                };
-                n_lines += 1;
-                assert_eq!(tick[0], drawing.x_of(t));
-                assert!(left < foot[0] && foot[0] < right, "step {step}: {t}");
+            let mut lines: Vec<[[f64; 2]; 2]> = Vec::new();
+            for label in &labels {
+                let Some(mark) = label.mark else { continue };
+                let middle = label.at[0] + 0.5 * label.width;
+                match label.leader() {
+                    Some(line) => {
+                        assert_eq!([line[0], [line[1][0], 0.0]], [mark, [middle, 0.0]], "{told}");
+                        let away = (line[1][1] - label.at[1]).abs();
+                        assert!(away <= 1.2 * drawing.half_line(), "{told}: it ends elsewhere");
+                        lines.push(line);
+                        *n_lines += 1;
+                    }
+                    None => {
+                        assert!((middle - mark[0]).abs() <= 2.0, "{told}: off by itself");
+                        *n_at_marks += 1;
+                    }
+                }
             }
-            let ends: Vec<[[f64; 2]; 2]> =
-                labels.iter().filter_map(|label| drawing.leader(axis, label)).collect();
-            let in_order =
-                ends.windows(2).all(|two| (0..2).all(|end| two[0][end][0] <= two[1][end][0]));
-            assert!(in_order, "step {step}: lines of {axis} cross");
+            let cross = |[a, b]: [&[[f64; 2]; 2]; 2]| {
+                // Of one side of a bar.
+                (a[1][1] == b[1][1])
+                    && (a[0][0] < b[0][0]) != (a[1][0] < b[1][0])
+                    && a[0][0] != b[0][0]
+            };
+            let all = lines.iter().enumerate();
+            let pairs = all.flat_map(|(n, a)| lines[n + 1..].iter().map(move |b| [a, b]));
+            assert!(!pairs.into_iter().any(cross), "{told}: lines of {axis} cross");
         }
     }
-    assert!(n_lines > 50, "{n_lines}");
+    let (tree, rays) = octree();
+    for_every_rail(&tree, &rays, &mut |drawing, told| {
+        check_rail(drawing, told, [&mut n_lines, &mut n_at_marks]);
+    });
+    let rays = [([-0.16, 0.13], [1.0, 0.62]), ([1.1, 0.2], [-1.0, 0.4]), ([0.5, 0.5], [0.0, 1.0])];
+    let rays = rays.map(|(origin, direction)| Ray::new(origin, direction).unwrap());
+    for_every_rail(&quadtree(), &rays, &mut |drawing, told| {
+        check_rail(drawing, told, [&mut n_lines, &mut n_at_marks]);
+    });
+    assert!(n_lines > 500 && n_at_marks > n_lines, "{n_lines} {n_at_marks}");
+}
+
+#[test]
+fn no_label_lies_on_another_or_on_a_dashed_line() {
+    let texts = Texts::new(Language::English, &[figure_texts(Language::English)]);
+    let mut n_limits = 0;
+    let (tree, rays) = octree();
+    for_every_rail(&tree, &rays[..2], &mut |drawing, told| {
+        let half = drawing.half_line();
+        let labels: Vec<Label> = (0..3).flat_map(|axis| drawing.labels(axis)).collect();
+        let boxes = labels.iter().map(|label| {
+            let [left, middle] = label.at;
+            ([left, middle - half], [left + label.width, middle + half])
+        });
+        let boxes: Vec<([f64; 2], [f64; 2])> = boxes.collect();
+        for (n, (min, max)) in boxes.iter().enumerate() {
+            let is_over = |(other_min, other_max): &&([f64; 2], [f64; 2])| {
+                (0..2).all(|e| min[e] < other_max[e] - 1e-9 && other_min[e] < max[e] - 1e-9)
+            };
+            let over = boxes[n + 1..].iter().find(is_over);
+            assert!(over.is_none(), "{told}: {:?} {min:?} over {over:?}", labels[n].text.plain());
+        }
+        let mut sheet = Sheet::default();
+        drawing.draw(&mut sheet, &texts, None);
+        let drawn = sheet.figure([1.0; 2]).drawn;
+        for line in drawn.iter().filter(|drawn| drawn.role == Role::Limit) {
+            let Form::Polyline(points) = &line.form else { continue };
+            let [[x, top], [_, bottom]] = [points[0], points[1]];
+            n_limits += 1;
+            let crossed = boxes.iter().position(|(min, max)| {
+                min[0] < x && x < max[0] && top < max[1] - 1e-9 && min[1] < bottom - 1e-9
+            });
+            let crossed = crossed.map(|n| labels[n].text.plain());
+            assert_eq!(crossed, None, "{told}: a dashed line at {x}");
+        }
+    });
+    assert!(n_limits > 1000, "{n_limits}");
 }
 
 #[test]
 fn frames_of_odd_numbers_do_not_touch() {
-    let Some(AnyScenario::Octree(scenario)) = built_in("points-3d") else { panic!() };
-    let tree = scenario.tree().unwrap();
-    let ray = Ray::new([-0.16, 0.13, 0.2], [1.0, 0.0, 0.0]).unwrap();
-    let trace = record(&tree, &ray, &scenario.query);
+    let (tree, rays) = octree();
     let mut n_pairs = 0;
-    for step in 0..=trace.events.len() {
-        let moment = Moment::after(&tree, &trace, step);
-        let Some(rail) = Rail::of(&moment) else { continue };
-        let (range, track) = (rail.range(), [24.0, 440.0]);
-        let drawing = Drawing { rail: &rail, range, track, row: 40.0, least: 0.0 };
+    for_every_rail(&tree, &rays[2..3], &mut |drawing, told| {
         for labels in (1..3).map(|axis| drawing.labels(axis)) {
-            for two in labels.windows(2).filter(|two| two.iter().all(|label| label.is_odd)) {
-                assert!(two[1].at[0] - two[0].at[0] >= two[0].width + 5.0, "step {step}");
+            for two in labels.windows(2).filter(|two| two.iter().all(|label| label.is_framed)) {
+                assert!(two[1].at[0] - two[0].at[0] >= two[0].width + 5.0, "{told}");
                 n_pairs += 1;
             }
         }
-    }
+    });
     assert!(n_pairs > 20, "{n_pairs}");
 }
 
