@@ -1,6 +1,7 @@
 //! How the panels are laid out around the space view.
 
 mod explanation;
+mod foot;
 mod formulas;
 
 use crate::document::Document;
@@ -11,10 +12,7 @@ use crate::panels::{query, ray, scene, show};
 use crate::space::{self, Layers, Space};
 use crate::view::{PanelKind, Preset, View};
 use crate::wish::Wish;
-use eframe::egui::{
-    CentralPanel, Color32, Frame, Margin, Mesh, Panel, Rangef, Rect, ScrollArea, Ui, UiBuilder,
-    pos2, vec2,
-};
+use eframe::egui::{CentralPanel, Frame, Margin, Panel, Rangef, ScrollArea, Ui, UiBuilder, vec2};
 use formulas::Place;
 use octoscope_core::query::Query;
 
@@ -133,8 +131,8 @@ fn width(preset: Preset, panels: &[PanelKind], room: f32) -> f32 {
     }
 }
 
-/// Shows something in all the room there is, scrolled if it is higher, and fading out
-/// where it goes on below. It never widens the room, so that widths stay the same from
+/// Shows something in all the room there is, scrolled if it is higher, with a mark where it
+/// goes on below. It never widens the room, so that widths stay the same from
 /// step to step.
 fn scrolled(ui: &mut Ui, look: &Look, add: impl FnOnce(&mut Ui)) {
     let rect = ui.available_rect_before_wrap();
@@ -145,25 +143,10 @@ fn scrolled(ui: &mut Ui, look: &Look, add: impl FnOnce(&mut Ui)) {
     });
     let below = shown.content_size.y - shown.state.clamped_offset().y - shown.inner_rect.height();
     if below > 1.0 {
-        fade_out(&inside, look.palette.panel, rect.with_max_x(rect.right() - BAR));
+        let column = rect.with_max_x(rect.right() - BAR);
+        foot::end_above_what_is_cut(&inside, look, column);
     }
     ui.advance_cursor_after_rect(rect);
-}
-
-/// Lets what is painted sink into the ground at the lower edge of a column.
-fn fade_out(ui: &Ui, ground: Color32, column: Rect) {
-    const HEIGHT: f32 = 36.0;
-    let mut mesh = Mesh::default();
-    for (y, color) in
-        [(column.bottom() - HEIGHT, ground.gamma_multiply(0.0)), (column.bottom(), ground)]
-    {
-        for x in [column.left(), column.right()] {
-            mesh.colored_vertex(pos2(x, y), color);
-        }
-    }
-    mesh.add_triangle(0, 1, 2);
-    mesh.add_triangle(1, 2, 3);
-    ui.painter().add(mesh);
 }
 
 fn question<const D: usize>(

@@ -236,8 +236,10 @@ fn body<const D: usize>(
             } else {
                 counters::Detail::Summary
             };
+            let is_met = matches!(event, Some(Event::Test { interval: Some(_), .. }));
+            let met = [u64::from(is_met), moment.met.len() as u64];
             let (so_far, total) = (&moment.counters, &document.total);
-            counters::ui(ui, look, counters::Costs { step: &step, so_far, total }, detail);
+            counters::ui(ui, look, counters::Costs { step: &step, so_far, total, met }, detail);
         }
     }
     None

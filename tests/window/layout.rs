@@ -104,10 +104,10 @@ fn check_that_nothing_scrolls(size: [f32; 2], scale: f32) {
     }
 }
 
-/// Whether what stands to the right of the picture fades out at its lower edge.
-fn fades_out(desk: &Desk) -> bool {
+/// Whether what stands to the right of the picture is covered at its lower edge.
+fn goes_on_below(desk: &Desk) -> bool {
     let space = desk.space_view();
-    let is_fading = |shape: &Shape| {
+    let is_cover = |shape: &Shape| {
         let Shape::Mesh(mesh) = shape else { return false };
         let Some((first, last)) = mesh.vertices.first().zip(mesh.vertices.last()) else {
             return false;
@@ -117,18 +117,18 @@ fn fades_out(desk: &Desk) -> bool {
             && first.pos.x >= space.right()
             && (last.pos.y - space.bottom()).abs() < 16.0
     };
-    desk.output().shapes.iter().any(|clipped| is_fading(&clipped.shape))
+    desk.output().shapes.iter().any(|clipped| is_cover(&clipped.shape))
 }
 
 #[test]
-fn a_column_that_goes_on_below_fades_out_there() {
+fn a_column_that_goes_on_below_says_so() {
     let mut desk = desk([1280.0, 800.0], SCENES[0], Language::English, Preset::Rail);
-    assert!(!fades_out(&desk));
+    assert!(!goes_on_below(&desk));
     for panel in [PanelKind::Listing, PanelKind::Stack] {
         desk.state_mut().view.arrangement().add(panel);
     }
     desk.run();
-    assert!(fades_out(&desk));
+    assert!(goes_on_below(&desk));
 }
 
 #[test]

@@ -15,6 +15,7 @@ mod export_command;
 mod export_matrix;
 mod files;
 mod find;
+mod foot;
 mod formulas;
 mod hall;
 mod keyboard;
