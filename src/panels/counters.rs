@@ -14,6 +14,9 @@ pub struct Costs<'a> {
     pub so_far: &'a Counters,
     /// Of the whole run.
     pub total: &'a Counters,
+    /// Leaves that were met, in this step and so far, where they are reported only at the
+    /// end.
+    pub met: [u64; 2],
 }
 
 /// What is shown of the costs.
@@ -46,7 +49,13 @@ fn summary(ui: &mut Ui, look: &Look, costs: Costs<'_>) {
     let name = |counter| counter_name(counter, look.texts.language());
     let one = |counter| (name(counter), [costs.step, costs.so_far].map(|c| c.get(counter)));
     let compared = [costs.step, costs.so_far].map(Counters::comparisons);
-    let counters = [Counter::NodeTouches, Counter::Leaves].map(one).into_iter();
+    let is_any_reported = costs.so_far.get(Counter::Leaves) > 0;
+    let leaves = if is_any_reported || costs.met[1] == 0 {
+        one(Counter::Leaves)
+    } else {
+        (look.text("counters-met"), costs.met)
+    };
+    let counters = [one(Counter::NodeTouches), leaves].into_iter();
     let counters = counters
         .chain([(look.text("counters-comparisons"), compared)])
         .chain([Counter::Divisions, Counter::BitOperations, Counter::Descends].map(one));

@@ -43,6 +43,7 @@ counters-step = Schritt
 counters-so-far = bisher
 counters-total = gesamt
 counters-comparisons = Vergleiche
+counters-met = Bisher getroffen
 counters-all = Alle Zähler
 table-step = Schritt
 table-node = Knoten

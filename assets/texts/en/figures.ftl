@@ -43,6 +43,7 @@ counters-step = step
 counters-so-far = so far
 counters-total = total
 counters-comparisons = Comparisons
+counters-met = Leaves met so far
 counters-all = All counters
 table-step = step
 table-node = node
