@@ -175,14 +175,17 @@ fn pieces_table<const D: usize>(
         let is_known = now.is_some_and(|now| n <= now);
         let child = if is_known { piece.child.0.to_string() } else { "·".to_owned() };
         let bit = |axis: usize| {
-            let text = bit_of(piece.child, axis);
-            let is_flipped = rule == Rule::Flips && piece.flipped.contains(axis);
-            let is_lit = is_now && flips && is_flipped;
-            let text = RichText(if is_known { vec![text] } else { Vec::new() });
-            // Later it is still to be seen which bit was flipped.
-            let was_flipped = is_flipped && is_known && !is_now;
-            let tone = if was_flipped { Tone::Line } else { tone };
-            Entry::new(text, if is_lit { Tone::Used } else { tone })
+            let text =
+                RichText(if is_known { vec![bit_of(piece.child, axis)] } else { Vec::new() });
+            let is_flipped = rule == Rule::Flips && piece.flipped.contains(axis) && is_known;
+            let tone = match (is_flipped, is_now) {
+                (true, true) if flips => Tone::Used,
+                // Later it is still to be seen which bit was flipped.
+                (true, _) => Tone::Line,
+                (false, true) if rule == Rule::Flips && !flips => Tone::Plain,
+                (false, _) => tone,
+            };
+            Entry::new(text, tone)
         };
         let first = [Entry::new(range([piece.from, piece.to]), tone), Entry::new(child, tone)];
         first.into_iter().chain((0..D).map(bit)).collect()
@@ -221,6 +224,8 @@ fn pieces<const D: usize>(
 #[cfg(test)]
 mod tests {
     use super::*;
+    use octoscope_core::text::Language;
+    use octoscope_figure::Theme;
 
     #[test]
     fn each_plane_inside_flips_the_bit_of_its_axis() {
@@ -228,6 +233,23 @@ mod tests {
         let all = pieces([0.0, 1.0], [0.75, 0.25], cuts, Axes::<2>::NONE);
         let told: Vec<_> = all.iter().map(|p| (p.from, p.to, p.child.0, p.flipped.0)).collect();
         assert_eq!(told, [(0.0, 0.25, 0, 0), (0.25, 0.75, 1, 1), (0.75, 1.0, 3, 2)]);
+    }
+
+    #[test]
+    fn the_flipped_bit_is_lit_in_every_piece_so_far() {
+        let look = crate::theme::look(Language::English, Theme::Light);
+        let cuts = Cuts { order: [1, 0], inside: Axes(0b11) };
+        let all = pieces([0.0, 1.0], [0.75, 0.25], cuts, Axes::<2>::NONE);
+        let up = Event::<2>::Up { node: None };
+        let flip = Event::<2>::Flip { at: 0.75, child: Child(3), axes: Axes(2) };
+        for (event, last) in [(up, Tone::Line), (flip, Tone::Used)] {
+            let table = pieces_table(&look, Rule::Flips, &all, Some(Child(3)), Some(&event));
+            let lit = |row: &Vec<Entry>| [2, 3].map(|at| row[at].tone);
+            let lit: Vec<_> = table.rows.iter().map(lit).collect();
+            let other = if last == Tone::Used { Tone::Line } else { Tone::Plain };
+            let plain = Tone::Plain;
+            assert_eq!(lit, [[plain, plain], [plain, Tone::Line], [last, other]]);
+        }
     }
 
     #[test]

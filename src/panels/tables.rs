@@ -50,7 +50,7 @@ pub fn ui<const D: usize>(ui: &mut Ui, look: &Look, tree: &Tree<D>, past: &[Even
             for (key, steps) in [("tables-up", &way.up), (down, &way.down)] {
                 ui.vertical(|ui| {
                     caption(ui, look, look.text(key));
-                    list(ui, look, tree, steps);
+                    list(ui, look, tree, steps, way.is_over);
                 });
                 ui.add_space(12.0);
             }
@@ -96,18 +96,18 @@ fn columns<const D: usize>() -> Vec<Anchor> {
 
 /// The three tables for one direction.
 fn children<const D: usize>(ui: &mut Ui, look: &Look, used: Used<D>, is_over: bool) {
-    // What is over is lit no more than what is beside it; what no table told, not at all.
-    let [strong, line] = if is_over || used.tables().is_empty() {
-        [Tone::Line, Tone::Plain]
-    } else {
-        [Tone::Used, Tone::Line]
+    // What no table told is not lit, and what is over stands back.
+    let [strong, line, plain] = match (is_over, used.tables()) {
+        (true, _) => [Tone::Quiet; 3],
+        (false, []) => [Tone::Plain, Tone::Plain, Tone::Quiet],
+        (false, _) => [Tone::Used, Tone::Line, Tone::Plain],
     };
     let row = |caption: String, entry: &dyn Fn(Child<D>) -> Entry| {
         let caption = Entry::new(caption, Tone::Quiet);
         std::iter::once(caption).chain(Child::<D>::all().map(entry)).collect()
     };
     let numbers: Vec<Entry> = row(look.text("tables-child"), &|child| {
-        let tone = if child == used.child { line } else { Tone::Plain };
+        let tone = if child == used.child { line } else { plain };
         Entry::new(child.0.to_string(), tone)
     });
     let rows_of = |table: NeighbourTable, told: Told| {
@@ -116,7 +116,7 @@ fn children<const D: usize>(ui: &mut Ui, look: &Look, used: Used<D>, is_over: bo
             let tone = match (in_use, child == used.child) {
                 (true, true) => strong,
                 (true, false) | (false, true) => line,
-                (false, false) => Tone::Plain,
+                (false, false) => plain,
             };
             Entry::new(entry(look, table, used.direction, child, told), tone)
         })
@@ -172,7 +172,13 @@ fn entry<const D: usize>(
 }
 
 /// The nodes of one way, each with the child that led there.
-fn list<const D: usize>(ui: &mut Ui, look: &Look, tree: &Tree<D>, steps: &[Step<D>]) {
+fn list<const D: usize>(
+    ui: &mut Ui,
+    look: &Look,
+    tree: &Tree<D>,
+    steps: &[Step<D>],
+    is_over: bool,
+) {
     for (n, Step { node, used }) in steps.iter().enumerate() {
         let child = match used.kind {
             Kind::Mirrored => reflected(used.direction, used.child),
@@ -189,7 +195,8 @@ fn list<const D: usize>(ui: &mut Ui, look: &Look, tree: &Tree<D>, steps: &[Step<
             Kind::Mirrored | Kind::Facing => "tables-step-down",
         };
         let text = RichText::new(look.texts.format(key, &arguments)).size(13.0);
-        let color = if n + 1 == steps.len() { look.palette.ink } else { look.palette.quiet };
+        let is_now = n + 1 == steps.len() && !is_over;
+        let color = if is_now { look.palette.ink } else { look.palette.quiet };
         let label = ui.label(text.color(color));
         label.on_hover_text(look.texts.format("node-note", &arguments));
     }

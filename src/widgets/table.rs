@@ -164,11 +164,14 @@ fn head_of(painter: &Painter, look: &Look, text: &RichText) -> Arc<Galley> {
 
 fn galley_of(painter: &Painter, look: &Look, entry: &Entry) -> Arc<Galley> {
     let palette = &look.palette;
-    let ink = if entry.tone == Tone::Quiet { palette.quiet } else { palette.ink };
+    let is_quiet = entry.tone == Tone::Quiet;
+    let ink = if is_quiet { palette.quiet } else { palette.ink };
     let mut job = LayoutJob::default();
     for span in &entry.text.0 {
-        let is_strong = span.strong || span.axis.is_some() || entry.tone == Tone::Used;
-        let color = span.axis.map_or(ink, |axis| palette.axes[axis]);
+        // What is out of the question has no colour either.
+        let axis = span.axis.filter(|_| !is_quiet);
+        let is_strong = span.strong || axis.is_some() || entry.tone == Tone::Used;
+        let color = axis.map_or(ink, |axis| palette.axes[axis]);
         let format = look.set(span, SIZE, family(look, span, is_strong));
         job.append(&span.text, 0.0, TextFormat { color, ..format });
     }

@@ -87,7 +87,7 @@ pub(super) struct Step<const D: usize> {
 pub(super) struct Way<const D: usize> {
     pub(super) up: Vec<Step<D>>,
     pub(super) down: Vec<Step<D>>,
-    /// Whether a leaf was reached since then: it is told, but quietly.
+    /// Whether a leaf was reached or left since then: it is told, but quietly.
     pub(super) is_over: bool,
 }
 

@@ -222,6 +222,8 @@ impl<const D: usize> Moment<D> {
                 self.current = Some(node);
             }
             Event::Exits { planes, exits, axes } => {
+                // What was looked for is reached, and left.
+                self.codes = None;
                 self.towards = None;
                 self.to_mirror.clear();
                 self.exits = Some(Exits { planes, exits, axes });

@@ -9,7 +9,7 @@ use octoscope_core::event::Event;
 use octoscope_core::explain::shown_number;
 use octoscope_core::geometry::AXIS_NAMES;
 use octoscope_core::text::Texts;
-use octoscope_core::trace::Moment;
+use octoscope_core::trace::{Moment, Target};
 use octoscope_core::traverse::{Variant, Variants};
 use octoscope_core::tree::{Code, NodeId, Tree, branch, morton};
 
@@ -39,8 +39,14 @@ enum CodesOf<const D: usize> {
 impl<const D: usize> CodesOf<D> {
     fn of(tree: &Tree<D>, moment: &Moment<D>) -> Option<Self> {
         let cell = moment.grid.and_then(|grid| grid.cell);
-        // From the step that computes them until it is known where to look for them.
-        let beyond = moment.target.filter(|_| moment.difference.is_none());
+        // From the step that computes them until it is known where to look for them; not
+        // those that have led to the leaf that is left.
+        let left = moment.exits.and(moment.leaves.last());
+        let is_beyond = |target: &Target<D>| {
+            left.is_none_or(|leaf| tree.code(leaf.node) == target.from)
+                && moment.difference.is_none()
+        };
+        let beyond = moment.target.filter(is_beyond);
         let beyond = beyond.and_then(|target| tree.domain().code_inside(target.to));
         let wanted = beyond.or(moment.codes.map(|codes| codes.code));
         cell.map(Self::Cell).or(wanted.map(Self::Wanted)).or(moment.current.map(Self::Node))
@@ -272,6 +278,23 @@ mod tests {
                 n_beyond += usize::from(matches!(event, Event::Target { .. }));
             });
             assert!(n_beyond > 10 || algorithm == Algorithm::Glassner);
+        }
+    }
+
+    #[test]
+    fn where_a_leaf_is_left_its_own_codes_are_shown() {
+        use Algorithm::{Codes, Glassner, Samet, SametCorner, SametNet};
+        for algorithm in [Codes, Glassner, Samet, SametCorner, SametNet] {
+            let mut n_left = 0;
+            for_every_step(&along(algorithm), |texts, tree, moment, event| {
+                let (Event::Exits { .. }, Some(leaf)) = (event, moment.current) else { return };
+                let codes = code_table(texts, tree, moment, Some(event), Variants::NONE);
+                let shown = [0, 1].map(|e| codes.table.rows[e].bits);
+                assert_eq!(shown, tree.code(leaf).map(i64::from), "{algorithm:?}");
+                assert!(codes.of.starts_with("level"), "{algorithm:?}: {}", codes.of);
+                n_left += 1;
+            });
+            assert!(n_left > 10, "{algorithm:?}");
         }
     }
 
