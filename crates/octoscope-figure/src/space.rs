@@ -12,6 +12,7 @@ mod indices;
 mod inset;
 mod kept;
 mod labels;
+mod order;
 mod overlaid;
 mod painted;
 mod points;
@@ -90,7 +91,7 @@ pub fn space_figure_over<const D: usize>(
     canvas.write_away(marks, root.as_ref());
     marks.iter().filter(|mark| !is_of_axis(mark)).for_each(|mark| canvas.write(mark));
     canvas.write_indices(marks);
-    canvas.number(marks);
+    canvas.number(all());
 
     let Canvas { mut drawn, in_space, arrows, .. } = canvas;
     drawn.sort_by(|(a, _), (b, _)| a.total_cmp(b));

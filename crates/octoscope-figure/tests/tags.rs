@@ -171,12 +171,13 @@ fn a_small_node_at_work_is_hidden_by_no_order_number_and_by_no_large_point() {
         let Shape::Box(bounds) = mark.shape else { panic!("{mark:?}") };
         let area = shown.area(&bounds);
         let side = bounds.size().into_iter().fold(0.0, f64::max) / shown.camera.unit(PAGE);
+        let small = if D == 2 { 34.0 } else { 44.0 };
         let [mut n_discs, mut n_dots] = [0; 2];
         for drawn in shown.figure.drawn.iter().filter(|drawn| drawn.part == Part::Whole) {
             let Form::Circle { centre, radius } = drawn.form else { continue };
             let reach = radius + 0.5 * Style::of(Theme::Light, drawn.role).width;
             match drawn.role {
-                Role::OrderNumber if area.size().into_iter().all(|side| side < 44.0) => {
+                Role::OrderNumber if area.size().into_iter().all(|side| side < small) => {
                     let beyond: [f64; 2] = std::array::from_fn(|e| {
                         (area.min[e] - centre[e]).max(centre[e] - area.max[e]).max(0.0)
                     });

@@ -1,11 +1,11 @@
 //! The numbers that are placed, and what they may not cover: by squares of the page, so
 //! that a place is compared with what is near alone.
 
-use super::{Kept, Number, Stand, Taken, between, square, square_between, square_to_segment};
+use super::{Kept, Stand, Taken, between, square, square_between, square_to_segment};
 use crate::camera::clipped;
 
 /// Room between two discs.
-const BETWEEN: f64 = 1.0;
+pub(super) const BETWEEN: f64 = 1.0;
 /// Side of a square of the page: about that of two discs.
 const SQUARE: f64 = 32.0;
 
@@ -13,7 +13,7 @@ const SQUARE: f64 = 32.0;
 pub(super) struct Crowd<'a> {
     kept: Kept<'a>,
     squares: Squares,
-    placed: Vec<(f64, Stand)>,
+    placed: Vec<Stand>,
 }
 
 impl<'a> Crowd<'a> {
@@ -28,47 +28,50 @@ impl<'a> Crowd<'a> {
     }
 
     /// From now on this place is taken.
-    pub(super) fn place(&mut self, radius: f64, stand: Stand) {
+    pub(super) fn place(&mut self, stand: Stand) {
         let index = self.placed.len();
-        self.placed.push((radius, stand));
-        self.squares.add(extent(radius, &stand), |square| square.placed.push(index));
+        self.placed.push(stand);
+        self.squares.add(stand.extent(), |square| square.placed.push(index));
     }
 
-    pub(super) fn has_room(&self, number: &Number, stand: &Stand) -> bool {
-        let own = (number.radius, *stand);
-        let mut near = self.squares.near(extent(number.radius, stand));
-        self.is_free(number, stand)
-            && !near
-                .any(|square| square.placed.iter().any(|&other| collide(own, self.placed[other])))
+    pub(super) fn has_room(&self, stand: &Stand) -> bool {
+        let mut near = self.squares.near(stand.extent());
+        let meets = |other: &usize| collide(stand, &self.placed[*other]);
+        self.is_on_page(stand)
+            && self.is_free(stand)
+            && !near.any(|square| square.placed.iter().any(meets))
     }
 
-    /// Whether the disc lies on the page, and neither it nor its line covers anything
-    /// that must be seen.
-    pub(super) fn is_free(&self, number: &Number, stand: &Stand) -> bool {
-        let Kept { taken, lines, page } = self.kept;
-        let radius = number.radius;
-        let on_page = (0..2).all(|e| (radius..=page[e] - radius).contains(&stand.at[e]));
+    /// Whether the disc lies on the page.
+    pub(super) fn is_on_page(&self, &Stand { at, radius, .. }: &Stand) -> bool {
+        (0..2).all(|e| (radius..=self.kept.page[e] - radius).contains(&at[e]))
+    }
+
+    /// Whether neither the disc nor its line covers anything that must be seen.
+    pub(super) fn is_free(&self, stand: &Stand) -> bool {
+        let Kept { taken, lines, .. } = self.kept;
+        let Stand { at, radius, leader } = *stand;
         let covers = |index: &usize| {
             let area = taken[*index];
-            meets_disc(area, stand.at, radius)
-                || stand.leader.is_some_and(|line| is_struck(area, line))
+            meets_disc(area, at, radius) || leader.is_some_and(|line| is_struck(area, line))
         };
-        let mut near = self.squares.near(extent(radius, stand));
-        on_page
-            && !near.any(|square| square.taken.iter().any(covers))
-            && !lines.iter().any(|line| square_to_segment(stand.at, *line) < radius * radius)
+        let mut near = self.squares.near(stand.extent());
+        !near.any(|square| square.taken.iter().any(covers))
+            && !lines.iter().any(|line| square_to_segment(at, *line) < radius * radius)
     }
 }
 
-/// Least and largest corner of a disc with its line, and the room around it.
-fn extent(radius: f64, stand: &Stand) -> [[f64; 2]; 2] {
-    let reach = [radius + BETWEEN; 2];
-    let [mut min, mut max] = [-1.0, 1.0].map(|sign| moved(stand.at, sign, reach));
-    for end in stand.leader.iter().flatten() {
-        min = std::array::from_fn(|e| min[e].min(end[e]));
-        max = std::array::from_fn(|e| max[e].max(end[e]));
+impl Stand {
+    /// Least and largest corner of the disc with its line, and the room around it.
+    pub(super) fn extent(&self) -> [[f64; 2]; 2] {
+        let reach = [self.radius + BETWEEN; 2];
+        let [mut min, mut max] = [-1.0, 1.0].map(|sign| moved(self.at, sign, reach));
+        for end in self.leader.iter().flatten() {
+            min = std::array::from_fn(|e| min[e].min(end[e]));
+            max = std::array::from_fn(|e| max[e].max(end[e]));
+        }
+        [min, max]
     }
-    [min, max]
 }
 
 fn moved(at: [f64; 2], sign: f64, reach: [f64; 2]) -> [f64; 2] {
@@ -129,14 +132,15 @@ fn is_struck([middle, reach]: Taken, [foot, rim]: [[f64; 2]; 2]) -> bool {
 }
 
 /// Whether two numbers, or the line of one and the disc or line of the other, meet.
-pub(super) fn collide((radius, stand): (f64, Stand), (other_radius, other): (f64, Stand)) -> bool {
-    let crosses = |line: Option<[[f64; 2]; 2]>, at, radius: f64| {
-        line.is_some_and(|line| square_to_segment(at, line) < (radius + BETWEEN).powi(2))
+pub(super) fn collide(a: &Stand, b: &Stand) -> bool {
+    let crosses = |line: Option<[[f64; 2]; 2]>, other: &Stand| {
+        let reach = other.radius + BETWEEN;
+        line.is_some_and(|line| square_to_segment(other.at, line) < reach * reach)
     };
-    square_between(stand.at, other.at) < (radius + other_radius + BETWEEN).powi(2)
-        || crosses(stand.leader, other.at, other_radius)
-        || crosses(other.leader, stand.at, radius)
-        || matches!((stand.leader, other.leader), (Some(a), Some(b)) if cross(a, b))
+    square_between(a.at, b.at) < (a.radius + b.radius + BETWEEN).powi(2)
+        || crosses(a.leader, b)
+        || crosses(b.leader, a)
+        || matches!((a.leader, b.leader), (Some(a), Some(b)) if cross(a, b))
 }
 
 /// Whether two segments cross each other.
@@ -162,27 +166,26 @@ mod tests {
             let at_disc = at(0.0);
             let foot = at(0.0).map(|x| 0.2 * x);
             let foot = std::array::from_fn(|e| at_disc[e] + foot[e] - 25.0);
-            Stand { at: at_disc, leader: n.is_multiple_of(3).then_some([foot, at_disc]) }
+            let radius = 3.0 + f64::from(n % 7);
+            Stand { at: at_disc, radius, leader: n.is_multiple_of(3).then_some([foot, at_disc]) }
         };
         let mut crowd = Crowd::new(Kept { taken: &taken, lines: &[], page });
         let (mut n_free, mut n_met) = (0, 0);
         for n in 0..3000 {
-            let radius = 3.0 + f64::from(n % 7);
-            let number = Number { order: 1, chord: [[0.0; 2]; 2], radius, leaf: None };
             let stand = stand(n);
-            let is_on_page = (0..2).all(|e| (radius..=page[e] - radius).contains(&stand.at[e]));
             let covers = |area: &Taken| {
-                meets_disc(*area, stand.at, radius)
+                meets_disc(*area, stand.at, stand.radius)
                     || stand.leader.is_some_and(|line| is_struck(*area, line))
             };
-            let is_free = is_on_page && !taken.iter().any(covers);
-            let meets = crowd.placed.iter().any(|&other| collide((radius, stand), other));
-            assert_eq!(crowd.is_free(&number, &stand), is_free, "{stand:?}");
-            assert_eq!(crowd.has_room(&number, &stand), is_free && !meets, "{stand:?}");
+            let is_free = !taken.iter().any(covers);
+            let is_met = || crowd.placed.iter().any(|other| collide(&stand, other));
+            let has_room = is_free && crowd.is_on_page(&stand) && !is_met();
+            assert_eq!(crowd.is_free(&stand), is_free, "{stand:?}");
+            assert_eq!(crowd.has_room(&stand), has_room, "{stand:?}");
             n_free += usize::from(is_free);
-            n_met += usize::from(is_free && meets);
-            if n < 40 {
-                crowd.place(radius, stand);
+            n_met += usize::from(is_free && crowd.is_on_page(&stand) && is_met());
+            if n < 40 && crowd.is_on_page(&stand) {
+                crowd.place(stand);
             }
         }
         assert!(n_free > 500 && n_met > 100 && n_met < n_free, "{n_free} {n_met}");

@@ -5,8 +5,9 @@ use crate::camera::corners;
 use crate::{Camera, Mark, Page, Role, Shape};
 use octoscope_core::geometry::Aabb;
 
-/// Nodes with sides of less than this, in page units, have their number outside.
-const SMALL: f64 = 44.0;
+/// Nodes that reach less far than this, in page units, have their number outside: in the
+/// plane, and in space, where what is seen of a box is smaller than its extent.
+const SMALL: [f64; 2] = [34.0, 44.0];
 
 /// Middle and half extents on the page of the box of a node at work, if it is so small
 /// that an order number would hide it.
@@ -22,7 +23,7 @@ pub(super) fn small_area<const D: usize>(
     let places = corners(&bounds).filter_map(|corner| camera.project(page, corner));
     let area = Aabb::around(places.map(|place| place.at))?;
     let size = area.size();
-    let is_small = size.into_iter().all(|side| side < SMALL);
+    let is_small = size.into_iter().all(|side| side < SMALL[usize::from(D == 3)]);
     is_small.then(|| [area.centre(), size.map(|side| 0.5 * side)])
 }
 

@@ -3,11 +3,9 @@
 use super::{Canvas, LEGIBLE, above_space, distance};
 use crate::camera::{clipped, corners};
 use crate::figure::text_reach;
-use crate::numbers::{Kept, Number, Stand, distance_to_segment, stands};
-use crate::{Anchor, Drawn, Extent, Form, Mark, Part, Role, Shape, Style, Theme};
+use crate::numbers::distance_to_segment;
+use crate::{Anchor, Drawn, Extent, Form, Mark, Part, Role, Shape};
 use octoscope_core::geometry::Aabb;
-use octoscope_core::tree::NodeId;
-use std::collections::HashMap;
 
 impl<const D: usize> Canvas<'_, D> {
     pub(super) fn write(&mut self, mark: &Mark<D>) {
@@ -141,67 +139,6 @@ impl<const D: usize> Canvas<'_, D> {
     pub(super) fn extent(&self, bounds: &Aabb<D>) -> [f64; 2] {
         let on_page = corners(bounds).filter_map(|c| Some(self.camera.project(self.page, c)?.at));
         Extent::around(on_page).map_or([0.0; 2], Extent::size)
-    }
-
-    /// Writes the labels along lines, as many as there is room for.
-    pub(super) fn number(&mut self, marks: &[Mark<D>]) {
-        let page = [self.page.width, self.page.height];
-        let (mut numbers, mut labels) = (Vec::new(), Vec::new());
-        let leaves = self.visited_areas(marks);
-        let along = marks.iter().filter_map(|mark| match (mark.shape, &mark.text) {
-            (Shape::LabelAlong(ends), Some(text)) => Some((mark, ends, text)),
-            _ => None,
-        });
-        for (index, (mark, ends, text)) in along.enumerate() {
-            if let Some(chord) = self.camera.visible_segment(self.page, ends) {
-                let style = Style::of(Theme::Light, mark.role);
-                let [half_width, _] = text_reach(mark.role, text);
-                let disc = style.radius.max(half_width + 2.0);
-                let radius = disc + 0.5 * style.width;
-                let leaf = mark.node.and_then(|node| leaves.get(&node)).copied();
-                numbers.push(Number { order: index + 1, chord, radius, leaf });
-                labels.push((mark, disc, text));
-            }
-        }
-        let taken: Vec<_> = self.taken.iter().chain(&self.small).copied().collect();
-        let kept = Kept { taken: &taken, lines: &self.kept, page };
-        let stands = stands(&numbers, kept);
-        let stands: Vec<_> = labels
-            .into_iter()
-            .zip(stands)
-            .filter_map(|(label, stand)| Some((label, stand?)))
-            .collect();
-        for ((mark, ..), Stand { leader, .. }) in &stands {
-            if let Some(line) = leader {
-                let line = Form::Polyline(line.to_vec());
-                self.push_at(above_space(mark.role), mark, Part::Edge, line);
-            }
-        }
-        for ((mark, radius, text), Stand { at, .. }) in stands {
-            let disc = Form::Circle { centre: at, radius };
-            self.push_at(above_space(mark.role), mark, Part::Whole, disc);
-            self.text(mark, at, text);
-        }
-    }
-
-    /// Corners on the page of the visited leaves, where they are areas of it.
-    fn visited_areas(&self, marks: &[Mark<D>]) -> HashMap<NodeId, [[f64; 2]; 2]> {
-        if D != 2 {
-            return HashMap::new();
-        }
-        let boxes = marks.iter().filter_map(|mark| match (mark.role, mark.shape) {
-            (Role::Visited { .. } | Role::Strayed, Shape::Box(bounds)) => {
-                Some((mark.node?, bounds))
-            }
-            _ => None,
-        });
-        let areas = boxes.filter_map(|(node, bounds)| {
-            let [a, b] = [bounds.min, bounds.max].map(|p| self.camera.project(self.page, p));
-            let (a, b) = (a?.at, b?.at);
-            let corner = |pick: fn(f64, f64) -> f64| std::array::from_fn(|e| pick(a[e], b[e]));
-            Some((node, [corner(f64::min), corner(f64::max)]))
-        });
-        areas.collect()
     }
 
     /// Letters of planes lie on lines and points, on ground of their own.
