@@ -54,15 +54,17 @@ pub fn ui<const D: usize>(
             (false, false, Some(None) | None) => Tone::Quiet,
         };
         let told = match interval {
-            Some(Some([enter, exit])) if enter == exit => approx(enter),
-            Some(Some(interval)) => range(interval),
-            Some(None) => look.text("children-missed"),
-            None => "·".to_owned(),
+            Some(Some([enter, exit])) if enter == exit => Entry::new(approx(enter), tone),
+            Some(Some(interval)) => Entry::new(range(interval), tone),
+            Some(None) => Entry::words(look.text("children-missed"), tone),
+            None => Entry::new("·", tone),
         };
-        let number = (n + 1).to_string();
-        [number.into(), child.0.to_string().into(), bits_of(child), told.into()]
-            .map(|text| Entry::new(text, tone))
-            .to_vec()
+        vec![
+            Entry::new((n + 1).to_string(), tone),
+            Entry::new(child.0.to_string(), tone),
+            Entry::new(bits_of(child), tone),
+            told,
+        ]
     };
     let head = ["children-order", "children-child", "children-bits", "children-interval"];
     let children = Table {

@@ -144,7 +144,7 @@ fn planes<const D: usize>(look: &Look, frame: &Frame<D>, mid: [f64; D]) -> Table
         vec![
             Entry::new(RichText::with_subscripts(&format!("t_{}m", AXIS_NAMES[axis])), tone),
             Entry::new(approx(mid[axis]), tone),
-            Entry::new(told, tone),
+            Entry::words(told, tone),
         ]
     };
     Table {

@@ -92,11 +92,19 @@ pub fn ui<const D: usize>(
                 };
                 let code = tree.code(node);
                 let codes = per_axis((0..D).map(|e| format!("{:>1$}", code[e], digits[e])));
-                [tree.level(node).to_string().into(), codes, look.text(key).into()]
+                [
+                    Entry::new(tree.level(node).to_string(), tone),
+                    Entry::new(codes, tone),
+                    Entry::words(look.text(key), tone),
+                ]
             }
-            None => ["–".into(), look.text("links-border").into(), "".into()],
+            None => [
+                Entry::new("–", tone),
+                Entry::words(look.text("links-border"), tone),
+                Entry::new("", tone),
+            ],
         };
-        [side, level, codes, size].map(|text| Entry::new(text, tone)).to_vec()
+        vec![Entry::new(side, tone), level, codes, size]
     };
     let head = ["links-side", "stack-level", "stack-codes", "links-size"];
     let links = Table {

@@ -103,7 +103,7 @@ fn children<const D: usize>(ui: &mut Ui, look: &Look, used: Used<D>, is_over: bo
         (false, _) => [Tone::Used, Tone::Line, Tone::Plain],
     };
     let row = |caption: String, entry: &dyn Fn(Child<D>) -> Entry| {
-        let caption = Entry::new(caption, Tone::Quiet);
+        let caption = Entry::words(caption, Tone::Quiet);
         std::iter::once(caption).chain(Child::<D>::all().map(entry)).collect()
     };
     let numbers: Vec<Entry> = row(look.text("tables-child"), &|child| {
@@ -118,7 +118,7 @@ fn children<const D: usize>(ui: &mut Ui, look: &Look, used: Used<D>, is_over: bo
                 (true, false) | (false, true) => line,
                 (false, false) => plain,
             };
-            Entry::new(entry(look, table, used.direction, child, told), tone)
+            entry(look, table, used.direction, child, told, tone)
         })
     };
     let (shown, setting) = fitting::<D>(ui, look, |told| views::Table {
@@ -161,13 +161,17 @@ fn entry<const D: usize>(
     direction: [i8; D],
     child: Child<D>,
     told: Told,
-) -> Coloured {
+    tone: Tone,
+) -> Entry {
+    let common = common_part(direction, child);
     match table {
-        NeighbourTable::Adjacent if adjacent(direction, child) => look.text("tables-yes").into(),
-        NeighbourTable::Adjacent => "–".into(),
-        NeighbourTable::Common if common_part(direction, child) == [0; D] => "–".into(),
-        NeighbourTable::Common => told.of(common_part(direction, child)),
-        NeighbourTable::Reflect => reflected(direction, child).0.to_string().into(),
+        NeighbourTable::Adjacent if adjacent(direction, child) => {
+            Entry::words(look.text("tables-yes"), tone)
+        }
+        NeighbourTable::Adjacent => Entry::new("–", tone),
+        NeighbourTable::Common if common == [0; D] => Entry::new("–", tone),
+        NeighbourTable::Common => Entry::new(told.of(common), tone),
+        NeighbourTable::Reflect => Entry::new(reflected(direction, child).0.to_string(), tone),
     }
 }
 
@@ -221,7 +225,7 @@ fn all<const D: usize>(ui: &mut Ui, look: &Look, used: Option<Used<D>>) {
                 (true, _) | (_, true) => Tone::Line,
                 (false, false) => Tone::Plain,
             };
-            Entry::new(entry(look, chosen, direction, child, told), tone)
+            entry(look, chosen, direction, child, told, tone)
         });
         std::iter::once(name).chain(entries).collect()
     };
@@ -231,7 +235,7 @@ fn all<const D: usize>(ui: &mut Ui, look: &Look, used: Option<Used<D>>) {
     directions.sort_by_key(n_axes);
     let numbers = |told: Told| {
         let caption = match told {
-            Told::ByAxes => Entry::new(look.text("tables-child"), Tone::Quiet),
+            Told::ByAxes => Entry::words(look.text("tables-child"), Tone::Quiet),
             Told::ByPlace => Entry::new(letters::<D>(), Tone::Plain),
         };
         let numbers = Child::<D>::all().map(|child| {

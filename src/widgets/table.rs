@@ -6,8 +6,8 @@ use eframe::egui::{
     FontFamily, Galley, Label, Painter, Rect, Response, Sense, Stroke, StrokeKind, Ui, WidgetInfo,
     accesskit::Role, pos2, text::TextFormat, vec2,
 };
-use octoscope_core::explain::{RichText, Span};
-use octoscope_figure::views::{Entry, Table, Tone};
+use octoscope_core::explain::RichText;
+use octoscope_figure::views::{Entry, EntryKind, Table, Tone};
 use std::sync::Arc;
 
 /// How a table is set in a panel.
@@ -172,25 +172,20 @@ fn galley_of(painter: &Painter, look: &Look, entry: &Entry) -> Arc<Galley> {
         let axis = span.axis.filter(|_| !is_quiet);
         let is_strong = span.strong || axis.is_some() || entry.tone == Tone::Used;
         let color = axis.map_or(ink, |axis| palette.axes[axis]);
-        let format = look.set(span, SIZE, family(look, span, is_strong));
+        let format = look.set(span, SIZE, family(look, entry.kind, is_strong));
         job.append(&span.text, 0.0, TextFormat { color, ..format });
     }
     painter.layout_job(job)
 }
 
 /// Numbers and what stands in columns is in the mono, words in the sans.
-fn family(look: &Look, span: &Span, is_strong: bool) -> FontFamily {
-    match (is_word(span), is_strong) {
-        (true, false) => FontFamily::Proportional,
-        (true, true) => look.strong_family(),
-        (false, false) => FontFamily::Monospace,
-        (false, true) => look.mono_strong_family(),
+fn family(look: &Look, kind: EntryKind, is_strong: bool) -> FontFamily {
+    match (kind, is_strong) {
+        (EntryKind::Words, false) => FontFamily::Proportional,
+        (EntryKind::Words, true) => look.strong_family(),
+        (EntryKind::Columns, false) => FontFamily::Monospace,
+        (EntryKind::Columns, true) => look.mono_strong_family(),
     }
-}
-
-fn is_word(span: &Span) -> bool {
-    let letters = |text: &str| text.chars().all(|c| c.is_alphabetic() || c == ' ' || c == '-');
-    span.axis.is_none() && span.text.len() > 1 && letters(&span.text) && span.text != "NaN"
 }
 
 #[cfg(test)]
@@ -203,12 +198,5 @@ mod tests {
         let row = row.map(|tone| Entry::new("0", tone));
         let told: Vec<_> = runs(&row).iter().map(|run| (run.first, run.last, run.tone)).collect();
         assert_eq!(told, [(0, 1, Tone::Used), (2, 2, Tone::Line), (4, 4, Tone::Line)]);
-    }
-
-    #[test]
-    fn words_are_set_in_the_sans() {
-        let is_word = |text: &str| is_word(&Span { text: text.to_owned(), ..Span::default() });
-        assert!(is_word("schneidet") && is_word("end"));
-        assert!(!is_word("NaN") && !is_word("0.5") && !is_word("x") && !is_word("−∞"));
     }
 }

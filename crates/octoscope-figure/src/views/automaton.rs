@@ -89,9 +89,11 @@ impl<const D: usize> Automaton<D> {
             let number = Entry::new(state.0.to_string(), tone(in_row, in_row));
             let next = (0..D).map(|axis| {
                 let used = in_row && self.step.is_some_and(|(axes, _)| axes.contains(axis));
-                let text = transition(state, axis)
-                    .map_or_else(|| texts.get("automaton-end"), |next| next.0.to_string());
-                Entry::new(text, tone(in_row, used))
+                let tone = tone(in_row, used);
+                match transition(state, axis) {
+                    Some(next) => Entry::new(next.0.to_string(), tone),
+                    None => Entry::words(texts.get("automaton-end"), tone),
+                }
             });
             std::iter::once(number).chain(next).collect()
         };
@@ -110,7 +112,7 @@ impl<const D: usize> Automaton<D> {
             let plane: String =
                 (0..D).filter(|&e| e != axis).map(|e| AXIS_NAMES[e].to_uppercase()).collect();
             let used = self.entered == Some(axis);
-            let plane = Entry::new(plane, tone(used, used));
+            let plane = Entry::words(plane, tone(used, used));
             let rules = entry_axes::<D>(axis).iter().map(|other| {
                 let bit = if printed { 1 << other } else { Axes::<D>::one(other).0 };
                 let rule = joined([

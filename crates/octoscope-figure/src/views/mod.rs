@@ -43,7 +43,7 @@ pub use steps::rows_of_table;
 pub use storyboard::{Layout, Panel, common_extent, storyboard};
 pub use subject::Subject;
 pub use t_rail::{RailFigure, RailRows, rail_of, t_rail, t_rail_height};
-pub use table::{Entry, Table, Tone};
+pub use table::{Entry, EntryKind, Table, Tone};
 pub use worksheet::{Fields, worksheet};
 
 use crate::Figure;

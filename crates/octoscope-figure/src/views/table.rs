@@ -23,6 +23,18 @@ pub struct Entry {
     pub text: RichText,
     /// How much it has to do with the present step.
     pub tone: Tone,
+    /// What kind of text it is.
+    pub kind: EntryKind,
+}
+
+/// What kind of text an entry of a table is, by which a panel chooses its typeface.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum EntryKind {
+    /// Numbers, signs and letters that stand below each other.
+    #[default]
+    Columns,
+    /// Words.
+    Words,
 }
 
 /// How much an entry of a table has to do with the present step.
@@ -40,9 +52,14 @@ pub enum Tone {
 }
 
 impl Entry {
-    /// Entry of this tone.
+    /// Entry of numbers, signs or letters, of this tone.
     pub fn new(text: impl Into<RichText>, tone: Tone) -> Self {
-        Self { text: text.into(), tone }
+        Self { text: text.into(), tone, kind: EntryKind::Columns }
+    }
+
+    /// Entry of words, of this tone.
+    pub fn words(text: impl Into<RichText>, tone: Tone) -> Self {
+        Self { kind: EntryKind::Words, ..Self::new(text, tone) }
     }
 }
 
