@@ -114,7 +114,8 @@ const ALSO: u8 = 6;
 const FOREIGN: u8 = 12;
 
 /// What matches all words of `wanted` by its name in either language, by its identifier or
-/// by what else it is looked for, best first; everything if nothing is wanted. Names are in `language`.
+/// by what else it is looked for, best first; everything if nothing is wanted. Names are in
+/// `language`.
 pub fn find(wanted: &str, language: Language) -> Vec<Hit> {
     let all_texts = Language::ALL.map(|each| (each, texts(each), paper_texts(each)));
     let wanted = folded(wanted);

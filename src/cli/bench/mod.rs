@@ -23,12 +23,12 @@ use std::path::PathBuf;
 ///
 /// For each scene and depth two tables. What depends on the machine: microseconds a
 /// ray, the median of the repetitions, which take turns, taken of every 16 rays by
-/// themselves, and how far the middle half of them lies around it; nanoseconds a visited leaf; rays a second; the time in units
-/// of the best. What does not, a ray: nodes reached, comparisons by kind, divisions,
-/// searches from the root, steps up and down; the greatest depth of the stack; lines of
-/// 64 bytes read, reads that a cache of 32 KiB does not have, and comparisons that a
-/// two-bit counter guesses wrong. Below them, how the time grows, and what of the
-/// published comparison holds.
+/// themselves, and how far the middle half of them lies around it; nanoseconds a visited
+/// leaf; rays a second; the time in units of the best. What does not, a ray: nodes
+/// reached, comparisons by kind, divisions, searches from the root, steps up and down;
+/// the greatest depth of the stack; lines of 64 bytes read, reads that a cache of 32
+/// KiB does not have, and comparisons that a two-bit counter guesses wrong. Below them,
+/// how the time grows, and what of the published comparison holds.
 ///
 /// Every occupied cell is a leaf of its own, as with visit --keep-cells. All rays come
 /// from outside, from a seed. Exit status: 1 if an algorithm finds other
@@ -46,10 +46,10 @@ pub struct Bench {
     #[arg(long, value_name = "NAME", value_parser = scene)]
     scene: Vec<&'static str>,
     /// Identifier of an algorithm, with @ and variants as in bsp@gem or, with commas
-    /// between several, parametric@B-1,B-3; may be given several times. Or batch, the kernel for many rays at once with the vectors of
-    /// the processor, and batch@plain, the same without: exact, but no steps can be
-    /// counted. Or all, with the oracle, which tests all leaves; without the option,
-    /// all but the oracle.
+    /// between several, parametric@B-1,B-3; may be given several times. Or batch, the
+    /// kernel for many rays at once with the vectors of the processor, and batch@plain,
+    /// the same without: exact, but no steps can be counted. Or all, with the oracle,
+    /// which tests all leaves; without the option, all but the oracle.
     #[arg(long, value_name = "ID")]
     algorithm: Vec<Choice>,
     /// Levels below the root: one number, or the least and the most.

@@ -54,10 +54,10 @@ pub struct Visit {
     #[arg(long, value_name = "N", default_value = "3", value_parser = dimension, allow_hyphen_values = true)]
     dim: Dimension,
     /// Identifier of the algorithm (see octoscope scenes), with @ and variants
-    /// as in bsp@gem or, with commas between several, parametric@B-1,B-3; or all: runs every one, prints what the
-    /// oracle finds, and fails where one differs from it; or batch: many rays at
-    /// once, always exactly, by the kernel that is made for speed and that no
-    /// debugger shows.
+    /// as in bsp@gem or, with commas between several, parametric@B-1,B-3; or all: runs
+    /// every one, prints what the oracle finds, and fails where one differs from it;
+    /// or batch: many rays at once, always exactly, by the kernel that is made for
+    /// speed and that no debugger shows.
     #[arg(long, value_name = "ID", default_value = "parametric")]
     algorithm: Choice,
     /// Ends each ray at its first occupied leaf.

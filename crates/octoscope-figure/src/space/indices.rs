@@ -1,5 +1,6 @@
 //! Tags with the numbers of children: in the outer corner of each, off the ray and off
-//! all points; in space where the child is seen, not one that lies before it. They are square, so that none is taken for an order number.
+//! all points; in space where the child is seen, not one that lies before it. They are
+//! square, so that none is taken for an order number.
 
 use super::labels::rectangle;
 use super::{Canvas, above_space};

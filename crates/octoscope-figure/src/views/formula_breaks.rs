@@ -21,8 +21,8 @@ pub struct Widths {
     pub others: f64,
 }
 
-/// `formula` in lines of these widths where it can be broken so: before what is said of its left side, else also before
-/// operations.
+/// `formula` in lines of these widths where it can be broken so: before what is said of its
+/// left side, else also before operations.
 pub fn formula_lines(
     formula: &Formula,
     of: FormulaType,
