@@ -1,10 +1,14 @@
 //! The bench lab, as its users meet it.
 
 use crate::desk::Desk;
-use eframe::egui::{Key, Modifiers, accesskit::Role};
+use crate::states::show_lab;
+use eframe::egui::{Id, Key, Modifiers, Shape, accesskit::Role};
+use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT, Queryable};
 use octoscope::lab::{Choice, Tab};
+use octoscope::text::texts;
 use octoscope::view::Dialog;
+use octoscope_core::measure::Quantity;
 use octoscope_core::text::Language;
 
 /// The lab, about to measure a little.
@@ -28,6 +32,33 @@ fn measure(desk: &mut Desk) {
 /// What a reader that cannot see the chart is told.
 fn told(desk: &Desk) -> String {
     desk.get_by_role(Role::Image).accesskit_node().label().unwrap_or_default()
+}
+
+#[test]
+fn in_a_small_window_nothing_of_the_lab_lies_beyond_it() {
+    for language in Language::ALL {
+        let mut desk = Desk::of(Harness::builder(), [500.0, 400.0]);
+        desk.state_mut().view.language = language;
+        for tab in Tab::ALL {
+            show_lab(&mut desk, tab, Quantity::Comparisons);
+            let window = desk.ctx.content_rect();
+            let shown = desk.ctx.memory(|memory| memory.area_rect(Id::unique("lab")));
+            assert!(window.contains_rect(shown.unwrap()), "{language:?} {tab:?}: {shown:?}");
+            for key in ["dialog-close", "lab-run"] {
+                let name = texts(language).get(key);
+                let button = desk.get_by_role_and_label(Role::Button, &name).rect();
+                assert!(window.contains_rect(button), "{language:?} {tab:?} {name}: {button}");
+            }
+            // What goes on beyond is scrolled to.
+            let n_cut = desk.output().shapes.iter().filter(|of| {
+                let seen = of.clip_rect.intersect(of.shape.visual_bounding_rect());
+                matches!(of.shape, Shape::Text(_))
+                    && seen.is_positive()
+                    && !window.contains_rect(seen)
+            });
+            assert_eq!(n_cut.count(), 0, "{language:?} {tab:?}");
+        }
+    }
 }
 
 #[test]
