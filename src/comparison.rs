@@ -29,7 +29,7 @@ pub struct Run {
 }
 
 /// More leaves than this are not tested one by one for every movement.
-pub const MOST_LEAVES: usize = 100_000;
+pub const MOST_TESTED: usize = 100_000;
 
 /// Trees of more nodes than this are not linked for the comparison alone.
 const MOST_LINKS: usize = 50_000;
@@ -40,7 +40,7 @@ const MOST_CELLS: u32 = 1 << 12;
 /// Whether an algorithm is quick enough in `tree` to be run for every movement.
 pub fn is_quick<const D: usize>(algorithm: Algorithm, tree: &Tree<D>) -> bool {
     match algorithm {
-        Algorithm::Exhaustive => tree.n_leaves() <= MOST_LEAVES,
+        Algorithm::Exhaustive => tree.n_leaves() <= MOST_TESTED,
         Algorithm::SametNet => tree.is_linked() || tree.n_nodes() <= MOST_LINKS,
         Algorithm::Dda | Algorithm::DdaOctree => tree.domain().grid_size() <= MOST_CELLS,
         Algorithm::Parametric

@@ -170,6 +170,7 @@ mod tests {
     use crate::with_document;
     use octoscope_core::paper::counterexample;
     use octoscope_core::progress::Progress;
+    use octoscope_core::scenario::AnyScenario;
     use octoscope_core::traverse::Variant;
     use octoscope_figure::{Drawn, Form, Role, metrics};
     use std::collections::BTreeSet;
@@ -216,6 +217,28 @@ mod tests {
                 let any = open_built_in(id, &Progress::default()).unwrap();
                 with_document!(&any, document => check_story(document, moments, language));
             }
+        }
+    }
+
+    #[test]
+    fn more_leaves_than_can_be_told_apart_are_left_out_of_a_figure_which_is_said() {
+        let page = Page { width: 400.0, height: 300.0 };
+        for (n, is_drawn) in [(6, true), (10, false)] {
+            let text = format!(
+                r#"{{"octoscope": 1, "scene": {{"built-in": "checker-cells", "parameters": {{"n": {n}}}}}}}"#
+            );
+            let scenario = AnyScenario::parse(&text).unwrap();
+            let any = open_scenario(scenario, Path::new(""), &Progress::default()).unwrap();
+            let AnyDocument::Plane(document) = any else { panic!() };
+            assert_eq!(document.tree.n_leaves(), 1 + (3 << (2 * n - 2)));
+            let show = Show::at_first::<2>();
+            let figure = space(&document, None, page, &show, 0);
+            let is_leaf = |role: Role| matches!(role, Role::EmptyLeaf | Role::FullLeaf);
+            let n_leaves = figure.drawn.iter().filter(|drawn| is_leaf(drawn.role)).count();
+            assert_eq!(n_leaves > 0, is_drawn, "{n}");
+            let told = left_out(&document, &show, &texts(Language::English)).join("; ");
+            let said = "786433 leaves beside the ray are left out; figures show at most 200000";
+            assert_eq!(told, if is_drawn { "" } else { said });
         }
     }
 

@@ -5,14 +5,16 @@ mod settings;
 
 use crate::lab::{Choice, ENDINGS, Ending, Tab, figure_in};
 use crate::look::Look;
-use crate::widgets::{self, Listed, drop_down, paint_larger, segments};
+use crate::widgets::{self, Listed, Present, drop_down, paint_larger, segments};
 use eframe::egui::{
     Align, Button, Context, Frame, Id, Layout, Modal, RichText, ScrollArea, Sense, Ui, WidgetInfo,
     accesskit::Role,
 };
 use octoscope_core::measure::{Quantity, Results, Watched};
+use octoscope_core::text::Language;
 use octoscope_figure::views::lab::scene_name;
 use octoscope_figure::{Figure, Form, Page};
+use std::sync::Arc;
 
 /// What the dialog shows, and what it changes.
 pub struct Shown<'a> {
@@ -114,7 +116,7 @@ fn tabs(ui: &mut Ui, look: &Look, choice: &mut Choice, results: &Results) {
             ui.label(look.text("lab-against"));
             let sizes =
                 Quantity::SIZES.map(|size| look.text(&format!("lab-quantity-{}", size.id())));
-            list(ui, look, ("lab size", "lab-against"), &mut choice.size, &sizes);
+            list(ui, look, ListOf { id: "lab size", key: "lab-against" }, &mut choice.size, &sizes);
             scenes(ui, look, choice, results);
         }
         Tab::Table => {
@@ -142,24 +144,33 @@ fn scenes(ui: &mut Ui, look: &Look, choice: &mut Choice, results: &Results) {
     let scenes: Vec<String> =
         results.scenes().into_iter().map(|scene| scene_name(scene, &look.texts)).collect();
     if scenes.len() > 1 {
-        list(ui, look, ("lab scene", "lab-scene"), &mut choice.scene, &scenes);
+        list(ui, look, ListOf { id: "lab scene", key: "lab-scene" }, &mut choice.scene, &scenes);
     }
 }
 
 /// Which of the costs.
 fn costs(ui: &mut Ui, look: &Look, choice: &mut Choice) {
     let costs = Quantity::COSTS.map(|cost| look.text(&format!("lab-quantity-{}", cost.id())));
-    list(ui, look, ("lab cost", "lab-quantity"), &mut choice.cost, &costs);
+    list(ui, look, ListOf { id: "lab cost", key: "lab-quantity" }, &mut choice.cost, &costs);
+}
+
+/// What a list is of.
+#[derive(Clone, Copy, Debug)]
+struct ListOf {
+    id: &'static str,
+    /// Key of its name.
+    key: &'static str,
 }
 
 /// A list from which one entry is chosen by its number.
-fn list(ui: &mut Ui, look: &Look, (id, key): (&str, &str), chosen: &mut usize, entries: &[String]) {
-    let name = look.text(key);
+fn list(ui: &mut Ui, look: &Look, of: ListOf, chosen: &mut usize, entries: &[String]) {
+    let name = look.text(of.key);
     let shown = entries.get(*chosen).or(entries.first()).cloned().unwrap_or_default();
     let spoken = format!("{name}: {shown}");
     let lines = entries.iter().cloned().enumerate();
     let lines: Vec<_> = lines.map(|(number, entry)| Listed::Entry(number, entry)).collect();
-    let (list, taken) = drop_down(ui, look, id, 170.0, (Some(*chosen), shown), &lines);
+    let present = Present { entry: Some(*chosen), name: shown };
+    let (list, taken) = drop_down(ui, look, of.id, 170.0, present, &lines);
     list.widget_info(|| WidgetInfo::labeled(Role::ComboBox, true, spoken.as_str()));
     *chosen = taken.unwrap_or(*chosen);
 }
@@ -169,15 +180,51 @@ fn content(ui: &mut Ui, look: &Look, shown: &Shown, height: f32) {
     const BAR: f32 = 10.0;
     ui.spacing_mut().scroll.floating_allocated_width = BAR;
     let room = [ui.available_width(), height].map(|extent| f64::from(extent - BAR));
-    let (figure, scale) = figure_in(shown.choice, shown.results, shown.watched, &look.texts, room);
+    let Drawn { figure, scale, .. } = &*drawn(ui, look, shown, room);
     let page = Page { width: scale * figure.page.width, height: scale * figure.page.height };
     let scroll = ScrollArea::both().id_salt("lab chart").auto_shrink([false, false]);
     scroll.max_height(height).show(ui, |ui| {
         let (rect, response) = widgets::room(ui, page, Sense::hover());
-        paint_larger(ui, look, rect, &figure, scale as f32);
-        let told = told(&figure);
-        response.widget_info(|| WidgetInfo::labeled(Role::Image, true, told.as_str()));
+        paint_larger(ui, look, rect, figure, *scale as f32);
+        response.widget_info(|| WidgetInfo::labeled(Role::Image, true, told(figure)));
     });
+}
+
+/// What is drawn, and of what.
+struct Drawn {
+    choice: Choice,
+    results: Results,
+    watched: Vec<Watched>,
+    language: Language,
+    room: [f64; 2],
+    figure: Figure,
+    scale: f64,
+}
+
+/// What is chosen, drawn for a room of this size: the same figure as long as nothing that
+/// it shows has changed.
+fn drawn(ui: &Ui, look: &Look, shown: &Shown, room: [f64; 2]) -> Arc<Drawn> {
+    let id = Id::unique("chart of the lab");
+    let (choice, language) = (&*shown.choice, look.texts.language());
+    let is_same = |drawn: &Arc<Drawn>| {
+        (&drawn.choice, drawn.language, drawn.room) == (choice, language, room)
+            && (&drawn.results, &drawn.watched[..]) == (shown.results, shown.watched)
+    };
+    if let Some(kept) = ui.data(|data| data.get_temp::<Arc<Drawn>>(id)).filter(is_same) {
+        return kept;
+    }
+    let (figure, scale) = figure_in(choice, shown.results, shown.watched, &look.texts, room);
+    let drawn = Arc::new(Drawn {
+        choice: choice.clone(),
+        results: shown.results.clone(),
+        watched: shown.watched.to_vec(),
+        language,
+        room,
+        figure,
+        scale,
+    });
+    ui.data_mut(|data| data.insert_temp(id, Arc::clone(&drawn)));
+    drawn
 }
 
 /// What is written in a figure, for readers that cannot see it.

@@ -75,7 +75,8 @@ impl App {
             let is_pointing = self.view.pointed == Some(step);
             with_document!(&self.document, d => {
                 let language = self.view.language;
-                sentence::ui(ui, &self.look, d, language, step, is_pointing, room);
+                let shown = sentence::Shown { language, step, is_pointing, height: room };
+                sentence::ui(ui, &self.look, d, shown);
             });
         });
         if !hall {

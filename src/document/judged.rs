@@ -2,7 +2,7 @@
 //! whether it comes to the right result.
 
 use super::Document;
-use crate::comparison::{MOST_LEAVES, Run, compare};
+use crate::comparison::{MOST_TESTED, Run, compare};
 use octoscope_core::paper::{Verdict, verdict};
 use octoscope_core::progress::{Cancelled, Progress};
 use octoscope_core::tree::NodeId;
@@ -134,7 +134,7 @@ impl<const D: usize> Document<D> {
     /// Whether the tree is too large to ask every leaf, or the run was too long to be
     /// traced to its end.
     fn is_judged_never(&self) -> bool {
-        self.tree.n_leaves() > MOST_LEAVES || self.trace.is_cut()
+        self.tree.n_leaves() > MOST_TESTED || self.trace.is_cut()
     }
 
     /// The verdict on the present run, if it was asked for and is known.

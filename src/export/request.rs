@@ -2,7 +2,7 @@
 
 use super::table::table;
 use super::{Eye, Order, Series, Steps, print_shown, write};
-use crate::comparison::MOST_LEAVES;
+use crate::comparison::MOST_TESTED;
 use crate::document::{AnyDocument, Document};
 use crate::figures::{Moments, Wanted, figure_of, left_out, take_exercise};
 use crate::files::Output;
@@ -198,7 +198,7 @@ impl Request {
             }));
         }
         if self.marks_results() && document.is_unjudged() {
-            told.push(texts.format("left-out-right", &[("most", MOST_LEAVES.into())]));
+            told.push(texts.format("left-out-right", &[("most", MOST_TESTED.into())]));
         }
         (!told.is_empty()).then(|| told.join("; "))
     }

@@ -5,7 +5,7 @@ use crate::export::{Choice, ExerciseChoice, Extent, Format, MomentChoice, StepCh
 use crate::figures::Moments;
 use crate::look::Look;
 use crate::panels::show;
-use crate::widgets::{Listed, MOST_SEED, drop_down, ranged_field, segments, text_field};
+use crate::widgets::{Listed, MOST_SEED, Present, drop_down, ranged_field, segments, text_field};
 use eframe::egui::{CollapsingHeader, Grid, Layout, RichText, TextEdit, Ui, accesskit::Role, vec2};
 use octoscope_core::explain::Notation;
 use octoscope_core::text::Language;
@@ -23,7 +23,7 @@ pub(super) fn settings(ui: &mut Ui, look: &Look, shown: &mut Shown) {
         let label = ui.label(name("dialog-export-view")).id;
         let named = |view: FigureView| name(&format!("figure-{}", view.id()));
         let lines: Vec<_> = views.iter().map(|&view| Listed::Entry(view, named(view))).collect();
-        let shown = (Some(choice.view), named(choice.view));
+        let shown = Present { entry: Some(choice.view), name: named(choice.view) };
         let (list, chosen) = drop_down(ui, look, "view", LIST, shown, &lines);
         list.labelled_by(label);
         if let Some(view) = chosen {
@@ -34,7 +34,7 @@ pub(super) fn settings(ui: &mut Ui, look: &Look, shown: &mut Shown) {
             let label = ui.label(name("export-notation")).id;
             let named = |notation: Notation| name(&format!("notation-{notation}"));
             let lines = Notation::ALL.map(|one| Listed::Entry(one, named(one)));
-            let shown = (Some(**notation), named(**notation));
+            let shown = Present { entry: Some(**notation), name: named(**notation) };
             let (list, chosen) = drop_down(ui, look, "notation", LIST, shown, &lines);
             list.labelled_by(label);
             **notation = chosen.unwrap_or(**notation);

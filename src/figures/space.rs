@@ -29,7 +29,7 @@ pub fn space<const D: usize>(
     let event = step.checked_sub(1).and_then(|index| document.trace.events.get(index));
     let mut all = Vec::new();
     let cut = show.slice.and_then(|slice| slice.cut(document.tree.domain(), &camera));
-    if n_leaves_shown(document, show) <= MOST_LEAVES {
+    if n_leaves_shown(document, show) <= MOST_DRAWN {
         all.extend(cells(&document.tree, show, cut.as_ref()));
         all.extend(pixels(document, show));
     }
@@ -64,7 +64,7 @@ fn pixels<const D: usize>(document: &Document<D>, show: &Show) -> Vec<Mark<D>> {
 /// More points or solids than this, and more leaves, are left out of figures:
 /// nobody could tell them apart, and the files would be huge.
 const MOST_PRIMITIVES: usize = 200_000;
-const MOST_LEAVES: usize = 200_000;
+const MOST_DRAWN: usize = 200_000;
 
 fn n_leaves_shown<const D: usize>(document: &Document<D>, show: &Show) -> usize {
     show.nodes(&document.tree).count()
@@ -89,7 +89,7 @@ pub fn left_out<const D: usize>(document: &Document<D>, show: &Show, texts: &Tex
         (n > most).then(|| texts.format(key, &[("n", n.into()), ("most", most.into())]))
     };
     let left_out = [
-        too_many(n_leaves_shown(document, show), MOST_LEAVES, "left-out-leaves"),
+        too_many(n_leaves_shown(document, show), MOST_DRAWN, "left-out-leaves"),
         too_many(n_primitives_shown(document, show), MOST_PRIMITIVES, "left-out-solids"),
     ];
     left_out.into_iter().flatten().collect()

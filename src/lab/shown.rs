@@ -5,8 +5,8 @@ use crate::bench::{Column, GROUPS};
 use octoscope_core::measure::{Results, Site, Watched};
 use octoscope_core::text::Texts;
 use octoscope_figure::views::lab::{
-    Growth, growth_and_numbers, growth_chart, growth_least_height, numbers_chart, processor_chart,
-    published_chart, scene_name, scenes_chart, way_name,
+    Above, Growth, Titled, growth_and_numbers, growth_chart, growth_least_height, numbers_chart,
+    processor_chart, published_chart, scene_name, scenes_chart, way_name,
 };
 use octoscope_figure::views::{Entry, Table, Tone};
 use octoscope_figure::{Anchor, Figure};
@@ -78,7 +78,7 @@ fn numbers(choice: &Choice, results: &Results, texts: &Texts, width: f64) -> Fig
             true => texts.get("lab-nothing"),
             false => texts.format("lab-no-site", &none),
         };
-        return numbers_chart([&none, ""], &[], width);
+        return numbers_chart(Above { heading: &none, note: "" }, &[], width);
     };
     let arguments = [
         ("scene", scene_name(&site.scene, texts).into()),
@@ -87,8 +87,12 @@ fn numbers(choice: &Choice, results: &Results, texts: &Texts, width: f64) -> Fig
         ("rays", site.n_rays.into()),
     ];
     let heading = texts.format("lab-site", &arguments);
-    let tables = GROUPS.map(|(title, columns)| (texts.get(title), table(site, columns, texts)));
-    numbers_chart([&heading, &texts.get("lab-table-note")], &tables, width)
+    let tables = GROUPS.map(|(title, columns)| Titled {
+        title: texts.get(title),
+        table: table(site, columns, texts),
+    });
+    let above = Above { heading: &heading, note: &texts.get("lab-table-note") };
+    numbers_chart(above, &tables, width)
 }
 
 fn table(site: &Site, columns: &[Column], texts: &Texts) -> Table {

@@ -8,7 +8,7 @@ use crate::look::Look;
 use crate::map::{Asked, Colouring, Drawing, Raster, Rays, colours};
 use crate::theme::color32;
 use crate::view::{MapView, RaysOf};
-use crate::widgets::{Listed, caption, drop_down, segments};
+use crate::widgets::{Listed, Present, caption, drop_down, segments};
 use eframe::egui::{
     Color32, ColorImage, EventFilter, Id, Key, Modifiers, Pos2, ProgressBar, Rect, Response, Sense,
     Stroke, StrokeKind, TextureHandle, TextureOptions, Ui, WidgetInfo, accesskit::Role, pos2, vec2,
@@ -99,8 +99,9 @@ fn choice<const D: usize>(ui: &mut Ui, look: &Look, view: &mut MapView) {
     let lines = Colouring::ALL.map(|one| Listed::Entry(one, look.text(one.id())));
     let value = look.text(view.colouring.id());
     let name = format!("{label}: {value}");
-    let (width, shown) = (ui.available_width() - 8.0, (Some(view.colouring), value));
-    let (list, chosen) = drop_down(ui, look, "map-colouring", width, shown, &lines);
+    let present = Present { entry: Some(view.colouring), name: value };
+    let width = ui.available_width() - 8.0;
+    let (list, chosen) = drop_down(ui, look, "map-colouring", width, present, &lines);
     list.widget_info(|| WidgetInfo::labeled(Role::ComboBox, true, name.as_str()));
     list.on_hover_text(label);
     view.colouring = chosen.unwrap_or(view.colouring);

@@ -3,7 +3,7 @@
 use crate::document::Document;
 use crate::look::Look;
 use crate::widgets::{
-    Listed, drop_down, explained_segments, heading, number_field, segments, tick,
+    Listed, Present, drop_down, explained_segments, heading, number_field, segments, tick,
 };
 use eframe::egui::containers::menu::{MenuButton, MenuConfig};
 use eframe::egui::{Align, Grid, Layout, PopupCloseBehavior, RichText, Ui};
@@ -133,8 +133,9 @@ fn ray_query<const D: usize>(
             std::iter::once(Listed::Title(look.text(key))).chain(entries)
         })
         .collect();
-    let (width, shown) = (ui.available_width(), (Some(*algorithm), name(*algorithm)));
-    let (list, chosen) = drop_down(ui, look, "algorithm", width, shown, &lines);
+    let present = Present { entry: Some(*algorithm), name: name(*algorithm) };
+    let width = ui.available_width();
+    let (list, chosen) = drop_down(ui, look, "algorithm", width, present, &lines);
     list.on_hover_text(label);
     *algorithm = chosen.unwrap_or(*algorithm);
     let choices =

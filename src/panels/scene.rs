@@ -2,7 +2,7 @@
 
 use crate::document::Document;
 use crate::look::Look;
-use crate::widgets::{Listed, drop_down, heading, slider_field};
+use crate::widgets::{Listed, Present, drop_down, heading, slider_field};
 use eframe::egui::{Grid, Ui};
 use octoscope_core::scenario::{BUILT_IN, Source};
 use octoscope_core::scene::Content;
@@ -31,7 +31,8 @@ pub fn ui<const D: usize>(
     };
     let lines = BUILT_IN.map(|scene| Listed::Entry(scene.id, name(scene.id)));
     let width = ui.available_width();
-    let (list, chosen) = drop_down(ui, look, "scene", width, (present, source), &lines);
+    let present = Present { entry: present, name: source };
+    let (list, chosen) = drop_down(ui, look, "scene", width, present, &lines);
     list.on_hover_text(look.text("scene-source"));
     let recipe = &mut document.scenario.recipe;
     Grid::new("recipe").num_columns(2).spacing([8.0, 4.0]).show(ui, |ui| {

@@ -15,19 +15,25 @@ const NARROW: f32 = 640.0;
 /// Height of type in all other rooms, where the sentence fits.
 const LARGEST: f32 = 22.0;
 
+/// Of which step the sentence is, and how it is shown.
+#[derive(Clone, Copy, Debug)]
+pub struct Shown {
+    /// Its language.
+    pub language: Language,
+    /// The step.
+    pub step: usize,
+    /// Whether the mouse points, and is not only where it was left.
+    pub is_pointing: bool,
+    /// Height that the largest sentence of the walk has.
+    pub height: f32,
+}
+
 /// The sentence of `step`, in large type, before the first step with the key
 /// that begins; a screen reader is told when it changes. A number that is told in short
 /// shows all its digits where it is pointed at, if somebody `is_pointing` at this step.
 /// `height` is that of the sentence's room where nothing else is said in it.
-pub fn ui<const D: usize>(
-    ui: &mut Ui,
-    look: &Look,
-    document: &Document<D>,
-    language: Language,
-    step: usize,
-    is_pointing: bool,
-    height: f32,
-) {
+pub fn ui<const D: usize>(ui: &mut Ui, look: &Look, document: &Document<D>, shown: Shown) {
+    let Shown { language, step, is_pointing, height } = shown;
     let (tree, ray, trace) = (&document.tree, document.traced_ray(), &document.trace);
     let sentence = whole(look, step, sentence_of(tree, ray, trace, step, language));
     let width = ui.available_width();

@@ -9,7 +9,7 @@ use crate::panels::{
     why_not,
 };
 use crate::view::{PanelKind, Preset, View};
-use crate::widgets::{Place, panel_heading};
+use crate::widgets::{InColumn, panel_heading};
 use crate::wish::Wish;
 use eframe::egui::style::ScrollAnimation;
 use eframe::egui::{Align, Rect, RichText, Ui, UiBuilder, vec2};
@@ -61,7 +61,7 @@ pub fn ui<const D: usize>(
                 column.separator();
             }
             let folded = view.arrangement().is_folded(kind);
-            let place = Place { folded, index, n_panels: panels.len() };
+            let place = InColumn { folded, index, n_panels: panels.len() };
             let note = note(look, document, moment, kind);
             let top = column.cursor().top();
             let change = panel_heading(&mut column, look, &look.text(kind.id()), &note, place);

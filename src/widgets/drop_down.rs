@@ -15,6 +15,15 @@ pub enum Listed<T> {
     Explained(T, String, String),
 }
 
+/// The entry that is chosen already.
+#[derive(Clone, Debug)]
+pub struct Present<T> {
+    /// The entry, if it is one of the list.
+    pub entry: Option<T>,
+    /// Its name.
+    pub name: String,
+}
+
 /// The name of the present entry, which is told apart from the others; a click or a key
 /// lists all `lines`, from which a click, or the arrows and Enter, choose. Returns the
 /// control and what was chosen.
@@ -23,16 +32,17 @@ pub fn drop_down<T: Copy + PartialEq>(
     look: &Look,
     salt: &str,
     width: f32,
-    (present, name): (Option<T>, String),
+    present: Present<T>,
     lines: &[Listed<T>],
 ) -> (Response, Option<T>) {
     /// Room above and below the list in a window that has none for all of it.
     const BESIDE: f32 = 48.0;
     let room = ui.ctx().content_rect().height() - BESIDE;
     let list = ComboBox::from_id_salt(salt).width(width).height(room).truncate();
-    let list = list.popup_style(menu_style_with_ring.into()).selected_text(name);
+    let list = list.popup_style(menu_style_with_ring.into()).selected_text(present.name);
     // Whether the present entry has been focused since the list was opened.
     let entered = ui.scope_id().with(("entered", salt));
+    let present = present.entry;
     let mut chosen = None;
     let shown = list.show_ui(ui, |ui| {
         if lines.iter().any(|line| matches!(line, Listed::Title(_))) {

@@ -1,6 +1,6 @@
 //! A number that can be dragged and typed.
 
-use super::typed_field::{Typed, Typing, typed_field};
+use super::typed_field::{Edited, Typing, typed_field};
 use crate::look::Look;
 use eframe::egui::{
     Color32, DragValue, FontId, Layout, Response, Ui, WidgetInfo,
@@ -34,7 +34,7 @@ pub fn number_field(
     let mut edited = *value;
     let size = vec2(ui.available_width().min(110.0), 24.0);
     let layout = Layout::centered_and_justified(ui.layout().main_dir());
-    let Typed { response, restored } = ui
+    let Edited { response, restored } = ui
         .allocate_ui_with_layout(size, layout, |ui| {
             ui.visuals_mut().override_text_color = Some(color);
             ui.spacing_mut().button_padding.x = PADDING / 2.0;

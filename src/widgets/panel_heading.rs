@@ -9,7 +9,7 @@ use eframe::egui::{
 
 /// A panel among its neighbours.
 #[derive(Clone, Copy, Debug)]
-pub struct Place {
+pub struct InColumn {
     /// Whether only its heading is shown.
     pub folded: bool,
     /// Number of panels before it.
@@ -25,7 +25,7 @@ pub fn panel_heading(
     look: &Look,
     title: &str,
     note: &str,
-    place: Place,
+    place: InColumn,
 ) -> Option<PanelChange> {
     let mut chosen = None;
     ui.horizontal(|ui| {
@@ -43,7 +43,7 @@ pub fn panel_heading(
 }
 
 /// Three dots that open the menu.
-fn menu(ui: &mut Ui, look: &Look, title: &str, place: Place) -> Option<PanelChange> {
+fn menu(ui: &mut Ui, look: &Look, title: &str, place: InColumn) -> Option<PanelChange> {
     let (rect, button) = ui.allocate_exact_size(vec2(24.0, 24.0), Sense::click());
     let name = look.texts.format("panel-menu", &[("title", title.to_owned().into())]);
     button.widget_info(|| WidgetInfo::labeled(Role::Button, true, name.as_str()));

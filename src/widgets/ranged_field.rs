@@ -1,7 +1,7 @@
 //! A number of a known range that can be dragged and typed.
 
 use super::number_field::{number, parse};
-use super::typed_field::{Typed, Typing, typed_field};
+use super::typed_field::{Edited, Typing, typed_field};
 use crate::look::Look;
 use eframe::egui::accesskit::Role;
 use eframe::egui::emath::Numeric;
@@ -50,7 +50,8 @@ pub(super) fn field_in_range<N: Numeric>(
     let typing = Typing { value: now, shown: &|x| number(x), read: &read, wrong: &wrong };
     let field = DragValue::new(value).range(range[0]..=range[1]).speed(drag_speed);
     let field = field.clamp_existing_to_range(clamping == SliderClamping::Always);
-    let Typed { response, restored } = typed_field(ui, look, field.max_decimals(decimals), &typing);
+    let Edited { response, restored } =
+        typed_field(ui, look, field.max_decimals(decimals), &typing);
     if let Some(restored) = restored {
         *value = N::from_f64(restored);
     }

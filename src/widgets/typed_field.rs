@@ -33,7 +33,7 @@ struct Kept {
 }
 
 /// What a field has come to.
-pub struct Typed {
+pub struct Edited {
     /// The field.
     pub response: Response,
     /// The number that is to hold again, because what was typed after it was given up or
@@ -45,7 +45,7 @@ pub struct Typed {
 /// being a number stays in it, marked, and is edited on until it is mended, or given up by
 /// Escape, or the field is left, or the number changes; what is wrong is said
 /// ([`refused_number`]). Whatever ends that, the number is then what it was before.
-pub fn typed_field(ui: &mut Ui, look: &Look, field: DragValue<'_>, typing: &Typing<'_>) -> Typed {
+pub fn typed_field(ui: &mut Ui, look: &Look, field: DragValue<'_>, typing: &Typing<'_>) -> Edited {
     let field_id = ui.next_auto_id();
     let of_field = field_id.with("typed");
     let before = before_editing(ui, field_id, typing.value);
@@ -139,7 +139,7 @@ pub fn typed_field(ui: &mut Ui, look: &Look, field: DragValue<'_>, typing: &Typi
     if let Some(said) = said {
         ui.data_mut(|data| data.insert_temp(Id::unique(REFUSED), said));
     }
-    Typed { response, restored }
+    Edited { response, restored }
 }
 
 /// The number that a field had when its editing began, while it is edited and when that

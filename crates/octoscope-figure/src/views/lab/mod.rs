@@ -12,7 +12,7 @@ mod scenes;
 use crate::Figure;
 pub use growth::{Growth, growth_chart, growth_least_height};
 pub use names::{scene_name, way_name};
-pub use numbers::{growth_and_numbers, numbers_chart};
+pub use numbers::{Above, Titled, growth_and_numbers, numbers_chart};
 pub use processor::processor_chart;
 pub use published::{published_chart, verdict};
 pub use scenes::scenes_chart;

@@ -14,14 +14,32 @@ const TITLE: f64 = 22.0;
 
 const SETTING: Setting = Setting { role: Role::Words, row: 19.0, gap: 18.0, least: 8.0 };
 
+/// What stands above tables.
+#[derive(Clone, Copy, Debug)]
+pub struct Above<'a> {
+    /// What they are of.
+    pub heading: &'a str,
+    /// What is to be known about them.
+    pub note: &'a str,
+}
+
+/// A table with its title.
+#[derive(Clone, Debug)]
+pub struct Titled {
+    /// The title.
+    pub title: String,
+    /// The table.
+    pub table: Table,
+}
+
 /// Tables with their titles, beside each other where a figure of this width has room,
-/// below a heading and a note.
-pub fn numbers_chart([heading, note]: [&str; 2], tables: &[(String, Table)], width: f64) -> Figure {
+/// below what stands above them.
+pub fn numbers_chart(above: Above, tables: &[Titled], width: f64) -> Figure {
     let mut sheet = Sheet::default();
-    let mut top = sheet.paragraph(Role::Heading, [0.0, 0.0], width, &heading.into()) + 2.0;
-    top += sheet.paragraph(Role::Note, [0.0, top], width, &note.into()) + 12.0;
+    let mut top = sheet.paragraph(Role::Heading, [0.0, 0.0], width, &above.heading.into()) + 2.0;
+    top += sheet.paragraph(Role::Note, [0.0, top], width, &above.note.into()) + 12.0;
     let ([mut left, mut bottom], mut right) = ([0.0, top], 0.0f64);
-    for (title, table) in tables {
+    for Titled { title, table } in tables {
         let [wide, high] = table.size(SETTING);
         if left > 0.0 && left + wide > width {
             (left, top) = (0.0, bottom + GAP);
