@@ -13,7 +13,7 @@ use crate::space::{self, Layers, Space};
 use crate::view::{PanelKind, Preset, View};
 use crate::wish::Wish;
 use eframe::egui::{CentralPanel, Frame, Margin, Panel, Rangef, ScrollArea, Ui, UiBuilder, vec2};
-use formulas::Place;
+use formulas::OfFormulas;
 use octoscope_core::query::Query;
 
 /// Windows of less than this, in points, have panels on one side only.
@@ -62,7 +62,7 @@ pub fn ui<const D: usize>(
         });
     }
     let panels = view.panels(&document.scenario.query);
-    let mut place = Place::BelowPicture;
+    let mut place = OfFormulas::BelowPicture;
     // In a narrow window there is one side for both; what was asked for comes first.
     let question_first = narrow && shown;
     let question_below = narrow && !lecture && view.question.is_none();
@@ -75,8 +75,8 @@ pub fn ui<const D: usize>(
         let most = (ui.available_width() - least_view).clamp(260.0, 760.0);
         right.size_range(Rangef::new(260.0, most)).show(ui, |ui| {
             let column = ui.available_size() - vec2(BAR, 0.0);
-            place = Place::of(look, view, &document.trace, &panels, column);
-            if let Place::BelowPanel(_) = place {
+            place = OfFormulas::of(ui, look, view, &document.trace, &panels, column);
+            if let OfFormulas::BelowPanel(_) = place {
                 formulas::ui(ui, look, document, view, place);
             }
             scrolled(ui, look, |ui| {
@@ -92,7 +92,7 @@ pub fn ui<const D: usize>(
             });
         });
     }
-    if place == Place::BelowPicture {
+    if place == OfFormulas::BelowPicture {
         formulas::ui(ui, look, document, view, place);
     }
     let middle = Frame::new().fill(look.palette.background);

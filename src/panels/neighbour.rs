@@ -2,11 +2,12 @@
 
 use crate::look::Look;
 use crate::widgets::bit_table;
-use eframe::egui::{RichText, Ui};
+use eframe::egui::{Id, RichText, Ui};
 use octoscope_core::event::Event;
 use octoscope_core::trace::{Moment, Target, Trace};
 use octoscope_core::tree::Tree;
 use octoscope_figure::views::{BitTable, Spacing, neighbour_heights, neighbour_tables};
+use std::sync::{Arc, Weak};
 
 /// Room below each table.
 const GAP: f32 = 6.0;
@@ -39,7 +40,19 @@ pub fn ui<const D: usize>(ui: &mut Ui, look: &Look, tree: &Tree<D>, moment: &Mom
 }
 
 /// Height of all of it in a hall, in points, in the step of the walk in which it is highest.
-pub fn most_height<const D: usize>(trace: &Trace<D>) -> f32 {
+/// It is kept as long as the walk is the same.
+pub fn most_height<const D: usize>(ui: &Ui, trace: &Arc<Trace<D>>) -> f32 {
+    let id = Id::unique(("height-of-neighbours", D));
+    let kept = ui.data(|data| data.get_temp::<(Weak<Trace<D>>, f32)>(id));
+    if let Some((_, height)) = kept.filter(|(of, _)| of.as_ptr() == Arc::as_ptr(trace)) {
+        return height;
+    }
+    let height = highest(trace);
+    ui.data_mut(|data| data.insert_temp(id, (Arc::downgrade(trace), height)));
+    height
+}
+
+fn highest<const D: usize>(trace: &Trace<D>) -> f32 {
     let height = |event: &Event<D>| {
         let Event::Target { level, from, to, axes, .. } = *event else { return 0.0 };
         let target = Target { level, from, to, axes, outside: None };

@@ -11,10 +11,11 @@ use eframe::egui::{Frame, Margin, Panel, Ui, Vec2};
 use octoscope_core::explain::{RichText, formulas};
 use octoscope_core::trace::Trace;
 use octoscope_figure::views::FormulaRows;
+use std::sync::Arc;
 
 /// Where the formulas of the step are.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Place {
+pub enum OfFormulas {
     /// Below the picture, which is so much lower.
     BelowPicture,
     /// Beside the picture, in a room of this height.
@@ -24,13 +25,14 @@ pub enum Place {
 /// Room above and below formulas.
 const MARGIN: f32 = 6.0;
 
-impl Place {
+impl OfFormulas {
     /// Where they are beside `panels` in a column of this size: in a lecture below its
     /// panel, if they have room there in every step.
     pub fn of<const D: usize>(
+        ui: &Ui,
         look: &Look,
         view: &View,
-        trace: &Trace<D>,
+        trace: &Arc<Trace<D>>,
         panels: &[PanelKind],
         column: Vec2,
     ) -> Self {
@@ -39,7 +41,7 @@ impl Place {
         if !is_alone {
             return Self::BelowPicture;
         }
-        let most = most_height(look, *panel, trace, column.x);
+        let most = most_height(ui, look, *panel, trace, column.x);
         let room = most.map(|most| column.y - most - 2.0 * MARGIN);
         room.and_then(formula::height_below_panel).map_or(Self::BelowPicture, Self::BelowPanel)
     }
@@ -48,9 +50,10 @@ impl Place {
 /// Height of a panel of a lecture with its heading, in points, in the step of the walk in
 /// which it is highest, in a column of this width; `None` where that is not known.
 fn most_height<const D: usize>(
+    ui: &Ui,
     look: &Look,
     panel: PanelKind,
-    trace: &Trace<D>,
+    trace: &Arc<Trace<D>>,
     width: f32,
 ) -> Option<f32> {
     use PanelKind::{
@@ -61,7 +64,7 @@ fn most_height<const D: usize>(
     let body = match panel {
         Codes => codes::lecture_height::<D>(),
         Region => region::lecture_height::<D>(),
-        Neighbour => neighbour::most_height(trace),
+        Neighbour => neighbour::most_height(ui, trace),
         Rail => t_rail::lecture_height::<D>(),
         Tables => tables::LECTURE_HEIGHT,
         Cuts => cuts::lecture_height::<D>(),
@@ -85,19 +88,19 @@ pub fn ui<const D: usize>(
     look: &Look,
     document: &Document<D>,
     view: &View,
-    place: Place,
+    place: OfFormulas,
 ) {
     let room = ui.available_height();
     let height = match (place, view.preset) {
-        (Place::BelowPanel(height), _) => Some(height),
-        (Place::BelowPicture, Preset::Lecture) => formula::height(room, FormulaRows::One),
-        (Place::BelowPicture, _) => formula::height(room, FormulaRows::Two),
+        (OfFormulas::BelowPanel(height), _) => Some(height),
+        (OfFormulas::BelowPicture, Preset::Lecture) => formula::height(room, FormulaRows::One),
+        (OfFormulas::BelowPicture, _) => formula::height(room, FormulaRows::Two),
     };
     let Some(height) = height.filter(|_| view.formulas) else { return };
     let (fill, side) = match place {
-        Place::BelowPicture => (look.palette.background, 16),
+        OfFormulas::BelowPicture => (look.palette.background, 16),
         // The margin there is that of the panel.
-        Place::BelowPanel(_) => (look.palette.panel, 0),
+        OfFormulas::BelowPanel(_) => (look.palette.panel, 0),
     };
     let frame = Frame::new().fill(fill).inner_margin(Margin::symmetric(side, MARGIN as i8));
     let told = formulas(
@@ -124,11 +127,11 @@ fn words_instead<const D: usize>(
     look: &Look,
     document: &Document<D>,
     view: &View,
-    place: Place,
+    place: OfFormulas,
 ) -> Option<Vec<RichText>> {
     match place {
-        Place::BelowPanel(_) => paper::why(look, &document.scenario.query).map(Vec::from),
-        Place::BelowPicture => {
+        OfFormulas::BelowPanel(_) => paper::why(look, &document.scenario.query).map(Vec::from),
+        OfFormulas::BelowPicture => {
             let is_said = view.preset == Preset::Lecture && view.playback.step > 0;
             is_said.then(|| vec![look.text("formula-none").into()])
         }
