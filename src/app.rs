@@ -77,6 +77,9 @@ pub struct App {
     notice: Notice,
     /// The last notice by its number, and the state that it was about.
     noticed: Option<(u64, AnyDocument)>,
+    /// Whether the mirrored ray was shown, in the plane and in space, before a document
+    /// was opened that gets it wrong.
+    mirrored_before: Option<[bool; 2]>,
     /// Number of searches for another question: the seed of the next one.
     n_searches: u64,
     /// The ray of the gallery that was shown last.
@@ -169,6 +172,7 @@ impl App {
             chosen: files::Answers::default(),
             notice: Notice::default(),
             noticed: None,
+            mirrored_before: None,
             n_searches: 0,
             degenerate: None,
             maps: Maps::default(),

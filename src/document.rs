@@ -190,7 +190,7 @@ impl<const D: usize> Document<D> {
     /// Moves a camera to where all that is asked about is seen on a page, from its side.
     pub fn frame(&self, camera: &mut Camera<D>, page: Page) {
         let (ray, query) = (&self.scenario.ray, &self.scenario.query);
-        camera.frame_question(&self.tree.domain().root_box(), ray, query, page);
+        camera.frame_mirrored(self.tree.domain(), ray, query, page);
     }
 
     /// The camera that sees all that is asked about on a page, from the usual side.

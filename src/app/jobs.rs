@@ -263,13 +263,23 @@ impl App {
         if with_document!(&self.document, d => d.scenario.query.is_misprinted()) {
             self.view.sought = Some(PanelKind::Paper);
         }
-        // What it gets wrong is to be seen.
-        if with_document!(&self.document, d => d.scenario.query.variants_at_work().has(Variant::B7))
-        {
-            self.view.plane_show.mirrored_ray = true;
-            self.view.space_show.mirrored_ray = true;
-        }
+        self.show_mirrored_ray();
         self.settled = self.shown();
+    }
+
+    /// Shows the mirrored ray as long as a document is open that gets it wrong; afterwards
+    /// what was shown before.
+    fn show_mirrored_ray(&mut self) {
+        let gets_it_wrong = with_document!(&self.document, d => d.scenario.query.variants_at_work().has(Variant::B7));
+        let shown =
+            [&mut self.view.plane_show.mirrored_ray, &mut self.view.space_show.mirrored_ray];
+        let before = self.mirrored_before.take();
+        if gets_it_wrong {
+            self.mirrored_before = before.or(Some([*shown[0], *shown[1]]));
+            shown.into_iter().for_each(|shown| *shown = true);
+        } else if let Some(before) = before {
+            shown.into_iter().zip(before).for_each(|(shown, before)| *shown = before);
+        }
     }
 
     /// Says why a job came to nothing; at a start, without a dialog.

@@ -8,11 +8,6 @@ use octoscope_figure::{
     cross_out, marks, node_mark, space_figure,
 };
 
-/// From the end of an axis to its name, in page units.
-const NAME_DISTANCE: f64 = 22.0;
-/// Smaller pages have no room for names.
-const NAMES_FROM: f64 = 200.0;
-
 /// Figure of the space view of `document` after `step` events, on the whole of
 /// `page`. Without a camera, the tree and the ray fill it. Where a misprint is followed,
 /// with what would be right, if `document` has found that out.
@@ -37,10 +32,7 @@ pub fn space<const D: usize>(
         all.extend(content(&document.content, cut.as_ref()));
     }
     all.extend(axes(document.tree.domain(), show, &camera));
-    if page.width.min(page.height) >= NAMES_FROM {
-        let beyond = NAME_DISTANCE * camera.height / page.height;
-        all.extend(axis_names(document.tree.domain(), beyond));
-    }
+    all.extend(axis_names(document.tree.domain(), &camera, page));
     all.extend(marks(&document.tree, &scenario.ray, &scenario.query, &moment, event, show));
     cross_out(&mut all, document.strayed_nodes());
     let right = document.right_nodes().iter();

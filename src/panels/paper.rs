@@ -67,6 +67,11 @@ fn printed_in<const D: usize>(query: &Query<D>) -> Vec<Variant> {
     query.variants_at_work().iter().filter(|v| v.is_misprint()).collect()
 }
 
+/// The key of what the marks in the picture mean.
+fn marks_of<const D: usize>(query: &Query<D>) -> &'static str {
+    if query.variants_at_work().has(Variant::B7) { "paper-marks-mirrored" } else { "paper-marks" }
+}
+
 /// Turns each of them on and off.
 fn switches<const D: usize>(ui: &mut Ui, look: &Look, query: &mut Query<D>, of: &[Variant]) {
     let names: Vec<&str> = of.iter().map(|variant| variant.id()).collect();
@@ -119,7 +124,7 @@ fn judged<const D: usize>(
     if ui.button(look.text(other)).clicked() {
         wish = Some(Wish::OtherQuestion);
     }
-    ui.add(Label::new(quiet(look, look.text("paper-marks"))).wrap());
+    ui.add(Label::new(quiet(look, look.text(marks_of(query)))).wrap());
     wish
 }
 

@@ -12,7 +12,8 @@ use eframe::egui::{Color32, Id, Ui};
 use glam::Mat4;
 use octoscope_core::scene::Content;
 use octoscope_figure::{
-    Camera, Colour, Cut, Dash, Mark, Page, Palette, Part, Role, Shape, Style, Theme, edge_part,
+    Camera, Colour, Cut, Dash, Mark, Page, Palette, Part, Role, Shape, Style, Theme, drawn_box,
+    edge_part,
 };
 
 /// Layers that are kept as long as what they show stays the same.
@@ -194,6 +195,7 @@ pub fn draws<const D: usize>(mark: &Mark<D>) -> bool {
 /// units.
 fn box_marks<const D: usize>(mark: &Mark<D>, theme: Theme, unit: f64) -> Vec<BoxMark> {
     let Shape::Box(bounds) = mark.shape else { return Vec::new() };
+    let bounds = drawn_box(mark.role, &bounds, unit);
     let style = Style::of(theme, mark.role);
     let is_fine = edge_part(&style, &bounds, unit) == Part::FineEdge;
     let fine = (Part::FineEdge.width() * style.width).max(1.0);

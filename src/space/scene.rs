@@ -6,7 +6,7 @@ use crate::document::Document;
 use crate::widgets::PageInWindow;
 use octoscope_core::trace::Moment;
 use octoscope_core::tree::NodeId;
-use octoscope_figure::{Camera, Mark, Role, axes, cells, content, node_mark};
+use octoscope_figure::{Camera, Mark, Role, axes, axis_names, cells, content, node_mark};
 
 /// More leaves, or parts of the content, than this are not painted one by one.
 const MOST_PAINTED: usize = 20_000;
@@ -31,6 +31,7 @@ impl<const D: usize> Scene<'_, D> {
     pub fn marks(&self, has_layers: bool) -> Vec<Mark<D>> {
         let (document, show) = (self.document, self.appearance.show);
         let mut marks = axes(document.tree.domain(), show, self.camera);
+        marks.extend(axis_names(document.tree.domain(), self.camera, self.frame.page));
         let is_painted = document.content.len() <= MOST_PAINTED
             && (!has_layers || !tree_layers::is_cloud(&document.content));
         if D == 2 && show.content && is_painted {

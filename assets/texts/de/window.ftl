@@ -463,6 +463,7 @@ paper-agrees = Bei dieser Eingabe schadet die gedruckte Regel nicht.
 paper-longer = Kommt zum richtigen Ergebnis, aber mit { $steps } Schritten statt { $right }. Der Umweg beginnt bei Schritt { $step }.
 paper-longer-short = Richtig, aber in { $steps } statt { $right } Schritten, ab Schritt { $step }.
 paper-marks = Gepunktet ist, was richtig wäre; durchgestrichen, was gemeldet wird, obwohl es falsch ist.
+paper-marks-mirrored = Gestrichelt ist der gespiegelte Strahl, berichtigt und, in Violett, wie gedruckt. Gepunktet ist, was richtig wäre.
 paper-wrong = Geht bei Schritt { $step } schief.
 paper-go = Zu diesem Schritt
 paper-other = Anderen Strahl suchen, bei dem sie abweichen

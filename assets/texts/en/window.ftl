@@ -463,6 +463,7 @@ paper-agrees = On this input the printed rule does no harm.
 paper-longer = Comes to the right result, but by { $steps } steps instead of { $right }. The detour begins at step { $step }.
 paper-longer-short = Right, but in { $steps } steps instead of { $right }, from step { $step } on.
 paper-marks = Dotted is what would be right; crossed out, what is reported although it is wrong.
+paper-marks-mirrored = Dashed is the mirrored ray as corrected and, in violet, as printed. Dotted is what would be right.
 paper-wrong = Goes wrong at step { $step }.
 paper-go = Go to that step
 paper-other = Find another ray where they differ

@@ -76,16 +76,25 @@ fn bit<const D: usize>(axis: usize) -> usize {
     1 << (D - 1 - axis)
 }
 
-/// Names of the axes of a plane domain, as far beyond their last numbers: for figures
-/// on paper, which may be without colours. In space the names are among [`axes`].
-pub fn axis_names<const D: usize>(domain: &Domain<D>, beyond: f64) -> Vec<Mark<D>> {
+/// Names of the axes of a plane domain, beyond their last numbers, on a page that has room
+/// for them: colours alone do not tell them. In space the names are among [`axes`].
+pub fn axis_names<const D: usize>(
+    domain: &Domain<D>,
+    camera: &Camera<D>,
+    page: Page,
+) -> Vec<Mark<D>> {
+    /// From the end of an axis to its name, in page units.
+    const BEYOND: f64 = 20.0;
+    /// Smaller pages have no room for names.
+    const LEAST: f64 = 200.0;
     let bounds = domain.root_box();
     let name = |axis: usize| {
         let mut at = bounds.min;
-        at[axis] = bounds.max[axis] + beyond;
+        at[axis] = bounds.max[axis] + BEYOND * camera.unit(page);
         Mark::new(Shape::Label(at), Role::AxisLabel(axis)).with_text(AXIS_NAMES[axis])
     };
-    (0..D).filter(|_| D == 2).map(name).collect()
+    let has_room = D == 2 && page.width.min(page.height) >= LEAST;
+    (0..D).filter(|_| has_room).map(name).collect()
 }
 
 /// A code; one that is too long to stand beside the tree as a multiple of a power

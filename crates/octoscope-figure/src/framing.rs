@@ -1,15 +1,21 @@
 //! What a picture of a question frames: the root, and what tells where its ray comes from.
 
 use crate::camera::{MARGIN, corners};
-use crate::marks::{STRETCH, interval, nearest, stretch};
+use crate::marks::{STRETCH, interval, mirrored_origins, nearest, stretch};
 use crate::{Camera, Page};
 use octoscope_core::geometry::{Aabb, Ray};
 use octoscope_core::query::Query;
+use octoscope_core::tree::Domain;
 
 /// Largest factor by which the root may shrink: it keeps about two thirds of its size.
 const MOST: f64 = 1.55;
 /// The same where nothing of the ray would be seen otherwise: it keeps half its size.
 const MOST_OF_ALL: f64 = 2.0;
+
+/// The same where the mirrored ray is what is asked about.
+const MOST_MIRRORED: f64 = 3.4;
+/// Length of the head of an arrow, in sides of the root, at least.
+const HEAD_SHARE: f64 = 0.1;
 
 impl<const D: usize> Camera<D> {
     /// Moves to where the whole root is seen on `page`, with a margin, and as much as can
@@ -18,10 +24,40 @@ impl<const D: usize> Camera<D> {
     /// keeps about two thirds of the size that it has alone, or half of it where the ray
     /// would not be seen otherwise. Keeps the side from which it is seen.
     pub fn frame_question(&mut self, root: &Aabb<D>, ray: &Ray<D>, query: &Query<D>, page: Page) {
+        self.frame_wishes(root, wishes(root, ray, query), page);
+    }
+
+    /// The same, and before all else where the mirrored ray begins, if one of its rules is
+    /// not right: as printed and corrected, or corrected alone.
+    pub fn frame_mirrored(
+        &mut self,
+        domain: &Domain<D>,
+        ray: &Ray<D>,
+        query: &Query<D>,
+        page: Page,
+    ) {
+        let root = domain.root_box();
+        let mirrored = mirrored_origins(domain, ray, query).map(|[right, wrong]| Wish {
+            most: MOST_MIRRORED,
+            choices: vec![vec![right, wrong, ray.origin()], vec![right, wrong], vec![right]],
+        });
+        let wishes = mirrored.into_iter().chain(wishes(&root, ray, query)).collect();
+        self.frame_wishes(&root, wishes, page);
+    }
+
+    fn frame_wishes(&mut self, root: &Aabb<D>, wishes: Vec<Wish<D>>, page: Page) {
         let mut seen: Vec<[f64; D]> = corners(root).collect();
         self.frame_points(&seen, page);
         let alone = self.height;
-        for Wish { most, choices } in wishes(root, ray, query) {
+        if D == 2 {
+            // The numbers of the upright axis are wider than the margin.
+            const NUMBERS: f64 = 18.0;
+            let mut beside = root.min;
+            beside[0] -= NUMBERS * self.unit(page);
+            seen.push(beside);
+            self.frame_points(&seen, page);
+        }
+        for Wish { most, choices } in wishes {
             for choice in choices {
                 let more: Vec<_> = seen.iter().copied().chain(choice).collect();
                 let mut trial = *self;
@@ -74,7 +110,9 @@ fn wishes<const D: usize>(root: &Aabb<D>, ray: &Ray<D>, query: &Query<D>) -> Vec
     match *query {
         Query::Ray { .. } => {
             let mut all = beginnings(root, ray);
-            all.push(wish(vec![ray.at(1.0)]));
+            // With the head of its arrow.
+            let head = stretch(HEAD_SHARE, root, ray);
+            all.push(wish(vec![ray.at((1.0 + head).min(f64::MAX))]));
             all
         }
         Query::Point { at, .. } => vec![wish(vec![at])],

@@ -38,7 +38,7 @@ const INSET: f64 = 16.0;
 impl<const D: usize> Camera<D> {
     /// The arrow of a ray that ends at the second of `ends`: so long that its head lies beyond
     /// the `last` point on it, unless it is asked for up to a place before that point; what
-    /// leads off the page is left out, so that its head is at the border. `None` if nothing
+    /// leads off the page is left out, so that its head is near the border. `None` if nothing
     /// of it is on the page.
     pub fn ray_arrow(
         &self,
@@ -47,7 +47,7 @@ impl<const D: usize> Camera<D> {
         last: Option<[f64; D]>,
     ) -> Option<RayArrow<D>> {
         let ends = last.map_or(ends, |last| self.past(page, ends, last));
-        Some(RayArrow { ends, on_page: self.visible_segment(page, ends)? })
+        Some(RayArrow { ends, on_page: off_border(page, self.visible_segment(page, ends)?) })
     }
 
     /// The arrow, so long that its head lies beyond its `last` point.
@@ -100,6 +100,13 @@ impl<const D: usize> Camera<D> {
     }
 }
 
+/// An arrow whose head keeps off the border of the page.
+fn off_border(page: Page, [from, to]: [[f64; 2]; 2]) -> [[f64; 2]; 2] {
+    const ROOM: f64 = 6.0;
+    let inner = [[ROOM; 2], [page.width - ROOM, page.height - ROOM]];
+    clipped([from, to], inner).map_or([from, to], |[_, to]| [from, to])
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -109,6 +116,16 @@ mod tests {
 
     fn camera<const D: usize>() -> Camera<D> {
         Camera::framing(&Aabb { min: [0.0; D], max: [1.0; D] }, PAGE)
+    }
+
+    #[test]
+    fn heads_of_rays_keep_off_the_border() {
+        let arrow = |ends| camera::<2>().ray_arrow(PAGE, ends, None).unwrap().on_page;
+        let [_, to] = arrow([[0.5, 0.5], [30.0, 9.0]]);
+        assert!((0..2).all(|e| (6.0..=[794.0, 594.0][e]).contains(&to[e])), "{to:?}");
+        // One that ends before the border is drawn as far as that.
+        let [from, to] = [[0.5, 0.5], [0.75, 0.25]].map(|p| camera().project(PAGE, p).unwrap().at);
+        assert_eq!(arrow([[0.5, 0.5], [0.75, 0.25]]), [from, to]);
     }
 
     #[track_caller]

@@ -73,7 +73,7 @@ pub use rasteriser::Rasteriser;
 pub use role::Role;
 pub use show::{Levels, Rest, Show};
 pub use slice::{Cut, Slice};
-pub use space::{edge_part, space_figure, space_figure_over};
+pub use space::{drawn_box, edge_part, space_figure, space_figure_over};
 pub use style::{Dash, Lettering, Style, Weight};
 pub use svg::svg;
 pub use tikz::{Tikz, TikzForm, tikz};

@@ -8,6 +8,7 @@ mod ray;
 mod sides;
 
 pub(crate) use choice::Choice;
+pub(crate) use mirrored::mirrored_origins;
 pub(crate) use ray::{STRETCH, interval, nearest, stretch};
 pub use ray::{arrow_end, far_end};
 

@@ -28,8 +28,7 @@ use crate::{Camera, Drawn, Figure, Form, Mark, Page, Part, Role, Shape, Style, T
 use apart::is_apart;
 use at_work::{most_of_dots, small_area};
 use indices::chosen;
-use inset::drawn_box;
-pub use inset::edge_part;
+pub use inset::{drawn_box, edge_part};
 use octoscope_core::geometry::Aabb;
 use octoscope_core::tree::NodeId;
 use overlaid::strong_boxes;
@@ -253,7 +252,8 @@ impl<const D: usize> Canvas<'_, D> {
         let Mark { role, node, .. } = *mark;
         let parts = parts.into_iter().map(|(part, form)| Drawn { form, role, part, node });
         if D == 2 || is_above(role) {
-            self.drawn.extend(parts.map(|drawn| (order_of(&drawn), drawn)));
+            let has_small = !self.small.is_empty();
+            self.drawn.extend(parts.map(|drawn| (order_of(&drawn, has_small), drawn)));
         } else if is_hint(role) {
             self.drawn.extend(parts.map(|drawn| (HINT, drawn)));
         } else {
@@ -267,10 +267,12 @@ impl<const D: usize> Canvas<'_, D> {
 }
 
 /// Place of a part in the drawing order of the plane. What parts a plane from cells lies
-/// below the outlines of nodes, which it would cut.
-fn order_of(drawn: &Drawn) -> f64 {
+/// below the outlines of nodes, which it would cut; so do planes through a node's middle
+/// where one at work is so small that they would hide it.
+fn order_of(drawn: &Drawn, has_small: bool) -> f64 {
     match (drawn.role, drawn.part) {
         (Role::MidPlane(_) | Role::ExitPlane(_), Part::Casing) => above_space(Role::Ghost),
+        (Role::MidPlane(_), _) if has_small => above_space(Role::Ghost),
         (role, _) => above_space(role),
     }
 }

@@ -7,7 +7,7 @@ use octoscope_core::geometry::{Aabb, Ray};
 use octoscope_core::paper::{counterexample, erratum_of};
 use octoscope_core::query::Query;
 use octoscope_core::scenario::{AnyScenario, Scenario, built_in};
-use octoscope_core::traverse::Variant;
+use octoscope_core::traverse::{Variant, Variants, mirrored_origin};
 use octoscope_core::tree::Tree;
 use octoscope_figure::{Camera, Page, far_end};
 
@@ -166,5 +166,23 @@ fn a_ray_through_a_root_that_is_seen_along_it_is_framed_too() {
         let ray = Ray::new(origin, back.map(|x| -x)).unwrap();
         camera.frame_question(&root, &ray, &scenario.query, PAGES[2]);
         assert!([root.min, root.max].iter().all(|&corner| is_on(&camera, PAGES[2], corner)));
+    }
+}
+
+#[test]
+fn where_a_ray_is_mirrored_wrongly_both_mirrored_rays_are_seen_from_their_beginning() {
+    let AnyScenario::Quadtree(scenario) = counterexample(Variant::B7) else { panic!() };
+    let (tree, Scenario { ray, query, .. }) = (scenario.tree().unwrap(), &scenario);
+    let domain = tree.domain();
+    let variants = query.variants_at_work();
+    for page in PAGES {
+        let mut camera = Camera::framing(&domain.root_box(), page);
+        let alone = camera.height;
+        camera.frame_mirrored(domain, ray, query, page);
+        let mirrored = [Variants::NONE, variants].map(|rules| mirrored_origin(domain, ray, rules));
+        for origin in [mirrored[0], mirrored[1], ray.origin()] {
+            assert!(is_on(&camera, page, origin), "{origin:?} on {page:?}");
+        }
+        assert!(alone / camera.height > 0.28, "{page:?}");
     }
 }

@@ -164,6 +164,25 @@ fn of_the_children_that_are_not_taken_all_that_are_seen_have_their_tag_or_none_h
 }
 
 #[test]
+fn what_is_at_work_or_looked_for_is_seen_as_an_outline_however_small_it_is() {
+    fn check<const D: usize>(from: &Aabb<D>) {
+        let camera = Camera::framing(from, PAGE);
+        let roles = [Role::Current, Role::Missed, Role::Found, Role::GridCell, Role::Target];
+        for role in roles {
+            for share in [0.5, 0.02, 1e-4, 1e-9] {
+                let max = std::array::from_fn(|e| from.min[e] + share * from.size()[e]);
+                let mark = Mark::new(Shape::Box(Aabb { min: from.min, max }), role);
+                let figure = space_figure(&[mark], &camera, PAGE);
+                let extent = figure.extent().unwrap().size();
+                assert!(extent.into_iter().all(|side| side >= 10.0), "{role:?} {share} {extent:?}");
+            }
+        }
+    }
+    check(&Aabb { min: [0.0; 2], max: [4.0; 2] });
+    check(&Aabb { min: [-1.0; 3], max: [1.0; 3] });
+}
+
+#[test]
 fn a_small_node_at_work_is_hidden_by_no_order_number_and_by_no_large_point() {
     fn check<const D: usize>(shown: &Shown<'_, D>) -> [usize; 2] {
         let is_current = |mark: &&Mark<D>| mark.role == Role::Current;

@@ -1,7 +1,7 @@
 //! The paper lab in a hall: what is printed, what is right, and whether it goes wrong; all
 //! of it at once, above the formulas of the step.
 
-use super::{both_rules, misprints_of, printed_in, switches, told_of};
+use super::{both_rules, marks_of, misprints_of, printed_in, switches, told_of};
 use crate::document::Found;
 use crate::look::Look;
 use crate::widgets::height_of_both;
@@ -92,5 +92,5 @@ pub fn why<const D: usize>(look: &Look, query: &Query<D>) -> Option<[Words; 2]> 
     let variant: Variant = *printed_in(query).first()?;
     let erratum = erratum_of(variant)?;
     let why = paper_texts(look.texts.language()).get(&erratum.key("why"));
-    Some([Words::with_subscripts(&why), Words::with_subscripts(&look.text("paper-marks"))])
+    Some([Words::with_subscripts(&why), Words::with_subscripts(&look.text(marks_of(query)))])
 }

@@ -4,8 +4,21 @@ use super::{Scene, far_end};
 use crate::{Mark, Role, Shape};
 use octoscope_core::geometry::{Aabb, Axes, Ray};
 use octoscope_core::query::Query;
-use octoscope_core::traverse::{Variant, mirrored_origin};
-use octoscope_core::tree::{Child, NodeId};
+use octoscope_core::traverse::{Variant, Variants, mirrored_origin};
+use octoscope_core::tree::{Child, Domain, NodeId};
+
+/// Where a ray begins once it is mirrored, and where it does as the printed rule has it, if a
+/// query follows that.
+pub(crate) fn mirrored_origins<const D: usize>(
+    domain: &Domain<D>,
+    ray: &Ray<D>,
+    query: &Query<D>,
+) -> Option<[[f64; D]; 2]> {
+    let variants = query.variants_at_work();
+    let origins = [Variants::NONE, variants].map(|rules| mirrored_origin(domain, ray, rules));
+    let is_asked = matches!(query, Query::Ray { .. }) && variants.has(Variant::B7);
+    is_asked.then_some(origins)
+}
 
 impl<const D: usize> Scene<'_, D> {
     /// The mirrored ray, and the current and the visited nodes in the mirrored tree.
@@ -36,10 +49,8 @@ impl<const D: usize> Scene<'_, D> {
 
     /// The ray as the printed rule, eq. 16, mirrors it, where that is another one.
     fn wrongly_mirrored(&self) -> Option<Mark<D>> {
-        let variants = self.query.variants_at_work();
-        let origin = mirrored_origin(self.tree.domain(), self.ray, variants);
-        let along = self.ray.direction().map(f64::abs);
-        let ray = Ray::new(origin, along).ok().filter(|_| variants.has(Variant::B7))?;
+        let [_, origin] = mirrored_origins(self.tree.domain(), self.ray, self.query)?;
+        let ray = Ray::new(origin, self.ray.direction().map(f64::abs)).ok()?;
         let ends = [origin, far_end(self.tree, &ray)];
         Some(Mark::new(Shape::Arrow(ends), Role::Strayed))
     }

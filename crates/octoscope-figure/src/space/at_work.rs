@@ -1,6 +1,6 @@
 //! What keeps a small node at work from being hidden by what is written and drawn at it.
 
-use super::distance;
+use super::{distance, drawn_box};
 use crate::camera::corners;
 use crate::{Camera, Mark, Page, Role, Shape};
 use octoscope_core::geometry::Aabb;
@@ -20,6 +20,7 @@ pub(super) fn small_area<const D: usize>(
     if !matches!(mark.role, Role::Current | Role::Missed | Role::Found) {
         return None;
     }
+    let bounds = drawn_box(mark.role, &bounds, camera.unit(page));
     let places = corners(&bounds).filter_map(|corner| camera.project(page, corner));
     let area = Aabb::around(places.map(|place| place.at))?;
     let size = area.size();

@@ -97,7 +97,7 @@ impl<const D: usize> Canvas<'_, D> {
 
     /// A side of a box, or a plane through it.
     pub(super) fn draw_plane(&mut self, mark: &Mark<D>, axis: usize, bounds: &Aabb<D>) {
-        let bounds = &self.overhanging(bounds, axis);
+        let bounds = &self.overhanging(&self.beside_node(mark.role, bounds, axis), axis);
         let corners: Vec<[f64; D]> = corners(bounds).collect();
         let upper = 1usize << (D - 1 - axis);
         let own: Vec<[f64; D]> = (0..1 << D)
@@ -117,6 +117,20 @@ impl<const D: usize> Canvas<'_, D> {
                 .collect();
             self.push_cased(mark, *bounds, Part::Whole, Form::Polygon(polygon));
         }
+    }
+
+    /// A side that a cell of the plane owns, or not, beside the outline of that, which it
+    /// would hide.
+    fn beside_node(&self, role: Role, bounds: &Aabb<D>, axis: usize) -> Aabb<D> {
+        const AWAY: f64 = 4.0;
+        let away = AWAY * self.camera.unit(self.page);
+        let by = if role == Role::OwnedSide { -away } else { away };
+        if !matches!(role, Role::OwnedSide | Role::OpenSide) {
+            return *bounds;
+        }
+        let mut beside = *bounds;
+        (beside.min[axis], beside.max[axis]) = (bounds.min[axis] + by, bounds.max[axis] + by);
+        beside
     }
 
     /// A plane a little beyond its node, so that it is told from the sides of that.

@@ -5,15 +5,16 @@ use octoscope_core::geometry::Aabb;
 
 /// The box of a mark as it is drawn: that of a child which is not taken lies a little
 /// within its cell, so that its line is told from those of its parent and its neighbours;
-/// that around a cell which is looked for is so large that it is seen as an outline.
+/// that around what is at work or looked for is so large that it is seen as an outline.
 /// `unit` is a page unit in world units.
-pub(super) fn drawn_box<const D: usize>(role: Role, bounds: &Aabb<D>, unit: f64) -> Aabb<D> {
+pub fn drawn_box<const D: usize>(role: Role, bounds: &Aabb<D>, unit: f64) -> Aabb<D> {
     const INSET: f64 = 3.0;
     const MOST: f64 = 0.1;
     /// Least side of an outline.
     const LEAST: f64 = 12.0;
     let size = bounds.size();
-    if role == Role::Target {
+    let is_at_work = matches!(role, Role::Current | Role::Missed | Role::Found | Role::GridCell);
+    if is_at_work || role == Role::Target {
         let by = size.map(|side| (0.5 * (LEAST * unit - side)).max(0.0));
         return Aabb {
             min: std::array::from_fn(|e| bounds.min[e] - by[e]),

@@ -59,7 +59,7 @@ impl<const D: usize> Canvas<'_, D> {
     /// Where a label stands beside the tick `at` of its axis: below the x axis,
     /// left of the y axis, on the page if the tick is.
     fn outside(&self, axis: usize, [x, y]: [f64; 2], reach: [f64; 2]) -> [f64; 2] {
-        const AWAY: f64 = 7.0;
+        const AWAY: f64 = 10.0;
         let page = [self.page.width, self.page.height];
         let beside = if axis == 0 { [x, y + reach[1] + AWAY] } else { [x - reach[0] - AWAY, y] };
         let is_on_page = (0..2).all(|e| (0.0..=page[e]).contains(&[x, y][e]));
