@@ -22,7 +22,7 @@ pub fn note<const D: usize>(
 
 /// The height that it takes in a lecture, in points.
 pub fn lecture_height<const D: usize>() -> f32 {
-    77.0 + 22.0 * D as f32
+    100.0 + 22.0 * D as f32
 }
 
 /// Codes of the place that is looked for, as the rules of the query take them, else of

@@ -21,9 +21,9 @@ pub fn height(picture: f32, rows: FormulaRows) -> Option<f32> {
 }
 
 /// Height of formulas below a panel that leaves room of this height in every step: no more
-/// than the first step of an octree needs; `None` where there is not enough for any.
+/// than four statements one below the other need; `None` where there is not enough for any.
 pub fn height_below_panel(room: f32) -> Option<f32> {
-    const MOST: f32 = 148.0;
+    const MOST: f32 = 212.0;
     const LEAST: f32 = 72.0;
     (room >= LEAST).then_some(room.min(MOST))
 }

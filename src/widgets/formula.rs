@@ -4,7 +4,7 @@ use super::{paint_figure, room};
 use crate::look::Look;
 use eframe::egui::{Rect, Response, RichText, Sense, Ui, WidgetInfo, accesskit::Role, vec2};
 use octoscope_core::explain::{Formula, Misprint, shown_number, spoken_formula};
-use octoscope_figure::views::formula_line;
+use octoscope_figure::views::formulas_alike;
 use octoscope_figure::{Figure, ShownNumber};
 
 /// Paints `figure` into `rect`. Returns where the number under the pointer is, and all its
@@ -36,10 +36,8 @@ enum BothSet {
 
 /// A rule as it is printed and as it is right, in a room of this width.
 fn set_both(look: &Look, misprint: &Misprint, width: f32) -> BothSet {
-    let set = |most: f32| {
-        [&misprint.printed, &misprint.right]
-            .map(|formula| formula_line(formula, f64::from(most), f64::from(look.least_type)))
-    };
+    let both = [&misprint.printed, &misprint.right];
+    let set = |most: f32| formulas_alike(both, f64::from(most), f64::from(look.least_type));
     let half = half(width);
     let natural = set(f32::INFINITY);
     let side_by_side = set(half);

@@ -34,12 +34,17 @@ const TIGHT: Spacing = Spacing { leading: 4.0, gap: 12.0, row_gap: 8.0 };
 /// what is computed stands with its numbers alone, then with what comes of it, then the
 /// last statements are left out.
 pub fn formula_figure(statements: &[Statement], most: Page, least: f64) -> Figure {
+    figure_from(statements, most, least, 0)
+}
+
+/// The same in type that is at least `first` steps smaller than the largest.
+fn figure_from(statements: &[Statement], most: Page, least: f64, first: u8) -> Figure {
     let smallest = FormulaType::most_for(least);
     let is_fitting = |figure: &Figure| {
         figure.page.height <= most.height + 1e-9 && figure.page.width <= most.width + 1e-9
     };
     let set_in = |statements: &[Statement], lines: Lines, steps: u8| {
-        let types = (0..=steps.min(smallest)).map(|step| FormulaType { step, most: smallest });
+        let types = (first..=steps.min(smallest)).map(|step| FormulaType { step, most: smallest });
         let mut pages = types.flat_map(|of| [WIDE, TIGHT].map(|spacing| (of, spacing)));
         pages.find_map(|(of, spacing)| {
             Some(set(statements, most.width, of, (spacing, lines))).filter(is_fitting)
@@ -77,10 +82,30 @@ enum Lines {
     Low,
 }
 
-/// A formula in a line of at most this width, in type of at least `least` page units.
-pub fn formula_line(formula: &Formula, most: f64, least: f64) -> Figure {
-    let statement = Statement { symbols: formula.clone(), numbers: None };
-    formula_figure(&[statement], Page { width: most, height: f64::INFINITY }, least)
+/// Formulas in lines of at most this width, all in the largest type in which each fits, of
+/// at least `least` page units.
+pub fn formulas_alike<const N: usize>(
+    formulas: [&Formula; N],
+    most: f64,
+    least: f64,
+) -> [Figure; N] {
+    let most = Page { width: most, height: f64::INFINITY };
+    let set = |formula: &Formula, first: u8| {
+        let statement = Statement { symbols: formula.clone(), numbers: None };
+        figure_from(&[statement], most, least, first)
+    };
+    let alone = formulas.map(|formula| set(formula, 0));
+    let smallest = alone.iter().map(steps_of).max().unwrap_or(0);
+    formulas.map(|formula| set(formula, smallest))
+}
+
+/// By how many steps the type of what is set is smaller than the largest.
+fn steps_of(figure: &Figure) -> u8 {
+    let steps = figure
+        .drawn
+        .iter()
+        .filter_map(|drawn| if let Role::Formula(step) = drawn.role { Some(step) } else { None });
+    steps.max().unwrap_or(0)
 }
 
 /// How many rows of statements a page has room for.
@@ -219,4 +244,25 @@ pub(super) fn view<const D: usize>(subject: &Subject<D>, width: f64) -> Figure {
         return sheet.figure([width, 20.0]);
     }
     formula_figure(&statements, Page { width, height: f64::INFINITY }, 0.0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use octoscope_core::explain::misprint_formula;
+    use octoscope_core::traverse::Variant;
+
+    #[test]
+    fn rules_that_are_compared_are_set_in_one_type() {
+        let mut n_smaller = 0;
+        for misprint in Variant::ALL.into_iter().filter_map(misprint_formula) {
+            let both = [&misprint.printed, &misprint.right];
+            for (most, least) in [(120.0, 0.0), (170.0, 12.5), (180.0, 0.0), (290.0, 12.5)] {
+                let steps = formulas_alike(both, most, least).map(|figure| steps_of(&figure));
+                assert_eq!(steps[0], steps[1], "{misprint:?} {most}");
+                n_smaller += usize::from(steps[0] > 0);
+            }
+        }
+        assert!(n_smaller > 5, "{n_smaller}");
+    }
 }

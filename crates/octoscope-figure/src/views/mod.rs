@@ -33,7 +33,7 @@ pub use automaton::Automaton;
 pub use bits::{Beside, BitRow, BitTable, Carries, Conclusion, Spacing};
 pub use codes::{CodeTable, child_rule, code_table};
 pub use exercise::{Exercise, ExerciseError};
-pub use formula::{FormulaRows, formula_figure, formula_height, formula_line};
+pub use formula::{FormulaRows, formula_figure, formula_height, formulas_alike};
 pub use kind::{FigureView, UnknownView, ViewError};
 pub use listing::{Changed, changed_variables};
 pub use neighbour::{NeighbourTables, neighbour_heights, neighbour_tables};

@@ -135,7 +135,8 @@ pub(super) fn bits_of<const D: usize>(
         let union = tree::joined(difference.xor);
         let marked = union.checked_ilog2().filter(|_| followed.is_none()).map_or(0, |bit| 1 << bit);
         let (name, bits) = ("or".to_owned(), i64::from(union));
-        let note = union.to_string();
+        // As formulas call it.
+        let note = format!("Δ = {union}");
         last.rows.push(BitRow { name, bits, note, marked, rule_above: true, ..BitRow::default() });
     }
     tables

@@ -144,7 +144,7 @@ impl<const D: usize> Writer<'_, D> {
         self.width() + u8::from(self.has(Variant::B25Leftmost))
     }
 
-    /// l = 1 + ⌊log₂ (Δ_x ∨ Δ_y)⌋, or as it is printed.
+    /// l = 1 + ⌊log₂ (Δ_x or Δ_y)⌋, or as it is printed.
     fn level_of(&self, xor: Code<D>, level: u8) -> Statement {
         let k = self.notation.level();
         let delta = self.notation.difference();

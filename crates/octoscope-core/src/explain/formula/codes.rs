@@ -135,7 +135,7 @@ impl<const D: usize> Writer<'_, D> {
         all
     }
 
-    /// One bit of every code: i_x = (c_x >> (l − 1)) ∧ 1, and how it is read in print.
+    /// One bit of every code: i_x = (c_x >> (l − 1)) and 1, and how it is read in print.
     pub(super) fn follow(&self, level: u8, code: Code<D>, child: Child<D>) -> Vec<Statement> {
         let k = self.notation.level();
         let and = self.notation.and();

@@ -10,7 +10,7 @@ use thiserror::Error;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Notation {
-    /// As in "Ray Tracing mit Octrees": maxima as lists, `xor` as a word.
+    /// As in "Ray Tracing mit Octrees": maxima as lists, `xor`, `and`, `or` of bits as words.
     #[default]
     Seed,
     /// As Revelles, Ureña and Lastra write: parameters are functions of a node.
@@ -49,16 +49,16 @@ impl Notation {
     /// Bitwise and.
     pub(super) fn and(self) -> Sign {
         match self {
-            Self::Seed | Self::Revelles => Sign::And,
-            Self::FriskenPerry => Sign::BitAnd,
+            Self::Seed => Sign::AndWord,
+            Self::Revelles | Self::FriskenPerry => Sign::BitAnd,
         }
     }
 
     /// Bitwise or.
     pub(super) fn or(self) -> Sign {
         match self {
-            Self::Seed | Self::Revelles => Sign::Or,
-            Self::FriskenPerry => Sign::BitOr,
+            Self::Seed => Sign::OrWord,
+            Self::Revelles | Self::FriskenPerry => Sign::BitOr,
         }
     }
 

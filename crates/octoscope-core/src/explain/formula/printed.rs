@@ -101,15 +101,14 @@ pub fn misprint_formula(variant: Variant) -> Option<Misprint> {
         Variant::B21 => [Sign::LessOrEqual, Sign::Less]
             .map(|sign| row![0, Sign::LessOrEqual, Formula::coordinate(X, ""), sign, 1]),
         Variant::B24a => {
-            let highest = highest(Sign::Or);
+            let highest = highest(Sign::OrWord);
             [
                 row!["ℓ", Sign::Equal, highest.clone()],
                 row!["ℓ", Sign::Equal, 1, Sign::Plus, highest],
             ]
         }
-        Variant::B24b => {
-            [Sign::And, Sign::Or].map(|sign| row!["ℓ", Sign::Equal, 1, Sign::Plus, highest(sign)])
-        }
+        Variant::B24b => [Sign::AndWord, Sign::OrWord]
+            .map(|sign| row!["ℓ", Sign::Equal, 1, Sign::Plus, highest(sign)]),
         Variant::B24c => ["Δ", "c"].map(|name| {
             let by = row!["ℓ", Sign::Minus, 1].fenced(Fence::Round);
             bit_of(Formula::on(X, name, ""), by)
@@ -154,7 +153,17 @@ fn bound(name: &str, operator: &str, plane: &str) -> Formula {
 
 /// t_xm < t_z0 sets a bit of this weight.
 fn sets(weight: i64) -> Formula {
-    row![t(X, "m"), Sign::Less, t(Z, "0"), Sign::Implies, "i", Sign::Takes, "i", Sign::Or, weight,]
+    row![
+        t(X, "m"),
+        Sign::Less,
+        t(Z, "0"),
+        Sign::Implies,
+        "i",
+        Sign::Takes,
+        "i",
+        Sign::OrWord,
+        weight,
+    ]
 }
 
 /// i = i_x + 2 i_y + 4 i_z: the axes in the order of their weights.
@@ -167,10 +176,10 @@ fn numbered(axes: [usize; 3]) -> Formula {
     row!["i", Sign::Equal, Formula::separated(terms, Sign::Plus)]
 }
 
-/// i_x = (code >> by) ∧ 1
+/// i_x = (code >> by) and 1
 fn bit_of(code: Formula, by: Formula) -> Formula {
     let shifted = row![code, Sign::Shift, by].fenced(Fence::Round);
-    row![Formula::on(X, "i", ""), Sign::Equal, shifted, Sign::And, 1]
+    row![Formula::on(X, "i", ""), Sign::Equal, shifted, Sign::AndWord, 1]
 }
 
 /// Number of the highest 1 of both differences, put together.

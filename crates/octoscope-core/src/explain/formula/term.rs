@@ -127,13 +127,17 @@ pub enum Sign {
     XorWord,
     /// ^
     XorCaret,
-    /// ∧
+    /// ∧: both are true.
     And,
-    /// &
+    /// and: bit by bit.
+    AndWord,
+    /// &: bit by bit.
     BitAnd,
-    /// ∨
+    /// ∨: one of them is true.
     Or,
-    /// |
+    /// or: bit by bit.
+    OrWord,
+    /// |: bit by bit.
     BitOr,
     /// >>
     Shift,
@@ -162,7 +166,7 @@ pub enum Room {
 
 impl Sign {
     /// Every sign.
-    pub const ALL: [Self; 25] = [
+    pub const ALL: [Self; 27] = [
         Self::Equal,
         Self::About,
         Self::Unequal,
@@ -181,8 +185,10 @@ impl Sign {
         Self::XorWord,
         Self::XorCaret,
         Self::And,
+        Self::AndWord,
         Self::BitAnd,
         Self::Or,
+        Self::OrWord,
         Self::BitOr,
         Self::Shift,
         Self::Not,
@@ -211,8 +217,10 @@ impl Sign {
             Self::XorWord => "xor",
             Self::XorCaret => "^",
             Self::And => "∧",
+            Self::AndWord => "and",
             Self::BitAnd => "&",
             Self::Or => "∨",
+            Self::OrWord => "or",
             Self::BitOr => "|",
             Self::Shift => ">>",
             Self::Not => "¬",
@@ -242,8 +250,10 @@ impl Sign {
             Self::XorWord => "\\mathbin{\\mathrm{xor}}",
             Self::XorCaret => "\\mathbin{\\wedge}",
             Self::And => "\\wedge",
+            Self::AndWord => "\\mathbin{\\mathrm{and}}",
             Self::BitAnd => "\\mathbin{\\&}",
             Self::Or => "\\vee",
+            Self::OrWord => "\\mathbin{\\mathrm{or}}",
             Self::BitOr => "\\mathbin{|}",
             Self::Shift => "\\mathbin{\\gg}",
             Self::Not => "\\neg",
@@ -270,8 +280,8 @@ impl Sign {
             Self::Minus => "sign-minus",
             Self::Times => "sign-times",
             Self::Xor | Self::XorWord | Self::XorCaret => "sign-xor",
-            Self::And | Self::BitAnd => "sign-and",
-            Self::Or | Self::BitOr => "sign-or",
+            Self::And | Self::AndWord | Self::BitAnd => "sign-and",
+            Self::Or | Self::OrWord | Self::BitOr => "sign-or",
             Self::Shift => "sign-shift",
             Self::Not => "sign-not",
             Self::Comma => "sign-comma",
@@ -301,8 +311,10 @@ impl Sign {
             | Self::XorWord
             | Self::XorCaret
             | Self::And
+            | Self::AndWord
             | Self::BitAnd
             | Self::Or
+            | Self::OrWord
             | Self::BitOr
             | Self::Shift => Room::Operation,
             Self::Comma => Room::Behind,
