@@ -234,14 +234,15 @@ pub(super) fn view<const D: usize>(subject: &Subject<D>, width: f64) -> Figure {
     sheet.figure([width, bottom])
 }
 
-/// From the middle of the diagram half along an axis: x to the right, y up, z towards the
-/// upper right.
+/// From the middle of the diagram half along an axis, as space is seen at first: x to the
+/// right; in the plane y up; in space z up and y back, towards the upper right.
 fn half_along<const D: usize>(axis: usize) -> [f64; 2] {
-    let side = if D == 2 { 1.0 } else { 0.68 };
-    match axis {
-        0 => [side, 0.0],
-        1 => [0.0, -side],
-        _ => [0.32, -0.27],
+    match (axis, D) {
+        (0, 2) => [1.0, 0.0],
+        (1, 2) => [0.0, -1.0],
+        (0, _) => [0.68, 0.0],
+        (1, _) => [0.32, -0.27],
+        (_, _) => [0.0, -0.68],
     }
 }
 
@@ -286,7 +287,8 @@ fn tone(in_row: bool, used: bool) -> Tone {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Form, Part};
+    use crate::{Camera, Form, Page, Part};
+    use octoscope_core::geometry::Aabb;
 
     /// Heads of the lit arrows when a state is left through a plane.
     fn lit<const D: usize>(state: u8, axis: usize) -> Vec<Role> {
@@ -304,6 +306,29 @@ mod tests {
             .filter(|drawn| drawn.part == Part::Head && matches!(drawn.form, Form::Polygon(_)));
         let lit = heads.filter(|drawn| matches!(drawn.role, Role::TransitionTaken(_)));
         lit.map(|drawn| drawn.role).collect()
+    }
+
+    /// Checks that pairs of axes turn in the diagram as they do where space is seen first.
+    fn check_turns<const D: usize>() {
+        let page = Page { width: 400.0, height: 400.0 };
+        let camera = Camera::framing(&Aabb { min: [0.0; D], max: [1.0; D] }, page);
+        let seen = |axis: usize| {
+            let ends = [0.0, 1.0].map(|end| std::array::from_fn(|e| end * f64::from(e == axis)));
+            let [from, to] = ends.map(|end| camera.project(page, end).unwrap().at);
+            [to[0] - from[0], to[1] - from[1]]
+        };
+        let turn = |a: [f64; 2], b: [f64; 2]| (a[0] * b[1] - a[1] * b[0]).signum();
+        for (a, b) in (0..D).flat_map(|a| (a + 1..D).map(move |b| (a, b))) {
+            let here = turn(half_along::<D>(a), half_along::<D>(b));
+            assert_eq!(here, turn(seen(a), seen(b)), "{a} {b}");
+        }
+        assert!(half_along::<D>(0)[0] > 0.0 && half_along::<D>(D - 1)[1] < 0.0);
+    }
+
+    #[test]
+    fn states_lie_as_the_children_do_in_the_first_view_of_space() {
+        check_turns::<2>();
+        check_turns::<3>();
     }
 
     #[test]
