@@ -204,7 +204,7 @@ impl App {
             let language = self.view.language;
             self.view.show_everything();
             let [name, watch] = [degenerate.name(language), degenerate.watch(language)];
-            self.notice.say(format!("{name}: {watch}"));
+            self.notice.say(format!("{name}. {watch}"));
         } else {
             self.notice.say(no_such_ray(self.view.language));
         }

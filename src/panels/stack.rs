@@ -85,7 +85,7 @@ fn pending<const D: usize>(
         for (part, [enter, exit]) in moment.pending.iter().rev() {
             let half = |e: usize| {
                 let sign = if part.upper.contains(e) { '+' } else { '−' };
-                format!("{}{sign}", AXIS_NAMES[e])
+                format!("{sign}{}", AXIS_NAMES[e])
             };
             let halves: Vec<String> = part.halved.iter().map(half).collect();
             let halves = if halves.is_empty() { "–".to_owned() } else { halves.join(" ") };

@@ -53,7 +53,7 @@ fn named(desk: &Desk, id: &str) -> Option<Rect> {
 fn faults(desk: &mut Desk, n_rays: usize, place: &str) -> Vec<String> {
     let language = desk.state().view.language;
     let lines =
-        Degenerate::ALL.map(|one| format!("{}: {}", one.name(language), one.watch(language)));
+        Degenerate::ALL.map(|one| format!("{}. {}", one.name(language), one.watch(language)));
     let space = desk.state().view.space.unwrap();
     let mut faults = Vec::new();
     for _ in 0..n_rays {

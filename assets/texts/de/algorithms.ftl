@@ -31,7 +31,10 @@ children-interval = t
 children-missed = verfehlt
 
 way-down-none = Zeigt den Weg von der Wurzel, sobald ein Punkt gesucht wird.
-way-down-count = { $n } ×
+way-down-count = { $n ->
+    [one] bisher 1 Suche
+   *[other] bisher { $n } Suchen
+}
 way-down-level = Stufe { $level }
 way-down-root = Wurzel
 way-down-exit = Austritt
