@@ -144,6 +144,15 @@ impl Desk {
         self.step();
     }
 
+    /// Presses and releases a key in one frame, settled or not.
+    pub fn strike(&mut self, key: Key) {
+        let modifiers = Modifiers::NONE;
+        let event =
+            |pressed| Event::Key { key, physical_key: None, pressed, repeat: false, modifiers };
+        self.input_mut().events.extend([event(true), event(false)]);
+        self.step();
+    }
+
     /// Presses and releases a key together with others.
     pub fn press_with(&mut self, modifiers: Modifiers, key: Key) {
         self.key_press_modifiers(modifiers, key);

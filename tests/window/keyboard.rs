@@ -34,7 +34,7 @@ impl Desk {
             found.is_some_and(|node| node.accesskit_node().role() == role && spoken(node) == name)
         };
         for _ in 0..200 {
-            self.tap(Key::Tab);
+            self.strike(Key::Tab);
             self.step();
             if is_focused(self) {
                 return;
@@ -51,7 +51,7 @@ impl Desk {
         let n_steps = self.state().document().n_events();
         let mut sentences = vec![self.sentence()];
         for _ in 0..n_steps {
-            self.tap(Key::PageDown);
+            self.strike(Key::PageDown);
             sentences.push(self.sentence());
         }
         assert_eq!(self.step_number(), n_steps);

@@ -3,6 +3,7 @@
 use crate::desk::Desk;
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Key, Modifiers, Pos2, vec2};
+use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
 use octoscope::document::AnyDocument;
 use octoscope_core::gallery::{Degenerate, snap};
@@ -70,7 +71,10 @@ fn the_head_is_grabbed_where_it_is_drawn_though_the_ray_leads_off_the_page() {
 
 #[test]
 fn the_ray_keeps_its_length_however_long_it_is_turned() {
-    let mut desk = Desk::new();
+    // What is beside the picture has no part in it.
+    let mut desk = Desk::of(Harness::builder(), [640.0, 480.0]);
+    desk.state_mut().view.formulas = false;
+    desk.press(Key::Num6);
     let ray = desk.plane().scenario.ray;
     let head = desk.head_of_ray();
     let path = (0..=300).map(|n| {

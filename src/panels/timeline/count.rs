@@ -5,7 +5,7 @@ use crate::look::Look;
 use crate::playback::Playback;
 use crate::shortcut;
 use crate::widgets::{hint_above, ranged_field};
-use eframe::egui::{Color32, Direction, FontId, Layout, Rangef, RichText, Stroke, Ui, vec2};
+use eframe::egui::{Align, Color32, FontId, Layout, Rangef, RichText, Stroke, Ui, vec2};
 use octoscope_core::trace::Trace;
 
 /// The number of the step, to be typed, and how many there are.
@@ -20,6 +20,8 @@ impl Count {
     /// Size of the numbers, and room between a number and the border of its field.
     const SIZE: f32 = 16.0;
     const PADDING: f32 = 6.0;
+    /// Room between both.
+    const GAP: f32 = 3.0;
 
     /// That of `trace`, laid out.
     pub(super) fn of<const D: usize>(ui: &Ui, look: &Look, trace: &Trace<D>) -> Self {
@@ -34,15 +36,16 @@ impl Count {
 
     /// The room that it takes.
     pub(super) fn width(&self) -> f32 {
-        self.widths.iter().sum::<f32>().max(84.0)
+        (self.widths.iter().sum::<f32>() + Self::GAP).max(84.0)
     }
 
     /// Shows both; the number is a field only while it is pointed at or typed.
     pub(super) fn ui(&self, ui: &mut Ui, look: &Look, playback: &mut Playback, bar: Rangef) {
         let Self { length, is_cut, widths: [width, _] } = *self;
-        let layout = Layout::centered_and_justified(Direction::LeftToRight);
+        let layout = Layout::left_to_right(Align::Center).with_main_align(Align::Max);
+        let layout = layout.with_main_justify(true).with_cross_justify(true);
         let (name, mut step) = (look.text("timeline-number"), playback.step.min(length));
-        ui.spacing_mut().item_spacing.x = 0.0;
+        ui.spacing_mut().item_spacing.x = Self::GAP;
         let field = ui.allocate_ui_with_layout(vec2(width, 28.0), layout, |ui| {
             let style = ui.style_mut();
             let font = FontId::proportional(Self::SIZE);
