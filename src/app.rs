@@ -10,6 +10,7 @@ mod measuring;
 mod obey;
 mod runs;
 mod saving;
+mod seen;
 mod show;
 mod telling;
 mod undo;
@@ -19,7 +20,6 @@ use crate::document::{AnyDocument, Document};
 use crate::files;
 use crate::history::{History, Shared, Weighed};
 use crate::job::Job;
-use crate::kept_show::kept_show;
 use crate::look::Look;
 use crate::map::Maps;
 use crate::notice::Notice;
@@ -28,7 +28,7 @@ use crate::save::Last;
 use crate::space::Layers;
 use crate::view::{Dialog, Preset, View};
 use crate::widgets::refused_number;
-use crate::{complaint, render, save, theme, with_document};
+use crate::{render, save, theme, with_document};
 use eframe::egui::{CentralPanel, Context, Event, Frame, Id, Key, Ui, ViewportCommand};
 use exporting::Exporting;
 use jobs::Task;
@@ -38,7 +38,7 @@ use measuring::Measuring;
 use octoscope_core::explain::short_title;
 use octoscope_core::gallery::Degenerate;
 use octoscope_core::progress::{Cancelled, Progress};
-use octoscope_core::scenario::{BUILT_IN, StepAt};
+use octoscope_core::scenario::BUILT_IN;
 use octoscope_core::text::Language;
 use octoscope_figure::{Show, Theme};
 use saving::Saving;
@@ -233,42 +233,6 @@ impl App {
             context.send_viewport_cmd(ViewportCommand::Title(title.clone()));
             self.title = title;
         }
-    }
-
-    /// What the picture shows of what is open.
-    fn show_of_document(&self) -> &Show {
-        with_document!(&self.document, d => shown_in(&self.view, d))
-    }
-
-    /// The same, to be changed.
-    fn show_of_document_mut(&mut self) -> &mut Show {
-        match self.document {
-            AnyDocument::Plane(_) => self.view.show_mut::<2>(),
-            AnyDocument::Space(_) => self.view.show_mut::<3>(),
-        }
-    }
-
-    /// Shows what the scenario wants to be shown; without a wish what was shown before, but
-    /// whole.
-    fn show_as_kept(&mut self) {
-        match with_document!(&self.document, d => kept_show(&d.opened().view)) {
-            Ok(Some(show)) => *self.show_of_document_mut() = show,
-            Ok(None) => {
-                let show = self.show_of_document_mut();
-                *show = show.whole();
-            }
-            Err(error) => self.notice.say(complaint::told(&self.look.texts, &error)),
-        }
-    }
-
-    /// Moves the playhead to where the scenario wants it.
-    fn go_to_start(&mut self) {
-        self.show_as_kept();
-        let length = self.document.n_events();
-        let step: StepAt = with_document!(&self.document, document => document.opened().step);
-        self.view.playback.playing = false;
-        self.view.playback.go_to(step.position(length), length);
-        self.view.forget_cameras();
     }
 }
 

@@ -330,8 +330,13 @@ pub fn belongs_to_list(shortcut: &KeyboardShortcut) -> bool {
 impl Command {
     /// Whether what is typed after it is meant for a dialog or a field, and for no command.
     pub fn takes_keys(self) -> bool {
-        use Command::{About, Export, Find, GoToStep, Keys, Lab, Open, Save, SaveAs};
-        matches!(self, About | Export | Find | GoToStep | Keys | Lab | Open | Save | SaveAs)
+        self.opens_dialog() || self == Self::GoToStep
+    }
+
+    /// Whether a dialog follows it, of this program or of the system.
+    pub fn opens_dialog(self) -> bool {
+        use Command::{About, Export, Find, Keys, Lab, Open, Save, SaveAs};
+        matches!(self, About | Export | Find | Keys | Lab | Open | Save | SaveAs)
     }
 }
 

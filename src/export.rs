@@ -2,7 +2,6 @@
 //! the command line.
 
 mod choice;
-mod eye;
 mod format;
 mod frames;
 mod made;
@@ -11,20 +10,17 @@ mod order;
 mod origin;
 mod preview;
 mod request;
-mod shown;
 mod size;
 mod steps;
 mod table;
 mod write;
 
 pub use choice::{Choice, ExerciseChoice, Extent, MomentChoice, StepChoice};
-pub use eye::Eye;
 pub use format::Format;
 pub use order::Order;
 pub use origin::Origin;
 pub use preview::{OneOf, Preview};
 pub use request::{Request, shell_line};
-pub use shown::{parse_shown, print_shown};
 pub use size::Size;
 pub use steps::{MOST_STEPS, Steps, StepsError};
 pub use write::{Series, write};

@@ -1,6 +1,7 @@
 //! Search over everything that has a name: commands, scenes, algorithms, errata.
 
 use crate::command::{COMMANDS, Command};
+use crate::query_kind::QueryKind;
 use crate::text::texts;
 use octoscope_core::explain::{algorithm_authors, algorithm_name};
 use octoscope_core::paper::{ERRATA, Erratum, misprint_title, paper_texts};
@@ -18,6 +19,8 @@ pub enum Target {
     Scene(&'static str),
     /// Colours.
     Theme(Theme),
+    /// What is asked of the tree.
+    Query(QueryKind),
     /// An algorithm of the ray.
     Algorithm(Algorithm),
     /// An error of the paper.
@@ -44,6 +47,7 @@ impl Target {
         let commands = COMMANDS.iter().map(|row| row.command);
         let commands = commands.filter(|&command| command != Command::Find).map(Self::Command);
         let scenes = BUILT_IN.iter().map(|scene| Self::Scene(scene.id));
+        let queries = QueryKind::ALL.into_iter().map(Self::Query);
         let algorithms = Algorithm::ALL.into_iter().map(Self::Algorithm);
         let named = |variant: &Variant| ERRATA.iter().any(|erratum| erratum.id == variant.id());
         let errata = ERRATA.iter().flat_map(move |erratum| {
@@ -51,14 +55,16 @@ impl Target {
             std::iter::once(Self::Erratum(erratum)).chain(readings.map(Self::Reading))
         });
         let themes = Theme::ALL.into_iter().map(Self::Theme);
-        commands.chain(themes).chain(algorithms).chain(scenes).chain(errata)
+        commands.chain(themes).chain(queries).chain(algorithms).chain(scenes).chain(errata)
     }
 
     /// Key of the heading under which it is listed.
     pub fn kind(self) -> &'static str {
         match self {
+            Self::Command(Command::Panel(_)) => "find-panel",
             Self::Command(_) | Self::Theme(_) => "find-command",
             Self::Scene(_) => "find-scene",
+            Self::Query(_) => "find-query",
             Self::Algorithm(_) => "find-algorithm",
             Self::Erratum(_) | Self::Reading(_) => "find-erratum",
         }
@@ -67,7 +73,7 @@ impl Target {
     /// The identifier that files and the command line know, if there is one.
     fn id(self) -> &'static str {
         match self {
-            Self::Command(_) | Self::Theme(_) => "",
+            Self::Command(_) | Self::Theme(_) | Self::Query(_) => "",
             Self::Scene(id) => id,
             Self::Algorithm(algorithm) => algorithm.id(),
             Self::Erratum(erratum) => erratum.id,
@@ -83,6 +89,7 @@ impl Target {
                 let theme = texts.get(&format!("theme-{}", theme.id()));
                 texts.format("find-theme", &[("theme", theme.into())])
             }
+            Self::Query(kind) => texts.get(&format!("find-{}", kind.key())),
             Self::Algorithm(algorithm) => algorithm_name(algorithm, texts.language()),
             Self::Erratum(erratum) => {
                 format!("{} · {}", erratum.id, paper.get(&erratum.key("title")))
@@ -102,7 +109,9 @@ impl Target {
             Self::Command(command) => format!("also-{}", command.row().id),
             Self::Theme(theme) => format!("also-theme-{}", theme.id()),
             Self::Algorithm(algorithm) => return algorithm_authors(algorithm).to_owned(),
-            Self::Scene(_) | Self::Erratum(_) | Self::Reading(_) => return String::new(),
+            Self::Scene(_) | Self::Query(_) | Self::Erratum(_) | Self::Reading(_) => {
+                return String::new();
+            }
         };
         if texts.has(&key) { texts.get(&key) } else { String::new() }
     }
@@ -209,6 +218,8 @@ mod tests {
     fn either_language_finds_the_same() {
         check("step forward", Target::Command(Command::StepForward));
         check("schritt vor", Target::Command(Command::StepForward));
+        check("point: in", Target::Query(QueryKind::Point));
+        check("nachbarn", Target::Query(QueryKind::Neighbour));
         check("hero", Target::Algorithm(Algorithm::Hero));
         check("sphere-grid", Target::Scene("sphere-grid"));
         check("b-25", Target::Erratum(ERRATA.iter().find(|e| e.id == "B-25").unwrap()));

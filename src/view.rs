@@ -10,6 +10,7 @@ mod preset;
 mod standpoint;
 
 use crate::export::Choice;
+use crate::eye::Eye;
 use crate::lab;
 use crate::playback::Playback;
 use crate::tree_view::TreeView;
@@ -68,6 +69,9 @@ pub struct View {
     /// Camera of octrees; `None` fits everything.
     #[serde(skip)]
     pub orbit_camera: Option<Camera<3>>,
+    /// Where the scenario wants to be looked at from, until the space view stands there.
+    #[serde(skip)]
+    pub eye: Option<Eye>,
     /// Whether the question, scene to options, is shown beside the picture; `None`
     /// leaves that to the preset and the size of the window.
     #[serde(skip)]
@@ -199,7 +203,7 @@ impl View {
 
     /// Forgets where the camera is: everything is seen from the usual side.
     pub fn forget_cameras(&mut self) {
-        (self.plane_camera, self.orbit_camera) = (None, None);
+        (self.plane_camera, self.orbit_camera, self.eye) = (None, None, None);
         (self.standpoint, self.flight) = (None, None);
     }
 
@@ -243,6 +247,7 @@ impl Default for View {
             playback: Playback::default(),
             plane_camera: None,
             orbit_camera: None,
+            eye: None,
             question: None,
             question_shown: true,
             fitted: false,

@@ -3,7 +3,6 @@
 use super::App;
 use super::jobs::Task;
 use crate::job::{Job, Poll, Title};
-use crate::kept_show::keep_show;
 use crate::save::{self, Kept, Last};
 use crate::with_document;
 use eframe::egui::Context;
@@ -79,11 +78,11 @@ impl App {
         let is_changed = self.is_changed();
         let unrestored = self.unrestored.clone().filter(|_| is_coming || !is_changed);
         let (document, step) = (self.document.clone(), self.view.playback.step);
-        let show = *self.show_of_document();
+        let view = self.kept_view();
         let saved = is_changed.then(|| self.saved.clone());
         let present = move || {
             let mut scenario = document.scenario_at(step);
-            keep_show(&mut scenario, &show);
+            view.keep_in(&mut scenario);
             let unchanged = saved.map(|saved| document.unchanged(&saved));
             let (folder, path) = with_document!(&document, d => (d.folder.clone(), d.path.clone()));
             Last { scenario, unchanged, folder, path }

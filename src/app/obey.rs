@@ -37,6 +37,10 @@ impl App {
         }
         let length = self.document.n_events();
         let step = self.view.playback.step;
+        // What was said before is read, and would lie over the dialog.
+        if command.opens_dialog() {
+            self.notice.clear();
+        }
         match command {
             Command::Open => self.chosen.ask_open(context),
             Command::Save => self.save_or_ask(context),
@@ -149,6 +153,7 @@ impl App {
             Target::Command(_) => self.notice.say(self.look.text("find-disabled")),
             Target::Scene(id) => self.open_scene(context, id),
             Target::Theme(theme) => self.view.theme = theme,
+            Target::Query(kind) => with_document!(&mut self.document, d => kind.ask(d)),
             Target::Algorithm(algorithm) => self.run(algorithm),
             Target::Reading(variant) => self.open_counterexample(context, variant),
             Target::Erratum(erratum) => match erratum.variants.first() {

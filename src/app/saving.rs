@@ -5,13 +5,12 @@ use super::telling::file_name;
 use crate::document::AnyDocument;
 use crate::files::{self, Chosen, Purpose};
 use crate::job::{Job, Poll, Title};
-use crate::kept_show::keep_show;
+use crate::kept_view::KeptView;
 use crate::view::{Dialog, Typed};
 use crate::{complaint, save, with_document};
 use eframe::egui::Context;
 use octoscope_core::progress::Progress;
 use octoscope_core::scenario::AnyScenario;
-use octoscope_figure::Show;
 use std::collections::VecDeque;
 use std::path::PathBuf;
 
@@ -31,7 +30,7 @@ struct Draft {
     document: AnyDocument,
     path: PathBuf,
     step: usize,
-    show: Show,
+    view: KeptView,
 }
 
 struct Begun {
@@ -72,9 +71,9 @@ impl App {
     fn save_to(&mut self, context: &Context, path: PathBuf) {
         let mut document = self.document.clone();
         with_document!(&mut document, d => d.path = Some(path.clone()));
-        let (step, show) = (self.view.playback.step, *self.show_of_document());
+        let (step, view) = (self.view.playback.step, self.kept_view());
         self.saving.next.retain(|draft| draft.path != path);
-        self.saving.next.push_back(Draft { document, path, step, show });
+        self.saving.next.push_back(Draft { document, path, step, view });
         if !self.is_saving() {
             self.save_next(context);
         }
@@ -82,12 +81,12 @@ impl App {
 
     fn save_next(&mut self, context: &Context) {
         let Some(draft) = self.saving.next.pop_front() else { return };
-        let Draft { document, path, step, show } = draft;
+        let Draft { document, path, step, view } = draft;
         let (of_job, to) = (document.clone(), path.clone());
         let work = move |_: &Progress| {
             let now = of_job.scenario_at(step);
             let mut kept = now.clone();
-            keep_show(&mut kept, &show);
+            view.keep_in(&mut kept);
             save::scenario(&of_job, kept, &to).map(|()| now)
         };
         let title = Title::Named("status-saving", file_name(&path));

@@ -8,10 +8,12 @@ use super::ray::RayChoice;
 use super::values::{language, theme};
 use super::{Answer, tell};
 use crate::document::Document;
-use crate::export::{Eye, Format, Order, Request, Size, Steps, parse_shown};
+use crate::export::{Format, Order, Request, Size, Steps};
+use crate::eye::Eye;
 use crate::figures::Moments;
-use crate::kept_show::kept_show;
+use crate::kept_view::{kept_eye, kept_show};
 use crate::open::open;
+use crate::shown::parse_shown;
 use crate::text::texts;
 use crate::with_document;
 use anyhow::{anyhow, bail};
@@ -121,9 +123,10 @@ pub struct Export {
     #[arg(long)]
     snippet: bool,
     /// Yaw and pitch of the eye in degrees, and a factor of 1 where everything
-    /// fits; then, if you like, the point in the middle. Yaw 0 looks from +x, 90
-    /// from +y; pitch 90 from above. A quadtree is seen from above anyway.
-    #[arg(long, value_name = "YAW,PITCH,ZOOM[,X,Y[,Z]]", allow_hyphen_values = true)]
+    /// fits; then, if you like, the point in the middle, and the word parallel for
+    /// parallel lines that stay so. Yaw 0 looks from +x, 90 from +y; pitch 90 from
+    /// above. A quadtree is seen from above anyway.
+    #[arg(long, value_name = "YAW,PITCH,ZOOM[,X,Y[,Z]][,parallel]", allow_hyphen_values = true)]
     camera: Option<Eye>,
     /// What is shown beside the state of the algorithm, by names between commas:
     /// order-numbers, half-open-sides, codes, mirrored-ray, content,
@@ -193,7 +196,11 @@ pub fn export(arguments: &Export) -> anyhow::Result<Answer> {
         Some(show) => Some(show),
         None => with_document!(&document, d => kept_show(&d.opened().view))?,
     };
-    let request = Request { steps, show, ..request };
+    let eye = match request.eye {
+        Some(eye) => Some(eye),
+        None => with_document!(&document, d => kept_eye_of(d))?,
+    };
+    let request = Request { steps, show, eye, ..request };
     if let Some(note) =
         with_document!(&document, d => request.left_out(d, &texts(Language::English)))
     {
@@ -201,6 +208,10 @@ pub fn export(arguments: &Export) -> anyhow::Result<Answer> {
     }
     run_with_progress(|progress| request.run(&document, arguments.output.as_deref(), progress))?;
     Ok(Answer::Done)
+}
+
+fn kept_eye_of<const D: usize>(document: &Document<D>) -> anyhow::Result<Option<Eye>> {
+    kept_eye::<D>(&document.opened().view)
 }
 
 impl Export {
@@ -292,7 +303,7 @@ fn aim<const D: usize>(document: &mut Document<D>, arguments: &Export) -> anyhow
 mod tests {
     use super::*;
     use crate::cli::{Arguments, Command};
-    use crate::export::parse_shown;
+    use crate::shown::parse_shown;
     use clap::Parser;
 
     /// Whether the command line of `request` asks for it.

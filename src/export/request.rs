@@ -1,12 +1,15 @@
 //! One export, whole: what the window and the command line ask for alike.
 
 use super::table::table;
-use super::{Eye, Order, Series, Steps, print_shown, write};
+use super::{Order, Series, Steps, write};
 use crate::comparison::MOST_TESTED;
 use crate::document::{AnyDocument, Document};
+use crate::eye::Eye;
 use crate::figures::{Moments, Wanted, figure_of, left_out, take_exercise};
 use crate::files::Output;
+use crate::kept_view::{keep_eye, keep_show};
 use crate::save;
+use crate::shown::print_shown;
 use crate::text::texts;
 use crate::with_document;
 use anyhow::bail;
@@ -99,7 +102,13 @@ impl Request {
             })
         };
         let scenario = |step| {
-            let scenario = document.scenario_at(step);
+            let mut scenario = document.scenario_at(step);
+            if let Some(show) = &self.show {
+                keep_show(&mut scenario, show);
+            }
+            if self.eye.is_some() {
+                keep_eye(&mut scenario, self.eye.as_ref());
+            }
             match folder {
                 Some(folder) => save::named_from(document, scenario, folder).print(),
                 None => scenario.print(),

@@ -1,7 +1,8 @@
 //! What is asked for by what is chosen.
 
 use crate::document::{AnyDocument, Document};
-use crate::export::{ExerciseChoice, Eye, Request};
+use crate::export::{ExerciseChoice, Request};
+use crate::eye::Eye;
 use crate::figures::Moments;
 use crate::view::View;
 use crate::with_document;

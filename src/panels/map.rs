@@ -190,9 +190,6 @@ fn pointed<const D: usize>(
     asked: &Asked<D>,
     place: Option<[f64; 2]>,
 ) -> Option<Ray<D>> {
-    if response.clicked() || response.drag_started() {
-        response.request_focus();
-    }
     if let Some(at) = response.interact_pointer_pos() {
         return ray_at(rect, at, asked);
     }

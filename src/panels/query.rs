@@ -2,6 +2,7 @@
 
 use crate::document::Document;
 use crate::look::Look;
+use crate::query_kind::QueryKind;
 use crate::widgets::{
     Listed, Present, drop_down, explained_segments, heading, number_field, segments, tick,
 };
@@ -13,40 +14,14 @@ use octoscope_core::locate::{Direction, NeighbourMethod, Reach};
 use octoscope_core::paper::{erratum_of, misprint_title, paper_texts};
 use octoscope_core::query::{Arithmetic, PointMethod, Query};
 use octoscope_core::traverse::{Algorithm, Options, StopAt, Variant, Variants};
-use octoscope_core::tree::Code;
-
-#[derive(Clone, Copy, PartialEq)]
-enum Kind {
-    Ray,
-    Point,
-    Region,
-    Neighbour,
-}
 
 /// Chooses the query and edits its parameters.
 pub fn ui<const D: usize>(ui: &mut Ui, look: &Look, document: &mut Document<D>) {
     heading(ui, look, &look.text("panel-query"), "");
-    let query = &document.scenario.query;
-    let kind_before = match query {
-        Query::Ray { .. } => Kind::Ray,
-        Query::Point { .. } => Kind::Point,
-        Query::Region { .. } => Kind::Region,
-        Query::Neighbour { .. } => Kind::Neighbour,
-    };
-    let mut kind = kind_before;
-    let choices = [
-        (Kind::Ray, look.text("query-ray")),
-        (Kind::Point, look.text("query-point")),
-        (Kind::Region, look.text("query-region")),
-        (Kind::Neighbour, look.text("query-neighbour")),
-    ];
+    let mut kind = QueryKind::of(&document.scenario.query);
+    let choices = QueryKind::ALL.map(|kind| (kind, look.text(kind.key())));
     if segments(ui, &mut kind, &choices) {
-        match kind {
-            Kind::Ray => document.back_to_ray(),
-            Kind::Point | Kind::Region | Kind::Neighbour => {
-                document.scenario.query = starting_query(document, kind);
-            }
-        }
+        kind.ask(document);
     }
     let side = document.tree.domain().side();
     let max_level = document.tree.domain().root_level();
@@ -84,33 +59,6 @@ pub fn ui<const D: usize>(ui: &mut Ui, look: &Look, document: &mut Document<D>) 
             segments(ui, method, &choices);
             pick_direction(ui, look, direction);
             hint(ui, look, "query-neighbour-hint");
-        }
-    }
-}
-
-/// A query of this kind about what is on the screen.
-fn starting_query<const D: usize>(document: &Document<D>, kind: Kind) -> Query<D> {
-    let domain = document.tree.domain();
-    let part = |share: f64| {
-        std::array::from_fn(|e| domain.min()[e] + domain.side() * (share + 0.03125 * e as f64))
-    };
-    let variants = Variants::NONE;
-    match kind {
-        Kind::Ray => Query::default(),
-        Kind::Point => {
-            Query::Point { at: part(0.546_875), method: PointMethod::default(), variants }
-        }
-        Kind::Region => Query::Region { min: part(0.3125), max: part(0.40625), variants },
-        Kind::Neighbour => {
-            let leaf = document.trace.leaves().next().map(|(leaf, _)| leaf);
-            let (level, code): (u8, Code<D>) = match leaf {
-                Some(leaf) => (document.tree.level(leaf), document.tree.code(leaf)),
-                None => (0, [0; D]),
-            };
-            let right = std::array::from_fn(|e| i8::from(e == 0));
-            let direction = Direction::new(right).expect("one step along x");
-            let (reach, method) = (Reach::default(), NeighbourMethod::default());
-            Query::Neighbour { level, code, direction, reach, method, variants }
         }
     }
 }

@@ -88,7 +88,7 @@ pub fn card<const D: usize>(ui: &mut Ui, look: &Look, view: Rect, tree: &Tree<D>
 pub fn hint<const D: usize>(ui: &mut Ui, look: &Look, frame: PageInWindow, under: &Under<D>) {
     let Some(Click::Neighbour(direction)) = under.click else { return };
     let pointer = frame.on_screen(under.at);
-    let room = frame.rect().shrink(8.0);
+    let room = frame.rect().intersect(ui.clip_rect()).shrink(8.0);
     let text = look.text("space-click-neighbour");
     label(ui, look, text, |size| beside(pointer, direction.components(), size, room));
 }

@@ -94,10 +94,12 @@ fn handled<const D: usize>(
 ) -> (Camera<D>, Option<Under<D>>) {
     let rect = response.rect;
     let is_as_large = view.space.replace(rect).map(|room| room.size()) == Some(rect.size());
-    let kept: Option<Camera<D>> = view.camera();
+    // An eye for another dimension was refused where the scenario was opened.
+    let asked = view.eye.take().and_then(|eye| eye.camera(document, frame.page).ok());
+    let kept: Option<Camera<D>> = view.camera().or(asked);
     let mut camera = kept.unwrap_or_else(|| document.framed(frame.page));
     let (before, ray, query) = (camera, document.scenario.ray, document.scenario.query);
-    view.fitted |= kept.is_none();
+    view.fitted = (view.fitted || kept.is_none()) && asked.is_none();
     if view.fitted && kept.is_some() && !is_as_large {
         document.frame(&mut camera, frame.page);
     }
@@ -120,7 +122,7 @@ fn handled<const D: usize>(
     let kept = if view.flight.is_some() { goal } else { camera };
     // While the ray or what is asked is dragged, the picture stays where it is, and
     // afterwards.
-    if kept != before || is_moved {
+    if kept != before || is_moved || asked.is_some() {
         view.set_camera(kept);
     }
     (camera, under)

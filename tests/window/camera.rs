@@ -2,6 +2,7 @@
 
 use crate::desk::{Desk, sample};
 use eframe::egui::{Key, Modifiers, vec2};
+use octoscope::files::{Chosen, Purpose};
 use octoscope_figure::{Camera, Lens, Page};
 
 #[test]
@@ -59,6 +60,36 @@ fn a_turned_octree_keeps_its_side_and_is_fitted_into_every_room() {
     let all = desk.state().view.camera::<3>().unwrap();
     assert_eq!((all.yaw, all.pitch), (turned.yaw, turned.pitch));
     assert_ne!(all.height, zoomed.height);
+}
+
+#[test]
+fn a_saved_scenario_is_seen_from_where_it_was() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("turned.octo");
+    let mut desk = Desk::with_file(sample("knot.octo"));
+    let rect = desk.state().view.space.unwrap();
+    let from = rect.right_bottom() - vec2(30.0, 60.0);
+    desk.drag([from, from - vec2(90.0, 30.0)], Modifiers::NONE);
+    desk.press(Key::O);
+    let turned = desk.state().view.camera::<3>().unwrap();
+    let zoomed = Camera { height: 0.5 * turned.height, ..turned };
+    desk.state_mut().view.set_camera(zoomed);
+    desk.state_mut().view.fitted = false;
+    let context = desk.ctx.clone();
+    desk.state_mut().take_chosen(&context, Chosen::Path(Purpose::Save, path.clone()));
+    desk.state_mut().finish_work();
+
+    let again = Desk::with_file(&path);
+    let seen = again.state().view.camera::<3>().unwrap();
+    assert_eq!(seen.lens, Lens::Orthographic);
+    let is_near = |a: f64, b: f64| (a - b).abs() < 2e-3;
+    assert!(is_near(seen.pitch, zoomed.pitch), "{seen:?}");
+    assert!(is_near(seen.yaw.sin(), zoomed.yaw.sin()) && is_near(seen.yaw.cos(), zoomed.yaw.cos()));
+    assert!(is_near(seen.height / zoomed.height, 1.0), "{seen:?} {zoomed:?}");
+    for e in 0..3 {
+        let off = (seen.target[e] - zoomed.target[e]) / zoomed.height;
+        assert!(is_near(off, 0.0), "{seen:?} {zoomed:?}");
+    }
 }
 
 #[test]

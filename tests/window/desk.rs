@@ -47,6 +47,12 @@ impl Desk {
         desk
     }
 
+    /// Shows one frame in which all of these events come.
+    pub fn frame_with(&mut self, events: &[Event]) {
+        self.input_mut().events.extend_from_slice(events);
+        self.step();
+    }
+
     /// The window on a file.
     pub fn with_file(path: impl AsRef<Path>) -> Self {
         let mut desk = Self::new();

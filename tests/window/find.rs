@@ -45,10 +45,7 @@ fn what_is_typed_faster_than_frames_are_drawn_is_searched_for() {
         let mut events = vec![pressed(Key::K, Modifiers::COMMAND)];
         events.extend(letters.chain([pressed(Key::Enter, Modifiers::NONE)]));
         for frame in events.chunks(n_in_a_frame) {
-            for event in frame {
-                desk.event(event.clone());
-            }
-            desk.step();
+            desk.frame_with(frame);
         }
         desk.run();
         desk.state_mut().finish_work();
@@ -71,10 +68,9 @@ fn the_key_that_opens_it_from_the_menu_is_no_word_and_no_choice() {
             .unwrap()
             .focus();
         desk.run();
-        desk.event(pressed(key, Modifiers::NONE));
-        if key == Key::Space {
-            desk.event(Event::Text(" ".to_owned()));
-        }
+        let text = (key == Key::Space).then(|| Event::Text(" ".to_owned()));
+        let events: Vec<Event> = [pressed(key, Modifiers::NONE)].into_iter().chain(text).collect();
+        desk.frame_with(&events);
         desk.run();
         let Some(Dialog::Find(search)) = &desk.state().view.dialog else { panic!("not open") };
         assert_eq!(search.wanted, "");

@@ -4,7 +4,7 @@ use crate::desk::{Desk, sample};
 use eframe::egui::{Key, Modifiers, accesskit::Role};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
-use octoscope::export::print_shown;
+use octoscope::shown::print_shown;
 use octoscope_core::scenario::built_in;
 use octoscope_figure::{Levels, Rest, Show, Slice};
 

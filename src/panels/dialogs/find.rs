@@ -57,6 +57,7 @@ fn row<'a>(ui: &Ui, look: &Look, hit: &Hit, chosen: bool) -> Button<'a> {
         Target::Command(command) => command.row().keys.first(),
         Target::Scene(_)
         | Target::Theme(_)
+        | Target::Query(_)
         | Target::Algorithm(_)
         | Target::Erratum(_)
         | Target::Reading(_) => None,

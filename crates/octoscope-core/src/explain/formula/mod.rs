@@ -54,7 +54,9 @@ pub fn formulas<const D: usize>(
     let past = &trace.events[..index];
     let query = &trace.query;
     let writer = Writer { tree, ray, query, past, before: &before, notation, texts };
-    writer.of(&trace.events[index])
+    let mut statements = writer.of(&trace.events[index]);
+    numbers::tell_apart(&mut statements);
+    statements
 }
 
 /// Words in formulas, and how formulas are spoken.

@@ -1,5 +1,6 @@
 //! Numbers in formulas.
 
+use super::Statement;
 use super::term::{Fence, Formula, Sign};
 use crate::explain::number::{approx, distinct};
 
@@ -34,4 +35,39 @@ pub(super) fn equal(values: &[f64]) -> Sign {
 /// A code or set in binary.
 pub(super) fn binary(bits: u32, width: u8) -> Formula {
     Formula::Digits(crate::explain::words::binary(bits, width))
+}
+
+/// Gives numbers of the same step that differ, but have the same short form, so many digits
+/// that they are told apart.
+pub(super) fn tell_apart(statements: &mut [Statement]) {
+    let formulas = statements.iter_mut().filter_map(|statement| statement.numbers.as_mut());
+    let mut numbers: Vec<(f64, &mut String)> = formulas.flat_map(Formula::numbers_mut).collect();
+    let all: Vec<(f64, String)> = numbers.iter().map(|(x, shown)| (*x, (*shown).clone())).collect();
+    for (value, shown) in &mut numbers {
+        let others = all.iter().filter(|(x, text)| *x != *value && *text == **shown && !x.is_nan());
+        let others: Vec<f64> = others.map(|(x, _)| *x).collect();
+        if let ([_, ..], false) = (&others[..], value.is_nan()) {
+            let group: Vec<f64> = std::iter::once(*value).chain(others).collect();
+            **shown = distinct(&group).swap_remove(0);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::term::row;
+    use super::*;
+
+    #[test]
+    fn numbers_that_differ_are_never_shown_alike() {
+        let [low, high] = [0.99999970, 1.000001].map(number);
+        let mut statements = vec![
+            Statement { symbols: "t".into(), numbers: Some(row![number(1.0), Sign::Equal, low]) },
+            Statement { symbols: "t".into(), numbers: Some(high.over(number(2.5))) },
+        ];
+        tell_apart(&mut statements);
+        let numbers = statements.iter_mut().flat_map(|s| s.numbers.as_mut().unwrap().numbers_mut());
+        let shown: Vec<String> = numbers.map(|(_, shown)| shown.clone()).collect();
+        assert_eq!(shown, ["1", "0.9999997", "1.000001", "2.5"]);
+    }
 }

@@ -1,8 +1,8 @@
-//! Where a figure looks at the scene from, as the command line tells it.
+//! Where the scene is looked at from, as the command line and scenarios tell it.
 
 use crate::document::Document;
 use anyhow::bail;
-use octoscope_figure::{Camera, Page};
+use octoscope_figure::{Camera, Lens, Page};
 use std::fmt;
 use std::str::FromStr;
 
@@ -18,7 +18,12 @@ pub struct Eye {
     /// Point of the world in the middle of the page; empty where everything
     /// fits around it.
     pub middle: Vec<f64>,
+    /// How depth looks; in words only that parallel lines stay parallel.
+    pub lens: Lens,
 }
+
+/// What an eye says of parallel lines that stay parallel.
+const PARALLEL: &str = "parallel";
 
 /// Smallest and largest zoom.
 const ZOOMS: [f64; 2] = [0.001, 1e6];
@@ -29,7 +34,8 @@ impl Eye {
         let degrees = |angle: f64| (angle.to_degrees() * 100.0).round() / 100.0;
         let pitch_degrees = degrees(camera.pitch).clamp(-90.0, 90.0);
         let yaw_degrees = degrees(camera.yaw).rem_euclid(360.0);
-        let mut eye = Self { yaw_degrees, pitch_degrees, zoom: 1.0, middle: Vec::new() };
+        let (zoom, middle, lens) = (1.0, Vec::new(), camera.lens);
+        let mut eye = Self { yaw_degrees, pitch_degrees, zoom, middle, lens };
         let framed = eye.framed(document, page);
         eye.zoom = short(framed.height / camera.height).clamp(ZOOMS[0], ZOOMS[1]);
         // A thousandth of what the page shows is not seen.
@@ -67,6 +73,8 @@ impl Eye {
         let mut camera = document.framed(page);
         camera.yaw = self.yaw_degrees.rem_euclid(360.0).to_radians();
         camera.pitch = self.pitch_degrees.to_radians();
+        // In the plane a lens means nothing.
+        camera.lens = if D == 2 { Lens::default() } else { self.lens };
         document.frame(&mut camera, page);
         camera
     }
@@ -81,6 +89,10 @@ impl FromStr for Eye {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, String> {
+        let (text, lens) = match text.rsplit_once(',') {
+            Some((numbers, word)) if word.trim() == PARALLEL => (numbers, Lens::Orthographic),
+            Some(_) | None => (text, Lens::Perspective),
+        };
         let numbers: Result<Vec<f64>, _> =
             text.split(',').map(|number| number.trim().parse()).collect();
         let numbers = numbers.ok().filter(|numbers| numbers.iter().all(|x| x.is_finite()));
@@ -101,21 +113,25 @@ impl FromStr for Eye {
         if !(ZOOMS[0]..=ZOOMS[1]).contains(&zoom) {
             return Err(format!("the zoom is {zoom}; give a factor from 0.001 to 1000000"));
         }
-        Ok(Self { yaw_degrees, pitch_degrees, zoom, middle: numbers[3..].to_vec() })
+        Ok(Self { yaw_degrees, pitch_degrees, zoom, middle: numbers[3..].to_vec(), lens })
     }
 }
 
 fn wrong_number(n: usize) -> String {
     format!(
         "there are {n} numbers; give three: yaw and pitch in degrees, zoom; and then, if you like, \
-         the point in the middle"
+         the point in the middle, and the word parallel"
     )
 }
 
 impl fmt::Display for Eye {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         write!(f, "{},{},{}", self.yaw_degrees, self.pitch_degrees, self.zoom)?;
-        self.middle.iter().try_for_each(|x| write!(f, ",{x}"))
+        self.middle.iter().try_for_each(|x| write!(f, ",{x}"))?;
+        match self.lens {
+            Lens::Perspective => Ok(()),
+            Lens::Orthographic => write!(f, ",{PARALLEL}"),
+        }
     }
 }
 
@@ -128,18 +144,54 @@ mod tests {
 
     #[test]
     fn the_eye_has_three_numbers_within_bounds_and_a_middle() {
-        let eye = |middle: &[f64]| Eye {
+        let (far, parallel) = (Lens::Perspective, Lens::Orthographic);
+        let eye = |middle: &[f64], lens| Eye {
             yaw_degrees: -30.0,
             pitch_degrees: 20.0,
             zoom: 1.5,
             middle: middle.to_vec(),
+            lens,
         };
-        for (text, eye) in [("-30,20,1.5", eye(&[])), ("-30,20,1.5,0.5,-1", eye(&[0.5, -1.0]))] {
+        for (text, eye) in [
+            ("-30,20,1.5", eye(&[], far)),
+            ("-30,20,1.5,0.5,-1", eye(&[0.5, -1.0], far)),
+            ("-30,20,1.5,parallel", eye(&[], parallel)),
+            ("-30,20,1.5,0.5,-1,2,parallel", eye(&[0.5, -1.0, 2.0], parallel)),
+        ] {
             assert_eq!(text.parse(), Ok(eye.clone()));
             assert_eq!(eye.to_string(), text);
         }
-        for bad in ["-30,20", "1,2,3,4", "0,91,1", "0,0,0", "0,0,-1", "0,0,nan", "a,b,c", ""] {
+        for bad in [
+            "-30,20",
+            "1,2,3,4",
+            "0,91,1",
+            "0,0,0",
+            "0,0,-1",
+            "0,0,nan",
+            "a,b,c",
+            "",
+            "parallel",
+            "1,2,3,par",
+        ] {
             assert!(bad.parse::<Eye>().is_err(), "{bad}");
+        }
+    }
+
+    #[test]
+    fn parallel_lines_stay_so_in_space_alone() {
+        let page = Page { width: 400.0, height: 300.0 };
+        let eye: Eye = "-30,20,1.5,parallel".parse().unwrap();
+        for (id, lens) in [("points-3d", Lens::Orthographic), ("quadtree-82", Lens::Perspective)] {
+            let document = open_built_in(id, &Progress::default()).unwrap();
+            let found = match &document {
+                AnyDocument::Plane(document) => eye.camera(document, page).unwrap().lens,
+                AnyDocument::Space(document) => {
+                    let camera = eye.camera(document, page).unwrap();
+                    assert_eq!(Eye::of(&camera, document, page).lens, Lens::Orthographic);
+                    camera.lens
+                }
+            };
+            assert_eq!(found, lens, "{id}");
         }
     }
 
