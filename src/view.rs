@@ -174,9 +174,9 @@ impl View {
     pub fn panels<const D: usize>(&self, query: &Query<D>) -> Vec<PanelKind> {
         let mut automatic = self.preset.panels(query);
         let Some(arrangement) = self.arrangements.get(&self.preset) else { return automatic };
-        // While it is open the lab stays above all others, with a misprint or without.
+        // While it is open the lab stays where it is, with a misprint or without.
         if arrangement.is_added(PanelKind::Paper) && !automatic.contains(&PanelKind::Paper) {
-            automatic.insert(0, PanelKind::Paper);
+            automatic.insert(self.preset.place_of_lab(&automatic), PanelKind::Paper);
         }
         arrangement.shown(&automatic)
     }

@@ -66,9 +66,15 @@ impl Preset {
             if self == Self::Lecture {
                 panels.clear();
             }
-            panels.insert(0, PanelKind::Paper);
+            panels.insert(self.place_of_lab(&panels), PanelKind::Paper);
         }
         panels
+    }
+
+    /// Where among `panels` the paper lab opens: above them, but for the map of where the
+    /// rule fails.
+    pub fn place_of_lab(self, panels: &[PanelKind]) -> usize {
+        usize::from(self == Self::Map && panels.first() == Some(&PanelKind::Map))
     }
 
     /// The panels that the preset is made of, where all of them say something.
