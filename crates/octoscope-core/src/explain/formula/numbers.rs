@@ -37,6 +37,23 @@ pub(super) fn binary(bits: u32, width: u8) -> Formula {
     Formula::Digits(crate::explain::words::binary(bits, width))
 }
 
+impl Formula {
+    /// All numbers that were computed, with their short forms.
+    fn numbers_mut(&mut self) -> Vec<(f64, &mut String)> {
+        match self {
+            Self::Row(parts) => parts.iter_mut().flat_map(Self::numbers_mut).collect(),
+            Self::Number { value, shown } => vec![(*value, shown)],
+            Self::Sub { body, below: other }
+            | Self::Sup { body, above: other }
+            | Self::Fraction { over: body, under: other } => {
+                body.numbers_mut().into_iter().chain(other.numbers_mut()).collect()
+            }
+            Self::Over { limit: body, .. } | Self::Fenced { body, .. } => body.numbers_mut(),
+            Self::Symbol { .. } | Self::Digits(_) | Self::Words(_) | Self::Sign(_) => Vec::new(),
+        }
+    }
+}
+
 /// Gives numbers of the same step that differ, but have the same short form, so many digits
 /// that they are told apart.
 pub(super) fn tell_apart(statements: &mut [Statement]) {

@@ -65,23 +65,6 @@ pub enum Formula {
     },
 }
 
-impl Formula {
-    /// All numbers that were computed, with their short forms.
-    pub(super) fn numbers_mut(&mut self) -> Vec<(f64, &mut String)> {
-        match self {
-            Self::Row(parts) => parts.iter_mut().flat_map(Self::numbers_mut).collect(),
-            Self::Number { value, shown } => vec![(*value, shown)],
-            Self::Sub { body, below: other }
-            | Self::Sup { body, above: other }
-            | Self::Fraction { over: body, under: other } => {
-                body.numbers_mut().into_iter().chain(other.numbers_mut()).collect()
-            }
-            Self::Over { limit: body, .. } | Self::Fenced { body, .. } => body.numbers_mut(),
-            Self::Symbol { .. } | Self::Digits(_) | Self::Words(_) | Self::Sign(_) => Vec::new(),
-        }
-    }
-}
-
 /// Brackets.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Fence {
