@@ -35,6 +35,20 @@ fn a_misprint_is_explained_and_its_first_wrong_step_is_found() {
 }
 
 #[test]
+fn the_mirrored_ray_is_shown_as_long_as_the_document_gets_it_wrong() {
+    let mut desk = Desk::new();
+    for before in [false, true] {
+        desk.state_mut().view.plane_show.mirrored_ray = before;
+        desk.run();
+        let shown = |desk: &Desk| desk.state().view.plane_show.mirrored_ray;
+        for variant in [Variant::B7, Variant::B7, Variant::B3] {
+            desk.open_scenario(&counterexample(variant));
+            assert_eq!(shown(&desk), before || variant == Variant::B7, "{variant:?}");
+        }
+    }
+}
+
+#[test]
 fn the_lab_stays_where_it_is_when_its_last_switch_is_turned_off() {
     for preset in [Key::Num1, Key::Num2, Key::Num6] {
         let mut desk = Desk::new();

@@ -150,7 +150,7 @@ mod tests {
             [40.0, 333.0],
             [1000.0, 1009.0],
         ] {
-            for role in [Role::Target, Role::Rejected, Role::Missed, Role::Expected] {
+            for role in [Role::Target, Role::Rejected, Role::Pending, Role::Expected] {
                 let points = rectangle(size);
                 let form = Form::Polygon(points.clone());
                 let dashes = paint(role, &form).dashes(&form).unwrap();

@@ -265,3 +265,12 @@ pub(crate) fn text_reach(role: Role, text: &str) -> [f64; 2] {
     let size = Style::of(Theme::Light, role).text.map_or(0.0, |text| text.size);
     [0.5 * LETTER * size * text.chars().count() as f64, 0.6 * size]
 }
+
+/// Radius of the smallest disc around a number.
+pub(crate) fn radius_around(role: Role, number: &str) -> f64 {
+    /// Half the height of digits in type heights, and room around them.
+    const DIGIT: f64 = 0.37;
+    const ROOM: f64 = 0.6;
+    let half = [0.5 * metrics::width(role, &number.into()), DIGIT * metrics::size(role)];
+    half[0].hypot(half[1]) + ROOM
+}

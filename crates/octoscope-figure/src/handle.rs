@@ -33,7 +33,7 @@ pub(crate) const HEAD: f64 = 14.0;
 /// be told apart and taken hold of.
 pub const HANDLE_DISTANCE: f64 = 40.0;
 /// Room between a handle and the border of the page.
-const INSET: f64 = 16.0;
+const INSET: f64 = 28.0;
 
 impl<const D: usize> Camera<D> {
     /// The arrow of a ray that ends at the second of `ends`: so long that its head lies beyond

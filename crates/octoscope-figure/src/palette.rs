@@ -195,7 +195,7 @@ impl Palette {
                 axes: [0x9c3a06, 0x18684b, 0x0c76a6].map(Colour::hex),
                 ray: Colour::hex(0xc80663),
                 current_fill: 0.35,
-                current_outline: Colour::hex(0xa26a0d),
+                current_outline: Colour::hex(0xbe8402),
                 lit: Colour::hex(0xfdf3de),
                 rejected: Colour::hex(0x6f339c),
                 ancestor: Colour::hex(0x000000),

@@ -4,7 +4,7 @@ use super::below::Below;
 use super::layout::Item;
 use super::state::{State, States};
 use super::{DiagramNode, DiagramOf, NodeKind};
-use crate::figure::text_reach;
+use crate::figure::radius_around;
 use crate::{Anchor, Drawn, Figure, Form, Page, Part, Role};
 use octoscope_core::event::Event;
 use octoscope_core::tree::NodeId;
@@ -161,9 +161,14 @@ impl<const D: usize> Drawing<'_, D> {
         if item.node.is_full() && state.visited.is_none() && !here {
             push(Form::Circle { centre: node.at, radius: 0.5 * half }, Role::Content);
         }
-        if state.visited.is_some() && !self.is_unfolded(n) && item.node.is_leaf() {
-            let disc = Form::Circle { centre: node.at, radius: DISC * half };
-            push(disc, Role::OrderNumber);
+        if let Some([_, number]) = state.visited.filter(|_| !self.is_unfolded(n))
+            && item.node.is_leaf()
+        {
+            let least = radius_around(Role::OrderNumber, &number.to_string());
+            // Where there is no room for the number, it is left out.
+            let radius =
+                if self.has_room(half, least) { least.max(DISC * half) } else { DISC * half };
+            push(Form::Circle { centre: node.at, radius }, Role::OrderNumber);
         }
         if state.is_strayed && item.node.is_leaf() {
             let at = [x, y + half + 0.5 * NUMBER];
@@ -173,6 +178,12 @@ impl<const D: usize> Drawing<'_, D> {
         if state.is_touched {
             push(Form::Circle { centre: node.at, radius: half + 2.5 }, Role::Touch);
         }
+    }
+
+    /// Whether a disc of this radius finds room on a leaf and beside the next one.
+    fn has_room(&self, half: f64, radius: f64) -> bool {
+        const BEYOND: f64 = 2.0;
+        radius <= half + BEYOND && 2.0 * radius <= self.spacing
     }
 
     fn is_unfolded(&self, n: usize) -> bool {
@@ -240,8 +251,7 @@ impl<const D: usize> Drawing<'_, D> {
         match (node.kind, state.visited) {
             (NodeKind::Leaf, Some([_, number])) => {
                 let text = number.to_string();
-                let wide = text_reach(Role::OrderNumber, &text)[0];
-                if wide <= DISC * node.half + 1.0 {
+                if self.has_room(node.half, radius_around(Role::OrderNumber, &text)) {
                     push(node.at, text, Role::OrderNumber);
                 }
             }

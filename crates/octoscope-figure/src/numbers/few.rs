@@ -2,7 +2,7 @@
 
 use super::crowd::{Crowd, collide};
 use super::grid::{Costs, Grid, ROWS, Slot, shared_out};
-use super::places::beside;
+use super::places::{aside, beside};
 use super::{Area, Kept, Number, Stand, distance};
 
 /// Where each of `numbers` stands. Those that find room in their leaves stand there, the
@@ -78,6 +78,13 @@ impl Settling {
         let Some(grid) = Grid::of(&led) else { return };
         let place = |index: &usize| grid.place_of(&numbers[*index]);
         without.sort_by(|a, b| place(a).total_cmp(&place(b)));
+        for &index in &without {
+            // Nearby, where the grid is too coarse.
+            let near = aside(&numbers[index]).filter(|stand| crowd.is_free(stand));
+            let places = near.map(|stand| (None, stand, cost(&stand, index, numbers)));
+            let choices = choices(places, crowd);
+            self.choices[index].extend(choices);
+        }
         let mut best: Option<(f64, Vec<(usize, Stand)>)> = None;
         for row in 0..ROWS {
             for &index in &without {

@@ -26,7 +26,8 @@ impl<const D: usize> Canvas<'_, D> {
         let Some(centre) = centre.filter(|_| off.iter().all(|off| *off >= 0.0)) else { return };
         // The extent of a box in space is larger than the box.
         let share = if D == 2 { 1.0 } else { 0.4 };
-        let places = [0.0, -1.0, 1.0].into_iter().flat_map(|down| {
+        // First where most is left of the cell for its order number.
+        let places = [1.0, -1.0, 0.0].into_iter().flat_map(|down| {
             [0.0, -1.0, 1.0].map(|across| {
                 [centre.at[0] + share * across * off[0], centre.at[1] + share * down * off[1]]
             })

@@ -1,10 +1,10 @@
 //! The numbers of the visited leaves, in the order in which they are visited.
 
 use super::{Canvas, above_space};
-use crate::figure::text_reach;
+use crate::figure::{radius_around, text_reach};
 use crate::numbers::{Area, Convex, Kept, Number, Stand, stands};
 use crate::sides::sides_to_eye;
-use crate::{Form, Mark, Part, Projected, Role, Shape, Style, Theme, metrics};
+use crate::{Form, Mark, Part, Projected, Role, Shape, Style, Theme};
 use octoscope_core::geometry::Aabb;
 use octoscope_core::tree::NodeId;
 use std::collections::HashMap;
@@ -115,13 +115,8 @@ impl<const D: usize> Canvas<'_, D> {
 /// Radius of the disc of a number with its line, and the least one: it reaches around the
 /// digits.
 fn radii(role: Role, text: &str) -> [f64; 2] {
-    /// Half the height of digits in type heights, and room around them.
-    const DIGIT: f64 = 0.37;
-    const ROOM: f64 = 0.6;
     let style = Style::of(Theme::Light, role);
     let [half_width, _] = text_reach(role, text);
     let radius = style.radius.max(half_width + 2.0);
-    let half = [0.5 * metrics::width(role, &text.into()), DIGIT * metrics::size(role)];
-    let tight = half[0].hypot(half[1]) + ROOM;
-    [radius, tight.min(radius)].map(|radius| radius + 0.5 * style.width)
+    [radius, radius_around(role, text).min(radius)].map(|radius| radius + 0.5 * style.width)
 }

@@ -84,12 +84,10 @@ impl Style {
                 ..line(p.ink, 1.0).lettered(p.ink, 11.0, Weight::Strong)
             },
             Role::Touch => Self { radius: 7.0, ..line(p.ray, 2.0) },
-            Role::Missed => Self {
-                fill: Some(p.rejected.faded(0.12)),
-                dash: Dash::Dashed,
-                casing: 1.5,
-                ..line(p.rejected, 2.6)
-            },
+            // Unbroken: of a small box in space dashes would be all that is seen.
+            Role::Missed => {
+                Self { fill: Some(p.rejected.faded(0.12)), casing: 1.5, ..line(p.rejected, 2.6) }
+            }
             // The current node, framed in ink: it is the answer.
             Role::Found => Self {
                 fill: Some(p.current.faded(2.2 * p.current_fill)),
@@ -274,7 +272,7 @@ impl Style {
 /// Area of a plane in space: weak, for it lies before what is asked. Too weak for a
 /// projector, where its outline tells it.
 fn plane_fill(theme: Theme, colour: Colour) -> Option<Colour> {
-    (theme.weakest_fill() == 0.0).then_some(colour.faded(0.12))
+    (theme.weakest_fill() == 0.0).then_some(colour.faded(0.06))
 }
 
 /// Black or white, whichever is read better on `colour`.
