@@ -48,7 +48,8 @@ fn a_long_trace_is_cut_off_and_says_so() {
     assert_eq!((trace.outcome.end, trace.events.len()), (End::Cut, MOST_EVENTS + 1));
     desk.press(Key::End);
     assert!(desk.sentence().starts_with("The trace ends here, but not the run"));
-    assert!(desk.says(&format!("{0} / {0} …", MOST_EVENTS + 1)));
+    assert_eq!(desk.step_number(), MOST_EVENTS + 1);
+    assert!(desk.says(&format!("/ {} …", MOST_EVENTS + 1)));
 }
 
 #[test]
