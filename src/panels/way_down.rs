@@ -9,10 +9,10 @@ use octoscope_core::geometry::Ray;
 use octoscope_core::trace::{Counter, Moment};
 use octoscope_core::tree::Tree;
 
-/// How often it was begun at the root.
+/// Which of the searches from the root it is.
 pub fn note<const D: usize>(look: &Look, moment: &Moment<D>) -> String {
     let n = moment.counters.get(Counter::PointLocations);
-    look.texts.format("way-down-count", &[("n", n.into())])
+    if n == 0 { String::new() } else { look.texts.format("way-down-count", &[("n", n.into())]) }
 }
 
 /// The height that it takes in a lecture, in points.

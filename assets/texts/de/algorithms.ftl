@@ -31,10 +31,7 @@ children-interval = t
 children-missed = verfehlt
 
 way-down-none = Zeigt den Weg von der Wurzel, sobald ein Punkt gesucht wird.
-way-down-count = { $n ->
-    [one] bisher 1 Suche
-   *[other] bisher { $n } Suchen
-}
+way-down-count = Suche { $n }
 way-down-level = Stufe { $level }
 way-down-root = Wurzel
 way-down-exit = Austritt

@@ -31,10 +31,7 @@ children-interval = t
 children-missed = missed
 
 way-down-none = Shows the path from the root once a point is looked for.
-way-down-count = { $n ->
-    [one] 1 search so far
-   *[other] { $n } searches so far
-}
+way-down-count = search { $n }
 way-down-level = level { $level }
 way-down-root = root
 way-down-exit = exit point
