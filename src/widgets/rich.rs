@@ -59,10 +59,6 @@ pub fn rich_job(text: &RichText, look: &Look, size: f32, width: f32) -> LayoutJo
         format.color = span.axis.map_or(look.palette.ink, |axis| look.palette.axes[axis]);
         job.append(&span.text, 0.0, format);
     }
-    // Lines without a lowered subscript stand as far apart as those with one.
-    let highest = job.sections.iter().filter_map(|section| section.format.line_height);
-    let highest = highest.reduce(f32::max);
-    job.sections.iter_mut().for_each(|section| section.format.line_height = highest);
     job
 }
 
