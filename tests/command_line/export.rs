@@ -1,6 +1,6 @@
 //! `octoscope export`.
 
-use crate::desk::desk_with_scenario;
+use crate::desk::{desk_with_scenario, text};
 use octoscope_core::scenario::AnyScenario;
 use std::fs;
 
@@ -73,6 +73,15 @@ fn an_exported_png_has_the_size_asked_for() {
 }
 
 #[test]
+fn what_a_figure_has_no_room_for_is_told() {
+    let desk = desk_with_scenario();
+    let output = desk.run("export a.octo --view table --step last -o a.svg");
+    assert_eq!(output.status.code(), Some(0));
+    let told = text(&output.stderr);
+    assert_eq!(told, "octoscope: the table shows the last 24 of 30 steps\n");
+}
+
+#[test]
 fn every_view_is_a_well_formed_svg_with_the_scenario_inside() {
     let desk = desk_with_scenario();
     for arguments in [
@@ -81,7 +90,7 @@ fn every_view_is_a_well_formed_svg_with_the_scenario_inside() {
         "a.octo --view codes --step 5 --lang de",
         "a.octo --view neighbour --algorithm codes --step last",
         "a.octo --view listing --step 5",
-        "a.octo --view table --step last",
+        "a.octo --view table --step 20",
         "a.octo --view chart --step last --size 300x300",
         "a.octo --view storyboard --steps leaves:3",
         "scene:figure-7 --view storyboard --steps 1,5,9,13 --lang de",
