@@ -31,6 +31,7 @@ pub fn space<const D: usize>(
     if show.content && n_primitives_shown(document, show) <= MOST_PRIMITIVES {
         all.extend(content(&document.content, cut.as_ref()));
     }
+    all.extend(cut.and_then(|cut| cut.outline(document.tree.domain())));
     all.extend(axes(document.tree.domain(), show, &camera));
     all.extend(axis_names(document.tree.domain(), &camera, page));
     all.extend(marks(&document.tree, &scenario.ray, &scenario.query, &moment, event, show));

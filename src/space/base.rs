@@ -56,8 +56,7 @@ impl Layers {
         let Scene { document, appearance, camera, frame, .. } = *scene;
         let (page, rect) = (frame.page, frame.rect());
         let tree = self.leaves.of(ui.ctx(), document, appearance, self.speed).cloned();
-        let slice = appearance.show.slice;
-        let cut = slice.and_then(|slice| slice.cut(document.tree.domain(), camera));
+        let cut = scene.cut();
         let view = view_of(camera, page);
         let section = cut.map(|cut| self.section(ui, document, appearance, &cut));
         let slice = cut.map_or([0.0; 4], |cut| section::plane(document.tree.domain(), &cut));

@@ -6,7 +6,7 @@ use crate::document::Document;
 use crate::widgets::PageInWindow;
 use octoscope_core::trace::Moment;
 use octoscope_core::tree::NodeId;
-use octoscope_figure::{Camera, Mark, Role, axes, axis_names, cells, content, node_mark};
+use octoscope_figure::{Camera, Cut, Mark, Role, axes, axis_names, cells, content, node_mark};
 
 /// More leaves, or parts of the content, than this are not painted one by one.
 const MOST_PAINTED: usize = 20_000;
@@ -32,6 +32,7 @@ impl<const D: usize> Scene<'_, D> {
         let (document, show) = (self.document, self.appearance.show);
         let mut marks = axes(document.tree.domain(), show, self.camera);
         marks.extend(axis_names(document.tree.domain(), self.camera, self.frame.page));
+        marks.extend(self.cut().and_then(|cut| cut.outline(document.tree.domain())));
         let is_painted = document.content.len() <= MOST_PAINTED
             && (!has_layers || !tree_layers::is_cloud(&document.content));
         if D == 2 && show.content && is_painted {
@@ -49,7 +50,12 @@ impl<const D: usize> Scene<'_, D> {
         if tree.n_leaves() > MOST_PAINTED {
             return Vec::new();
         }
-        let cut = show.slice.and_then(|slice| slice.cut(tree.domain(), self.camera));
-        cells(tree, show, cut.as_ref())
+        cells(tree, show, self.cut().as_ref())
+    }
+
+    /// Where the tree is cut open.
+    pub fn cut(&self) -> Option<Cut> {
+        let slice = self.appearance.show.slice?;
+        slice.cut(self.document.tree.domain(), self.camera)
     }
 }

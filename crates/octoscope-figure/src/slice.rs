@@ -84,6 +84,11 @@ impl Cut {
         meets.then_some(section)
     }
 
+    /// Where the plane lies in the root.
+    pub fn outline<const D: usize>(&self, domain: &Domain<D>) -> Option<Mark<D>> {
+        Some(Mark::new(Shape::Box(self.section_of(&domain.root_box())?), Role::Root))
+    }
+
     /// The nodes that the plane meets, every parent before its children.
     /// O(nodes that it meets).
     pub fn nodes<'a, const D: usize>(&self, tree: &'a Tree<D>) -> impl Iterator<Item = Node> + 'a {

@@ -143,24 +143,22 @@ fn in_space_a_tag_lies_on_its_own_child_and_not_on_one_before_it() {
             n_tags += 1;
         }
     });
-    assert!(n_tags > 100, "{n_tags}");
+    assert!(n_tags > 20, "{n_tags}");
 }
 
 #[test]
-fn of_the_children_that_are_not_taken_all_that_are_seen_have_their_tag_or_none_has() {
+fn of_the_children_that_are_not_taken_all_have_their_tag_or_none_has() {
     fn check<const D: usize>(shown: &Shown<'_, D>) -> usize {
         let others = shown.children().into_iter().filter(|(_, is_taken)| !is_taken);
         let tagged: Vec<bool> = others.map(|(node, _)| shown.tag(node).is_some()).collect();
         let n_tags = tagged.iter().filter(|has| **has).count();
-        // In space, some are hidden by the others, or all that is large enough of them.
-        let least = if D == 2 { tagged.len() } else { tagged.len().min(3) };
-        assert!(n_tags == 0 || n_tags >= least, "{}: {tagged:?}", shown.place);
+        assert!(n_tags == 0 || n_tags == tagged.len(), "{}: {tagged:?}", shown.place);
         n_tags
     }
     let (mut in_plane, mut in_space) = (0, 0);
     plane(|shown| in_plane += check(shown));
     space(|shown| in_space += check(shown));
-    assert!(in_plane > 100 && in_space > 100, "{in_plane} {in_space}");
+    assert!(in_plane > 100 && in_space > 20, "{in_plane} {in_space}");
 }
 
 #[test]

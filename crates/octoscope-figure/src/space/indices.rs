@@ -50,14 +50,12 @@ impl<const D: usize> Canvas<'_, D> {
         if others.iter().any(|tag| tag.side < roomy) {
             return;
         }
-        // One that is hidden by others needs none.
-        let is_seen = |tag: &&Tag<'_, D>| !self.seen(tag, tag.all_over(), &siblings).is_empty();
-        let seen: Vec<_> = others.iter().filter(is_seen).collect();
+        // One that is hidden by others has no place.
         let n_taken = self.taken.len();
         let places: Option<Vec<_>> =
-            seen.iter().map(|tag| self.place_other(tag, &siblings)).collect();
+            others.iter().map(|tag| self.place_other(tag, &siblings)).collect();
         let Some(places) = places else { return self.taken.truncate(n_taken) };
-        seen.into_iter().zip(places).for_each(|(tag, at)| self.draw_tag(tag, at));
+        others.iter().zip(places).for_each(|(tag, at)| self.draw_tag(tag, at));
     }
 
     fn tag<'m>(&self, mark: &'m Mark<D>) -> Option<Tag<'m, D>> {
