@@ -127,9 +127,10 @@ impl<const D: usize> Run<'_, D> {
     /// What halving has left of the children: of a node that is halved, or of the parent
     /// of one that is whole.
     fn halved(&self, part: Part<D>) -> Option<Choice<D>> {
-        let (parent, taken) = match part.halved.is_empty() {
-            false => (part.node, None),
-            true => (self.tree.parent(part.node)?, self.tree.child_index(part.node)),
+        let (parent, taken) = if part.halved.is_empty() {
+            (self.tree.parent(part.node)?, self.tree.child_index(part.node))
+        } else {
+            (part.node, None)
         };
         let pending = self.moment.pending.iter().map(|(part, _)| *part);
         let parts: Vec<Part<D>> = pending.chain([part]).collect();
