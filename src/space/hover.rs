@@ -7,7 +7,8 @@ use crate::look::Look;
 use crate::widgets::{PageInWindow, node_note, rich_job};
 use eframe::egui::text::LayoutJob;
 use eframe::egui::{
-    FontId, Galley, Label, Pos2, Rect, RichText, Ui, Vec2, WidgetInfo, accesskit::Role, pos2, vec2,
+    FontId, Galley, Label, Pos2, Rect, RichText, Stroke, StrokeKind, Ui, Vec2, WidgetInfo,
+    accesskit::Role, pos2, vec2,
 };
 use octoscope_core::explain::RichText as Words;
 use octoscope_core::locate::Direction;
@@ -74,7 +75,7 @@ pub fn card<const D: usize>(ui: &mut Ui, look: &Look, view: Rect, tree: &Tree<D>
         vec2(size.x.max(galley.size().x), size.y + galley.size().y)
     });
     let ground = in_corner(view, size + 2.0 * PADDING, &told.seen);
-    ui.painter().rect_filled(ground, 4.0, look.palette.panel);
+    paint_ground(ui, look, ground);
     let mut corner = ground.min + PADDING;
     for (galley, plain) in lines {
         let place = Rect::from_min_size(corner, galley.size());
@@ -84,19 +85,38 @@ pub fn card<const D: usize>(ui: &mut Ui, look: &Look, view: Rect, tree: &Tree<D>
     }
 }
 
-/// Says beside the pointer what a click does.
-pub fn hint<const D: usize>(ui: &mut Ui, look: &Look, frame: PageInWindow, under: &Under<D>) {
+/// Paints what parts a card from the picture below it.
+fn paint_ground(ui: &Ui, look: &Look, ground: Rect) {
+    let border = Stroke::new(1.0, look.palette.rail);
+    ui.painter().rect(ground, 4.0, look.palette.panel, border, StrokeKind::Inside);
+}
+
+/// Says beside the pointer what a click does, and rather covers none of the `numbers`.
+pub fn hint<const D: usize>(
+    ui: &mut Ui,
+    look: &Look,
+    frame: PageInWindow,
+    under: &Under<D>,
+    numbers: &[Rect],
+) {
     let Some(Click::Neighbour(direction)) = under.click else { return };
     let pointer = frame.on_screen(under.at);
     let room = frame.rect().intersect(ui.clip_rect()).shrink(8.0);
     let text = look.text("space-click-neighbour");
-    label(ui, look, text, |size| beside(pointer, direction.components(), size, room));
+    label(ui, look, text, |size| beside(pointer, direction.components(), size, room, numbers));
 }
 
 /// Place of a hint of this size at the pointer, within `room`: on the inner side of the
 /// cell where there is room, else on the other one. It does not cover the side in this
-/// direction, upwards being positive, as that is nearer to the pointer than the hint.
-fn beside<const D: usize>(pointer: Pos2, direction: [i8; D], size: Vec2, room: Rect) -> Rect {
+/// direction, upwards being positive, as that is nearer to the pointer than the hint. Across
+/// the direction it goes where it covers the fewest of the `numbers`.
+fn beside<const D: usize>(
+    pointer: Pos2,
+    direction: [i8; D],
+    size: Vec2,
+    room: Rect,
+    numbers: &[Rect],
+) -> Rect {
     // From the pointer to the right, and to the left; downwards, and upwards.
     let right = [pointer.x + 14.0, pointer.x - 14.0 - size.x];
     let down = [pointer.y + 18.0, pointer.y - 14.0 - size.y];
@@ -108,7 +128,16 @@ fn beside<const D: usize>(pointer: Pos2, direction: [i8; D], size: Vec2, room: R
     let fits_along = |y: f32| room.top() <= y && y + size.y <= room.bottom();
     let x = chosen(right, &fits_across, direction[0] > 0);
     let y = chosen(down, &fits_along, direction[1] < 0);
-    Rect::from_min_size(pos2(x, y), size)
+    let aside = |own: f32, all: [f32; 2], fits: &dyn Fn(f32) -> bool, along: i8| {
+        let others = all.into_iter().filter(|other| along == 0 && *other != own && fits(*other));
+        [own].into_iter().chain(others).collect::<Vec<f32>>()
+    };
+    let ys = aside(y, down, &fits_along, direction[1]);
+    let places = aside(x, right, &fits_across, direction[0])
+        .into_iter()
+        .flat_map(|x| ys.iter().map(move |&y| Rect::from_min_size(pos2(x, y), size)));
+    let n_covered = |place: &Rect| numbers.iter().filter(|other| other.intersects(*place)).count();
+    places.min_by_key(n_covered).unwrap_or(Rect::from_min_size(pos2(x, y), size))
 }
 
 /// A line of quiet text on its own ground, which `place` lays out by its size.
@@ -117,7 +146,7 @@ fn label(ui: &mut Ui, look: &Look, text: String, place: impl FnOnce(Vec2) -> Rec
     let color = look.palette.quiet;
     let size = ui.painter().layout_no_wrap(text.clone(), font.clone(), color).size();
     let ground = place(size + vec2(12.0, 6.0));
-    ui.painter().rect_filled(ground, 4.0, look.palette.panel);
+    paint_ground(ui, look, ground);
     let text = RichText::new(text).font(font).color(color);
     ui.put(ground, Label::new(text).selectable(false));
 }
@@ -130,11 +159,25 @@ mod tests {
     fn the_hint_lies_on_the_side_of_the_pointer_that_the_click_does_not_cross() {
         let (size, room) =
             (vec2(60.0, 20.0), Rect::from_min_max(pos2(0.0, 0.0), pos2(200.0, 200.0)));
-        let placed = |direction| beside(pos2(100.0, 100.0), direction, size, room);
+        let placed = |direction| beside(pos2(100.0, 100.0), direction, size, room, &[]);
         assert!(placed([1, 0]).right() < 92.0);
         assert!(placed([-1, 0]).left() > 108.0);
         assert!(placed([0, 1]).top() > 108.0);
         assert!(placed([0, -1]).bottom() < 92.0);
+    }
+
+    #[test]
+    fn the_hint_covers_no_number_where_there_is_another_place() {
+        let (size, room) =
+            (vec2(60.0, 20.0), Rect::from_min_max(pos2(0.0, 0.0), pos2(200.0, 200.0)));
+        let placed = |direction, numbers: &[Rect]| {
+            beside(pos2(100.0, 100.0), direction, size, room, numbers)
+        };
+        for direction in [[1, 0], [-1, 0], [0, 1], [0, -1]] {
+            let first = placed(direction, &[]);
+            let number = Rect::from_center_size(first.center(), vec2(10.0, 10.0));
+            assert!(!placed(direction, &[number]).intersects(number), "{direction:?}");
+        }
     }
 
     #[test]
@@ -143,7 +186,7 @@ mod tests {
             (vec2(60.0, 20.0), Rect::from_min_max(pos2(0.0, 0.0), pos2(200.0, 200.0)));
         for pointer in [pos2(180.0, 100.0), pos2(20.0, 100.0), pos2(100.0, 190.0)] {
             for direction in [[1, 0], [-1, 0], [0, 1], [0, -1]] {
-                let placed = beside(pointer, direction, size, room);
+                let placed = beside(pointer, direction, size, room, &[]);
                 assert!(room.contains_rect(placed), "{pointer} {direction:?}");
                 let near = Rect::from_center_size(pointer, vec2(16.0, 16.0));
                 assert!(!near.intersects(placed), "{pointer} {direction:?}");

@@ -177,7 +177,8 @@ fn tell<const D: usize>(
     }
     let hint = under.filter(|_| view.pointed == Some(moment.step) && !view.spotlight);
     if let Some(under) = hint {
-        hover::hint(ui, look, frame, &under);
+        let numbers = frame.places_of(figure, |role| role == MarkRole::OrderNumber);
+        hover::hint(ui, look, frame, &under, &numbers);
     }
 }
 
