@@ -72,7 +72,8 @@ pub struct Export {
     pub output: Option<PathBuf>,
     /// Number of steps that have happened, first (before all) or last, a range
     /// such as 3-12, or all; without it, where the scenario says, all for gif and
-    /// apng, and the last for table and chart if the scenario says none.
+    /// apng, and the last for table and chart unless the scenario says a later one
+    /// than the first.
     #[arg(long, value_name = "N|first|last|A-B|all", allow_hyphen_values = true)]
     step: Option<Steps>,
     /// Steps of a storyboard: even:N of all, leaves:N of those that report a leaf,

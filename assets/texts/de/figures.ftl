@@ -52,6 +52,8 @@ chart-step = nach Schritt { $step } von { $of }
 legend-ray = Strahl
 legend-ray-tip = t = 1
 legend-ray-away = Abstand des Strahlursprungs von der Wurzel
+legend-mirrored-ray = der Strahl gespiegelt
+legend-mirrored-wrongly = der Strahl gespiegelt wie gedruckt
 legend-visited = besuchte Blätter, der Reihe nach
 legend-strayed = gemeldet, obwohl falsch
 legend-expected = wäre richtig

@@ -52,6 +52,8 @@ chart-step = after step { $step } of { $of }
 legend-ray = ray
 legend-ray-tip = t = 1
 legend-ray-away = distance of the ray’s origin from the root
+legend-mirrored-ray = the ray mirrored
+legend-mirrored-wrongly = the ray mirrored as printed
 legend-visited = visited leaves, in order
 legend-strayed = reported although wrong
 legend-expected = would be right

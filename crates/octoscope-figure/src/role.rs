@@ -103,6 +103,8 @@ pub enum Role {
     MirroredRay,
     /// Where that begins.
     MirroredOrigin,
+    /// The ray as a misprint mirrors it.
+    MirroredWrongly,
     /// What was there before a change, or what is being drawn.
     Ghost,
     /// The node under the pointer, in whichever view.

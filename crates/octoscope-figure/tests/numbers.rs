@@ -320,7 +320,7 @@ fn a_ray_that_is_mirrored_wrongly_is_seen_beside_the_right_one() {
             });
         ends.unwrap()
     };
-    let [right, wrong] = [Role::MirroredRay, Role::Strayed].map(arrow);
+    let [right, wrong] = [Role::MirroredRay, Role::MirroredWrongly].map(arrow);
     assert_ne!(right[0], wrong[0]);
     let slope = |[from, to]: [[f64; 2]; 2]| (to[1] - from[1]) / (to[0] - from[0]);
     assert!((slope(right) - slope(wrong)).abs() < 1e-9, "{right:?} {wrong:?}");

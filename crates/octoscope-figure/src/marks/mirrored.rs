@@ -52,7 +52,7 @@ impl<const D: usize> Scene<'_, D> {
         let [_, origin] = mirrored_origins(self.tree.domain(), self.ray, self.query)?;
         let ray = Ray::new(origin, self.ray.direction().map(f64::abs)).ok()?;
         let ends = [origin, far_end(self.tree, &ray)];
-        Some(Mark::new(Shape::Arrow(ends), Role::Strayed))
+        Some(Mark::new(Shape::Arrow(ends), Role::MirroredWrongly))
     }
 
     /// The number of a child; where the mirrored ray is shown, its number in the

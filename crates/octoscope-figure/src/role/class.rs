@@ -86,6 +86,7 @@ impl Role {
             Self::RayBeyond => "ray-beyond",
             Self::MirroredRay => "mirrored-ray",
             Self::MirroredOrigin => "mirrored-origin",
+            Self::MirroredWrongly => "mirrored-wrongly",
             Self::Ghost => "ghost",
             Self::Hover => "hover",
             Self::HoverSide => "hover-side",

@@ -7,7 +7,7 @@ use std::sync::LazyLock;
 impl Role {
     /// One role of every kind, in the order in which they cover each other,
     /// the lowest first.
-    pub const KINDS: [Self; 132] = [
+    pub const KINDS: [Self; 133] = [
         Self::Pixel([128; 3]),
         Self::FaintNode,
         Self::InnerNode,
@@ -52,6 +52,7 @@ impl Role {
         Self::ApartTaken,
         Self::MirroredRay,
         Self::MirroredOrigin,
+        Self::MirroredWrongly,
         Self::RayBeyond,
         Self::Ray,
         Self::Direction,

@@ -125,6 +125,9 @@ impl Style {
                 dash: Dash::Dashed,
                 ..line(p.ray.faded(0.75), 1.5)
             },
+            Role::MirroredWrongly => {
+                Self { fill: Some(p.rejected), dash: Dash::Dashed, ..line(p.rejected, 1.5) }
+            }
             Role::Ghost => Self {
                 fill: Some(p.quiet_ink.faded(0.12)),
                 dash: Dash::Dashed,

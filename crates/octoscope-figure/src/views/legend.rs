@@ -18,10 +18,12 @@ enum Swatch {
 }
 
 /// Roles that are explained where they occur, by their class.
-const ENTRIES: [(&str, Role, Swatch); 21] = [
+const ENTRIES: [(&str, Role, Swatch); 23] = [
     ("ray", Role::Ray, Swatch::Arrow),
     ("ray-tip", Role::RayTip, Swatch::Diamond),
     ("ray-away", Role::RayAway, Swatch::Disc),
+    ("mirrored-ray", Role::MirroredRay, Swatch::Arrow),
+    ("mirrored-wrongly", Role::MirroredWrongly, Swatch::Arrow),
     ("visited", Role::Visited { share: 0.5 }, Swatch::Ramp),
     ("strayed", Role::Strayed, Swatch::Crossed),
     ("expected", Role::Expected, Swatch::Field),
