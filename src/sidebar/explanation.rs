@@ -60,7 +60,8 @@ pub fn ui<const D: usize>(
             if index > first {
                 column.separator();
             }
-            let folded = view.arrangement().is_folded(kind);
+            let by_preset = view.preset.folded::<D>();
+            let folded = view.arrangement().is_folded(kind, by_preset);
             let place = InColumn { folded, index, n_panels: panels.len() };
             let note = note(look, document, moment, kind);
             let top = column.cursor().top();

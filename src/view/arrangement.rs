@@ -16,6 +16,8 @@ pub struct Arrangement {
     closed: Vec<PanelKind>,
     /// Panels of which only the heading is shown.
     folded: Vec<PanelKind>,
+    /// Panels of which all is shown, whatever the preset says.
+    unfolded: Vec<PanelKind>,
     /// How often it was restored. Another number is another side of the window
     /// for the toolkit, which then has its first width again.
     n_restored: u32,
@@ -24,8 +26,10 @@ pub struct Arrangement {
 /// Something that can be done to a panel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum PanelChange {
-    /// Leave only its heading, or show all of it again.
+    /// Leave only its heading.
     Fold,
+    /// Show all of it again.
+    Unfold,
     /// Exchange it with the panel before it.
     MoveUp,
     /// Exchange it with the panel after it.
@@ -57,9 +61,11 @@ impl Arrangement {
         shown
     }
 
-    /// Whether only the heading of a panel is shown.
-    pub fn is_folded(&self, kind: PanelKind) -> bool {
-        self.folded.contains(&kind)
+    /// Whether only the heading of a panel is shown where the preset has those of
+    /// `automatic` folded.
+    pub fn is_folded(&self, kind: PanelKind, automatic: &[PanelKind]) -> bool {
+        let is_automatic = automatic.contains(&kind) && !self.unfolded.contains(&kind);
+        is_automatic || self.folded.contains(&kind)
     }
 
     /// Whether a panel is shown whatever the preset says.
@@ -70,18 +76,19 @@ impl Arrangement {
     /// Shows all of a panel.
     pub fn unfold(&mut self, kind: PanelKind) {
         self.folded.retain(|&other| other != kind);
+        if !self.unfolded.contains(&kind) {
+            self.unfolded.push(kind);
+        }
     }
 
     /// Changes a panel of those that are `shown`.
     pub fn change(&mut self, kind: PanelKind, change: PanelChange, shown: &[PanelKind]) {
         match change {
             PanelChange::Fold => {
-                if self.is_folded(kind) {
-                    self.unfold(kind);
-                } else {
-                    self.folded.push(kind);
-                }
+                self.unfolded.retain(|&other| other != kind);
+                self.folded.push(kind);
             }
+            PanelChange::Unfold => self.unfold(kind),
             PanelChange::MoveUp => self.exchange(shown, kind, |index| index.checked_sub(1)),
             PanelChange::MoveDown => self.exchange(shown, kind, |index| Some(index + 1)),
             PanelChange::Close => {
@@ -181,13 +188,24 @@ mod tests {
     }
 
     #[test]
+    fn a_panel_that_the_preset_folds_is_unfolded_and_folded_again() {
+        let is_folded = |changes: &[PanelChange]| {
+            let all: Vec<_> = changes.iter().map(|&change| (Automaton, change)).collect();
+            changed(&all).is_folded(Automaton, &[Automaton])
+        };
+        let (fold, unfold) = (PanelChange::Fold, PanelChange::Unfold);
+        let folded = [is_folded(&[]), is_folded(&[unfold]), is_folded(&[unfold, fold])];
+        assert_eq!(folded, [true, false, true]);
+    }
+
+    #[test]
     fn restoring_forgets_everything_but_that_it_was_restored() {
         let mut arrangement = changed(&[(Rail, PanelChange::Fold), (Counters, PanelChange::Close)]);
         arrangement.add(Codes);
         let key = arrangement.width_key();
         arrangement.restore();
         assert_eq!(arrangement.shown(&PRESET), PRESET);
-        assert!(!arrangement.is_folded(Rail));
+        assert!(!arrangement.is_folded(Rail, &[]));
         assert_ne!(arrangement.width_key(), key);
     }
 }

@@ -77,6 +77,12 @@ impl Preset {
         usize::from(self == Self::Map && panels.first() == Some(&PanelKind::Map))
     }
 
+    /// The panels of which it shows only the heading at first.
+    pub fn folded<const D: usize>(self) -> &'static [PanelKind] {
+        // In space, rail and automaton fill a side each.
+        if self == Self::Rail && D == 3 { &[PanelKind::Automaton] } else { &[] }
+    }
+
     /// The panels that the preset is made of, where all of them say something.
     fn chosen<const D: usize>(self, query: &Query<D>) -> &'static [PanelKind] {
         use PanelKind::{
@@ -89,11 +95,12 @@ impl Preset {
             // The path through the tree is what the codes say, bit by bit.
             Self::Bits if matches!(own, None | Some(Codes | MidPlanes)) => &[Codes, Tree, Counters],
             Self::Bits => &[Codes, Neighbour, Counters],
-            // In space, rail and automaton fill a side each.
             Self::Rail if D == 2 => &[Rail, Automaton, Codes, Counters],
             // Its sums need all the room.
             Self::Rail if own == Some(Neighbour) && about_rays => &[Rail],
-            Self::Rail if own.is_none() || own == Some(Neighbour) => &[Rail, Codes, Counters],
+            Self::Rail if own.is_none() || own == Some(Neighbour) => {
+                &[Rail, Automaton, Codes, Counters]
+            }
             // What is peculiar to the algorithm takes the place of the codes.
             Self::Rail => &[Rail, Counters],
             Self::Automaton if D == 2 => &[Automaton, Rail, Counters],

@@ -3,8 +3,8 @@
 use crate::look::Look;
 use crate::view::PanelChange;
 use eframe::egui::{
-    Align, Button, Label, Layout, Popup, RichText, Sense, Stroke, StrokeKind, Ui, WidgetInfo,
-    accesskit::Role, vec2,
+    Align, Button, Label, Layout, Popup, RichText, Sense, Shape, Stroke, StrokeKind, Ui,
+    WidgetInfo, accesskit::Role, vec2,
 };
 
 /// A panel among its neighbours.
@@ -30,9 +30,19 @@ pub fn panel_heading(
     let mut chosen = None;
     ui.horizontal(|ui| {
         let color = if place.folded { look.palette.quiet } else { look.palette.ink };
-        ui.label(RichText::new(title).size(14.0).family(look.strong_family()).color(color));
+        let name = RichText::new(title).size(14.0).family(look.strong_family()).color(color);
+        if place.folded {
+            let name = ui.add(Label::new(name).sense(Sense::click()));
+            let (mark, _) = ui.allocate_exact_size(vec2(8.0, 8.0), Sense::hover());
+            let corners = [mark.left_top(), mark.right_center(), mark.left_bottom()];
+            ui.painter().add(Shape::convex_polygon(corners.to_vec(), color, Stroke::NONE));
+            let is_clicked = name.on_hover_text(look.text("panel-unfold")).clicked();
+            chosen = is_clicked.then_some(PanelChange::Unfold);
+        } else {
+            ui.label(name);
+        }
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-            chosen = menu(ui, look, title, place);
+            chosen = menu(ui, look, title, place).or(chosen);
             if !note.is_empty() && !place.folded {
                 let text = RichText::new(note).size(13.0).color(look.palette.quiet);
                 ui.add(Label::new(text).truncate());
@@ -58,9 +68,13 @@ fn menu(ui: &mut Ui, look: &Look, title: &str, place: InColumn) -> Option<PanelC
     }
     let mut chosen = None;
     Popup::menu(&button).show(|ui| {
-        let fold = if place.folded { "panel-unfold" } else { "panel-fold" };
+        let (fold, key) = if place.folded {
+            (PanelChange::Unfold, "panel-unfold")
+        } else {
+            (PanelChange::Fold, "panel-fold")
+        };
         for (change, key, enabled) in [
-            (PanelChange::Fold, fold, true),
+            (fold, key, true),
             (PanelChange::MoveUp, "panel-up", place.index > 0),
             (PanelChange::MoveDown, "panel-down", place.index + 1 < place.n_panels),
             (PanelChange::Close, "panel-close", true),

@@ -67,6 +67,18 @@ fn panels_move_up_and_down() {
 }
 
 #[test]
+fn a_click_on_the_title_of_a_folded_panel_unfolds_it() {
+    let mut desk = Desk::with_file("scene:points-3d");
+    assert_eq!(desk.panels(), ["t-rail", "Automaton", "Codes", "Counters"]);
+    assert!(!desk.says("Table 3"));
+    desk.get_all_by_label("Automaton").next().unwrap().click();
+    desk.run();
+    assert!(desk.says("Table 3"));
+    desk.choose("Automaton", "Fold");
+    assert!(!desk.says("Table 3"));
+}
+
+#[test]
 fn a_folded_panel_leaves_its_heading() {
     let mut desk = Desk::new();
     desk.choose("Automaton", "Fold");
