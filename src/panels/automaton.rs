@@ -46,7 +46,7 @@ pub fn ui<const D: usize>(
         response.widget_info(|| WidgetInfo::labeled(Role::Canvas, true, spoken.as_str()));
         paint_figure(ui, look, rect, &diagram);
         ui.vertical(|ui| {
-            caption(ui, if D == 2 { "automaton-table-1" } else { "automaton-table-3" });
+            caption(ui, if D == 2 { "automaton-table-in-plane" } else { "automaton-table-3" });
             table(ui, look, &exits, SETTING);
         });
     });

@@ -48,10 +48,10 @@ fn a_panel_is_closed_and_the_arrangement_restored() {
     assert_eq!(desk.panels(), FIRST);
     desk.choose("Automaton", "Close");
     assert_eq!(desk.panels(), ["t-rail", "Codes", "Counters"]);
-    assert!(!desk.says("Table 1"));
+    assert!(!desk.says("Next state by exit plane"));
     desk.press_with(Modifiers::COMMAND, Key::R);
     assert_eq!(desk.panels(), FIRST);
-    assert!(desk.says("Table 1"));
+    assert!(desk.says("Next state by exit plane"));
 }
 
 #[test]
@@ -83,9 +83,9 @@ fn a_folded_panel_leaves_its_heading() {
     let mut desk = Desk::new();
     desk.choose("Automaton", "Fold");
     assert_eq!(desk.panels(), FIRST);
-    assert!(!desk.says("Table 1"));
+    assert!(!desk.says("Next state by exit plane"));
     desk.choose("Automaton", "Unfold");
-    assert!(desk.says("Table 1"));
+    assert!(desk.says("Next state by exit plane"));
 }
 
 #[test]

@@ -36,7 +36,7 @@ automaton-morton = a = { $mask }: Zustand i ist Kind i xor { $mask }, gelesen al
 automaton-state = Zustand { $state }
 automaton-state-column = Zustand
 automaton-end = Ende
-automaton-table-1 = Tabelle 1: Austrittsebene
+automaton-table-in-plane = Folgezustand je Austrittsebene
 automaton-table-3 = Tabelle 3: Austrittsebene
 automaton-table-2 = Tabelle 2: Eintrittsebene, und was ein Bit setzt
 counters-step = Schritt

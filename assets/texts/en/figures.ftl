@@ -36,7 +36,7 @@ automaton-morton = a = { $mask }: state i is child i xor { $mask }, read as x + 
 automaton-state = State { $state }
 automaton-state-column = state
 automaton-end = end
-automaton-table-1 = Table 1: exit plane
+automaton-table-in-plane = Next state by exit plane
 automaton-table-3 = Table 3: exit plane
 automaton-table-2 = Table 2: entry plane, and what sets a bit
 counters-step = step

@@ -42,5 +42,5 @@ pub(crate) use hero::sorted;
 pub(crate) use misprint::{Base, traverse as traverse_mirrored};
 pub use misprinted_rules::mirrored_origin;
 pub(crate) use misprinted_rules::selection;
-pub use parametric_table::{TABLE_1, TABLE_2, TABLE_3, entry_axes, transition};
+pub use parametric_table::{TABLE_2, TABLE_3, TABLE_IN_PLANE, entry_axes, transition};
 pub use variant::{UnknownVariant, Variant, Variants};

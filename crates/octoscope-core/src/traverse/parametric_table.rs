@@ -1,8 +1,8 @@
 //! Parametric traversal by tables [Revelles 2000, §3], as corrected.
 //!
 //! As the paper tells it: Table 2 finds the first child from the plane through
-//! which the node is entered, Table 3 (in 2-D: Table 1) leads from child to
-//! child by the plane through which each is left. O(visited nodes).
+//! which the node is entered, Table 3 leads from child to child by the plane
+//! through which each is left; in the plane one without a number does. O(visited nodes).
 //!
 //! Differences from the uniform rule of `parametric`, all of them the paper's:
 //! comparisons are strict and cross one plane at a time, so that a ray through
@@ -24,9 +24,9 @@ use crate::geometry::{Axes, Parameter, Ray};
 use crate::tree::{Child, Code, Node, Tree};
 use std::ops::ControlFlow;
 
-/// Table 1: next state of the quadtree automaton when a child is left through
+/// What Table 3 is in the plane: next state of the quadtree automaton when a child is left through
 /// its far x or y plane; 4 is the end.
-pub const TABLE_1: [[u8; 2]; 4] = [[2, 1], [3, 4], [4, 3], [4, 4]];
+pub const TABLE_IN_PLANE: [[u8; 2]; 4] = [[2, 1], [3, 4], [4, 3], [4, 4]];
 
 /// Table 2, corrected: for entry through the near plane of axis x, y, z, the
 /// axes whose mid planes are compared with the entry, in the order of the rows.
@@ -38,11 +38,11 @@ pub const TABLE_3: [[u8; 3]; 8] =
     [[4, 2, 1], [5, 3, 8], [6, 8, 3], [7, 8, 8], [8, 6, 5], [8, 7, 8], [8, 8, 7], [8, 8, 8]];
 
 /// Next state of the automaton that leaves `state` through its far plane of
-/// `axis`, by Table 1 (D = 2) or 3 (D = 3); `None` at the end.
+/// `axis`, by Table 3 or what it is in the plane; `None` at the end.
 #[inline]
 pub fn transition<const D: usize>(state: Child<D>, axis: usize) -> Option<Child<D>> {
     let next = if D == 2 {
-        TABLE_1[usize::from(state.0)][axis]
+        TABLE_IN_PLANE[usize::from(state.0)][axis]
     } else {
         TABLE_3[usize::from(state.0)][axis]
     };
@@ -163,7 +163,7 @@ impl<const D: usize, P: Parameter, O: Observer<D>> Walk<'_, D, P, O> {
             self.visit(child_node, level - 1, child_code, near_of_child, far_of_child)?;
             self.observe.observe(Event::Up { node: Some(node.id) });
 
-            // Step: Table 1 or 3, by the far plane that is reached first.
+            // Step: Table 3, by the far plane that is reached first.
             let axis = exit_axis(far_of_child);
             let next = transition(state, axis);
             let axes = Axes::one(axis);

@@ -81,7 +81,7 @@ impl<const D: usize> Automaton<D> {
         sheet.figure([side; 2])
     }
 
-    /// Table 1 or 3: next state by state and exit plane.
+    /// Table 3, or what it is in the plane: next state by state and exit plane.
     pub fn exit_table(&self, texts: &Texts) -> Table {
         let axes = (0..D).map(|axis| on_axis(axis, AXIS_NAMES[axis]));
         let row = |state: Child<D>| {
@@ -210,7 +210,7 @@ pub(super) fn view<const D: usize>(subject: &Subject<D>, width: f64) -> Figure {
     };
     let is_beside = side + GAP + table_width <= width;
     let at = if is_beside { [side + GAP, top] } else { [0.0, top + side + 12.0] };
-    let key = if D == 2 { "automaton-table-1" } else { "automaton-table-3" };
+    let key = if D == 2 { "automaton-table-in-plane" } else { "automaton-table-3" };
     let at = title(&mut sheet, key, at);
     exits.draw(&mut sheet, at, setting);
     let mut bottom = (at[1] + table_height).max(top + side);
