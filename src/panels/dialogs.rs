@@ -195,11 +195,12 @@ fn keys(ui: &mut Ui, look: &Look) {
     /// Least width of a column.
     const COLUMN: f32 = 420.0;
     title(ui, &look.text("dialog-keys"));
-    let groups = Menu::ALL.map(|menu| {
+    let menus = Menu::ALL.iter().flat_map(|menu| std::iter::once(menu).chain(menu.inner()));
+    let groups = menus.map(|&menu| {
         let rows = COMMANDS.iter().filter(|row| row.menu == menu && !row.keys.is_empty());
         (menu, rows.collect::<Vec<_>>())
     });
-    let groups: Vec<_> = groups.into_iter().filter(|(_, rows)| !rows.is_empty()).collect();
+    let groups: Vec<_> = groups.filter(|(_, rows)| !rows.is_empty()).collect();
     let columns = if ui.available_width() >= 2.0 * COLUMN {
         let n_lines: Vec<_> = groups.iter().map(|(_, rows)| 2 + rows.len()).collect();
         let is_left = balanced(&n_lines);

@@ -47,7 +47,9 @@ pub fn ui<const D: usize>(ui: &mut Ui, look: &Look, tree: &Tree<D>, past: &[Even
         let down =
             if way.down.iter().all(is_mirrored) { "tables-down" } else { "tables-down-facing" };
         let both = |ui: &mut Ui| {
-            for (key, steps) in [("tables-up", &way.up), (down, &way.down)] {
+            // Some go up by tables, and down again by codes.
+            let lists = [("tables-up", &way.up), (down, &way.down)];
+            for (key, steps) in lists.into_iter().filter(|(_, steps)| !steps.is_empty()) {
                 ui.vertical(|ui| {
                     caption(ui, look, look.text(key));
                     list(ui, look, tree, steps, way.is_over);

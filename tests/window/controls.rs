@@ -11,7 +11,7 @@ use egui_kittest::kittest::{NodeT, Queryable};
 use octoscope::command::Menu;
 use octoscope::text::texts;
 use octoscope::theme;
-use octoscope::view::Preset;
+use octoscope::view::{Dialog, Preset};
 use octoscope_core::query::Query;
 use octoscope_core::scenario::{BUILT_IN, built_in};
 use octoscope_core::text::Language;
@@ -116,6 +116,16 @@ fn menus_list_their_commands_and_obey() {
             assert!(desk.says(&english(row.id)), "{}", row.id);
         }
         desk.press(Key::Escape);
+    }
+}
+
+#[test]
+fn the_dialog_of_keys_tells_every_command_that_has_one() {
+    let mut desk = Desk::new();
+    desk.state_mut().view.dialog = Some(Dialog::Keys);
+    desk.run();
+    for row in octoscope::command::COMMANDS.iter().filter(|row| !row.keys.is_empty()) {
+        assert!(desk.says(&english(row.id)), "{}", row.id);
     }
 }
 
