@@ -19,7 +19,7 @@ use octoscope_core::event::{End, Event};
 use octoscope_core::geometry::{AXIS_NAMES, Aabb, Axes, Ray};
 use octoscope_core::query::Query;
 use octoscope_core::trace::{LeafOnRay, Moment};
-use octoscope_core::tree::{Child, NodeId, Tree};
+use octoscope_core::tree::{Child, Code, NodeId, Tree};
 use std::collections::HashSet;
 
 /// Marks of a query at a moment, the lowest first; O(length of the path), so
@@ -286,10 +286,17 @@ impl<const D: usize> Scene<'_, D> {
                 }
             }
         }
-        // The place beyond the border, if it is in the domain.
+        // The place beyond the border, if it is in the domain, until its leaf is visited.
         let domain = self.tree.domain();
         let target = self.moment.target.and_then(|target| domain.code_inside(target.to));
-        if let Some(code) = target {
+        let is_ahead = |code: &Code<D>| {
+            let holds = |leaf: &LeafOnRay| {
+                let (level, of_leaf) = (self.tree.level(leaf.node), self.tree.code(leaf.node));
+                (0..D).all(|e| code[e] >> level == of_leaf[e] >> level)
+            };
+            !self.moment.leaves.last().is_some_and(holds)
+        };
+        if let Some(code) = target.filter(is_ahead) {
             marks.push(Mark::new(Shape::Box(domain.cell_box(0, code)), Role::Target));
         }
     }

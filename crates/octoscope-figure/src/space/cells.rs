@@ -4,7 +4,7 @@ use super::apart::is_apart;
 use super::cross::cross_out;
 use super::{Canvas, FINE, GROUND, above_space, has_ground};
 use crate::camera::corners;
-use crate::{Form, Mark, Part, Role};
+use crate::{Form, Mark, Part, Role, Style, Theme};
 use octoscope_core::geometry::Aabb;
 
 impl<const D: usize> Canvas<'_, D> {
@@ -31,7 +31,12 @@ impl<const D: usize> Canvas<'_, D> {
     fn draw_outline(&mut self, mark: &Mark<D>, bounds: &Aabb<D>, points: Vec<[f64; 2]>) {
         let side = bounds.size()[0] / self.camera.unit(self.page);
         let is_leaf = is_leaf(mark.role);
-        let part = if is_leaf && side < FINE { Part::Fine } else { Part::Whole };
+        let is_line = Style::of(Theme::Light, mark.role).fill.is_none();
+        let part = match self.edge_part(mark, bounds) {
+            _ if is_leaf && side < FINE => Part::Fine,
+            Part::FineEdge if is_line => Part::FineEdge,
+            _ => Part::Whole,
+        };
         if !is_leaf {
             self.spare(&points);
         }

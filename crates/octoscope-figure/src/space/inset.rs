@@ -1,6 +1,6 @@
 //! How large boxes are drawn: some within their own cell, and the lines of small ones finer.
 
-use crate::{Part, Role, Style};
+use crate::{Dash, Part, Role, Style};
 use octoscope_core::geometry::Aabb;
 
 /// The box of a mark as it is drawn: that of a child which is not taken lies a little
@@ -31,10 +31,12 @@ pub fn drawn_box<const D: usize>(role: Role, bounds: &Aabb<D>, unit: f64) -> Aab
     }
 }
 
-/// How the edges of a box are drawn: finer where it is so small that a line of this style
-/// would fill it. `unit` is a page unit in world units.
+/// How the edges of a box are drawn: finer and unbroken where it is so small that a line of
+/// this style would fill it, or broken sides with their casing run together. `unit` is a
+/// page unit in world units.
 pub fn edge_part<const D: usize>(style: &Style, bounds: &Aabb<D>, unit: f64) -> Part {
-    const LEAST: f64 = 4.5;
+    let is_cased = style.dash != Dash::Solid && style.casing > 0.0;
+    let least = if is_cased { 12.0 } else { 4.5 };
     let side = bounds.size().into_iter().fold(0.0, f64::max) / unit;
-    if side < LEAST * style.width { Part::FineEdge } else { Part::Edge }
+    if side < least * style.width { Part::FineEdge } else { Part::Edge }
 }
