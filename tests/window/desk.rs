@@ -150,6 +150,14 @@ impl Desk {
         self.step();
     }
 
+    /// Shows frames until nothing changes any more, however long other threads take for what
+    /// is waited for.
+    pub fn run(&mut self) {
+        const MOST: usize = 100;
+        let is_settled = (0..MOST).any(|_| self.try_run().is_ok());
+        assert!(is_settled, "the window never comes to rest");
+    }
+
     /// Presses and releases a key in one frame, settled or not.
     pub fn strike(&mut self, key: Key) {
         let modifiers = Modifiers::NONE;
