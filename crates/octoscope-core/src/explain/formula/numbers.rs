@@ -54,16 +54,19 @@ impl Formula {
     }
 }
 
-/// Gives numbers of the same step that differ, but have the same short form, so many digits
-/// that they are told apart.
+/// Gives numbers of the same step that differ by more than rounding, but have the same short
+/// form, so many digits that they are told apart.
 pub(super) fn tell_apart(statements: &mut [Statement]) {
+    /// Share of a number by which another one may differ from it by rounding alone.
+    const ROUNDING: f64 = 1e-12;
     let formulas = statements.iter_mut().filter_map(|statement| statement.numbers.as_mut());
     let mut numbers: Vec<(f64, &mut String)> = formulas.flat_map(Formula::numbers_mut).collect();
     let all: Vec<(f64, String)> = numbers.iter().map(|(x, shown)| (*x, (*shown).clone())).collect();
     for (value, shown) in &mut numbers {
-        let others = all.iter().filter(|(x, text)| *x != *value && *text == **shown && !x.is_nan());
+        let differs = |x: f64| (x - *value).abs() > ROUNDING * x.abs().max(value.abs());
+        let others = all.iter().filter(|(x, text)| differs(*x) && *text == **shown);
         let others: Vec<f64> = others.map(|(x, _)| *x).collect();
-        if let ([_, ..], false) = (&others[..], value.is_nan()) {
+        if !others.is_empty() {
             let group: Vec<f64> = std::iter::once(*value).chain(others).collect();
             **shown = distinct(&group).swap_remove(0);
         }
@@ -86,5 +89,15 @@ mod tests {
         let numbers = statements.iter_mut().flat_map(|s| s.numbers.as_mut().unwrap().numbers_mut());
         let shown: Vec<String> = numbers.map(|(_, shown)| shown.clone()).collect();
         assert_eq!(shown, ["1", "0.9999997", "1.000001", "2.5"]);
+    }
+
+    #[test]
+    fn what_rounding_makes_of_a_number_has_no_more_digits() {
+        let quotient = (0.25 - 0.2) / 0.25;
+        let numbers = row![number(0.2), Sign::About, number(quotient), number(f64::NAN)];
+        let mut statements = vec![Statement { symbols: "t".into(), numbers: Some(numbers) }];
+        tell_apart(&mut statements);
+        let numbers = statements[0].numbers.as_mut().unwrap().numbers_mut();
+        assert!(quotient != 0.2 && numbers.iter().take(2).all(|(_, shown)| *shown == "0.2"));
     }
 }
