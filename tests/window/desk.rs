@@ -158,6 +158,16 @@ impl Desk {
         assert!(is_settled, "the window never comes to rest");
     }
 
+    /// Opens the export dialog, which does not settle before its picture is there.
+    pub fn open_export(&mut self) {
+        self.key_press_modifiers(Modifiers::COMMAND, Key::E);
+        self.step();
+        self.step();
+        let context = self.ctx.clone();
+        self.state_mut().finish_preview(&context);
+        self.run();
+    }
+
     /// Presses and releases a key in one frame, settled or not.
     pub fn strike(&mut self, key: Key) {
         let modifiers = Modifiers::NONE;

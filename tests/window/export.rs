@@ -226,12 +226,7 @@ fn the_dialog_says_of_which_steps_its_picture_is() {
     let mut said = |choice: Choice, step: usize| {
         desk.state_mut().view.playback.step = step;
         desk.state_mut().view.export = choice;
-        desk.key_press_modifiers(Modifiers::COMMAND, Key::E);
-        desk.step();
-        desk.step();
-        let context = desk.ctx.clone();
-        desk.state_mut().finish_preview(&context);
-        desk.run();
+        desk.open_export();
         let texts = desk.texts();
         desk.press(Key::Escape);
         texts
@@ -302,12 +297,7 @@ fn a_page_like_a_thread_has_a_preview() {
         unit: Unit::Pixel,
         ..choice(Format::Svg)
     };
-    desk.key_press_modifiers(Modifiers::COMMAND, Key::E);
-    desk.step();
-    desk.step();
-    let context = desk.ctx.clone();
-    desk.state_mut().finish_preview(&context);
-    desk.run();
+    desk.open_export();
     assert!(shown_command(&desk).contains("--size=1x16384px"));
     assert!(!desk.texts().iter().any(|text| text.contains("not possible")));
 }

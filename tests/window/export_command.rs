@@ -2,7 +2,7 @@
 
 use crate::desk::Desk;
 use crate::export::{choice, shown_command};
-use eframe::egui::{Key, Modifiers, accesskit::Role};
+use eframe::egui::{Key, accesskit::Role};
 use egui_kittest::kittest::Queryable;
 use octoscope::export::{Choice, ExerciseChoice, Extent, Format, MomentChoice, StepChoice};
 use octoscope::view::Dialog;
@@ -20,13 +20,7 @@ use tempfile::{TempDir, tempdir};
 fn check(desk: &mut Desk, folder: &TempDir, choice: Choice) {
     let file = choice.file.clone();
     desk.state_mut().view.export = choice;
-    desk.key_press_modifiers(Modifiers::COMMAND, Key::E);
-    // The dialog does not settle before its picture is there.
-    desk.step();
-    desk.step();
-    let context = desk.ctx.clone();
-    desk.state_mut().finish_preview(&context);
-    desk.run();
+    desk.open_export();
     assert_eq!(desk.state().view.dialog, Some(Dialog::Export));
     let command = shown_command(desk);
     let path = folder.path().join(&file);
@@ -37,6 +31,7 @@ fn check(desk: &mut Desk, folder: &TempDir, choice: Choice) {
     desk.get_by_role_and_label(Role::Button, "Export").click();
     desk.step();
     desk.step();
+    let context = desk.ctx.clone();
     desk.state_mut().finish_export(&context);
     desk.run();
     assert_eq!(desk.state().view.dialog, None, "{command}");
