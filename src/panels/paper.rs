@@ -8,7 +8,7 @@ use crate::document::Found;
 use crate::look::Look;
 use crate::widgets::{in_segments, printed_and_right, rich_label};
 use crate::wish::Wish;
-use eframe::egui::{CollapsingHeader, Label, RichText, Ui};
+use eframe::egui::{CollapsingHeader, Label, RichText, Ui, WidgetInfo, accesskit::Role};
 use octoscope_core::explain::{RichText as Words, misprint_formula};
 use octoscope_core::paper::{
     ERRATA, Erratum, Severity, Verdict, erratum_of, misprint_title, paper_texts,
@@ -80,13 +80,14 @@ fn switches<const D: usize>(ui: &mut Ui, look: &Look, query: &mut Query<D>, of: 
 
 /// Turns one of them on and off.
 fn switch<const D: usize>(ui: &mut Ui, look: &Look, query: &mut Query<D>, variant: Variant) {
-    let mut variants = query.variants();
-    let mut on = variants.has(variant);
+    let on = query.variants().has(variant);
     let title = misprint_title(variant, look.texts.language());
-    let response = ui.toggle_value(&mut on, RichText::new(variant.id()).size(14.0));
-    if response.on_hover_text(title.unwrap_or_default()).changed() {
-        variants = if on { variants.with(variant) } else { variants.without(variant) };
-        *query = query.with_variants(variants);
+    let response = ui.selectable_label(on, RichText::new(variant.id()).size(14.0));
+    if variant.other_reading().is_some() {
+        response.widget_info(|| WidgetInfo::selected(Role::RadioButton, true, on, variant.id()));
+    }
+    if response.on_hover_text(title.unwrap_or_default()).clicked() {
+        *query = query.with_variants(query.variants().switched(variant));
     }
 }
 

@@ -4,7 +4,7 @@ use crate::document::Document;
 use crate::look::Look;
 use crate::query_kind::QueryKind;
 use crate::widgets::{
-    Listed, Present, drop_down, explained_segments, heading, number_field, segments, tick,
+    Listed, Present, choose, drop_down, explained_segments, heading, number_field, segments, tick,
 };
 use eframe::egui::containers::menu::{MenuButton, MenuConfig};
 use eframe::egui::{Align, Grid, Layout, PopupCloseBehavior, RichText, Ui};
@@ -169,8 +169,13 @@ fn rules<const D: usize>(ui: &mut Ui, look: &Look, algorithm: Algorithm, chosen:
         for variant in own {
             let mut on = chosen.has(variant);
             let (name, why) = variant_texts(look, variant);
-            tick(ui, look, &mut on, name).on_hover_text(why);
-            *chosen = if on { chosen.with(variant) } else { chosen.without(variant) };
+            let response = match variant.other_reading() {
+                Some(_) => choose(ui, look, on, name),
+                None => tick(ui, look, &mut on, name),
+            };
+            if response.on_hover_text(why).clicked() {
+                *chosen = chosen.switched(variant);
+            }
         }
     });
     button.on_hover_text(look.text("query-rules-why"));

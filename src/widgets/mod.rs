@@ -55,5 +55,5 @@ pub use segments::{explained_segments, in_segments, segments};
 pub use slider_field::slider_field;
 pub use step_slider::step_slider;
 pub use table::{Setting, table, table_width};
-pub use tick::tick;
+pub use tick::{choose, tick};
 pub use typed_field::refused_number;

@@ -3,9 +3,10 @@
 use crate::desk::Desk;
 use eframe::egui::Key;
 use eframe::egui::accesskit::Role;
-use egui_kittest::kittest::Queryable;
+use egui_kittest::kittest::{NodeT as _, Queryable};
 use octoscope::document::AnyDocument;
 use octoscope::view::PanelKind;
+use octoscope::with_document;
 use octoscope_core::geometry::Ray;
 use octoscope_core::paper::counterexample;
 use octoscope_core::query::Query;
@@ -177,4 +178,46 @@ fn loading_a_counterexample_says_which_algorithm_and_rules_are_at_work() {
         desk.run();
         assert!(desk.says(told), "{:?}", desk.texts());
     }
+}
+
+#[test]
+fn readings_of_one_printed_rule_exclude_each_other() {
+    let mut desk = Desk::new();
+    for (first, second) in
+        [(Variant::B2, Variant::B2Morton), (Variant::B25Leftmost, Variant::B25Rightmost)]
+    {
+        desk.open_scenario(&counterexample(first));
+        let followed = |desk: &Desk| -> Vec<Variant> {
+            with_document!(desk.state().document(), d => d.scenario.query.variants().iter().collect())
+        };
+        assert_eq!(followed(&desk), [first]);
+        desk.click(Role::RadioButton, second.id());
+        assert_eq!(followed(&desk), [second]);
+        // The same by the keyboard, and none of them.
+        for expected in [vec![first], vec![]] {
+            desk.get_by_role_and_label(Role::RadioButton, first.id()).focus();
+            desk.run();
+            desk.press(Key::Space);
+            assert_eq!(followed(&desk), expected);
+        }
+    }
+}
+
+#[test]
+fn in_the_menu_of_rules_readings_exclude_each_other_as_well() {
+    let mut desk = Desk::new();
+    desk.open_scenario(&counterexample(Variant::B2));
+    desk.get_by_role_and_label(Role::Button, "Rules (1)").click();
+    desk.run();
+    let in_menu = |desk: &mut Desk, name: &str, role: Role| {
+        let row = desk.get_by_label_contains(name);
+        assert_eq!(row.accesskit_node().role(), role);
+        row.click();
+        desk.run();
+    };
+    in_menu(&mut desk, "B-2-morton · ", Role::RadioButton);
+    let variants = |desk: &Desk| desk.space().scenario.query.variants();
+    assert_eq!(variants(&desk), Variants::NONE.with(Variant::B2Morton));
+    in_menu(&mut desk, "B-1 · ", Role::CheckBox);
+    assert_eq!(variants(&desk), Variants::NONE.with(Variant::B2Morton).with(Variant::B1));
 }

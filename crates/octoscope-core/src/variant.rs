@@ -79,6 +79,10 @@ pub enum Variant {
     B28,
 }
 
+/// Printed rules that can be read in two ways.
+const READINGS: [[Variant; 2]; 2] =
+    [[Variant::B2, Variant::B2Morton], [Variant::B25Leftmost, Variant::B25Rightmost]];
+
 /// No variant has this name.
 #[derive(Clone, Debug, Error, PartialEq, Eq)]
 #[error("there is no variant ‘{0}’; see ‘octoscope scenes’ for those of every algorithm")]
@@ -141,6 +145,13 @@ impl Variant {
             Self::B25Rightmost => "B-25-rightmost",
             Self::B28 => "B-28",
         }
+    }
+
+    /// The other reading of the same printed rule, which excludes this one; `None` where
+    /// what is printed can be read in one way only.
+    pub fn other_reading(self) -> Option<Self> {
+        let both = READINGS.into_iter().find(|both| both.contains(&self))?;
+        both.into_iter().find(|reading| *reading != self)
     }
 
     /// Whether the variant is about doubles, so that it runs in them even where
@@ -221,6 +232,15 @@ impl Variants {
         Self(self.0 | 1 << variant as u32)
     }
 
+    /// The set without `variant`, or if it was not in there, with it and without the other
+    /// reading of the same printed rule.
+    pub fn switched(self, variant: Variant) -> Self {
+        if self.has(variant) {
+            return self.without(variant);
+        }
+        variant.other_reading().map_or(self, |other| self.without(other)).with(variant)
+    }
+
     /// The set without `variant`.
     pub fn without(self, variant: Variant) -> Self {
         Self(self.0 & !(1 << variant as u32))
@@ -273,6 +293,22 @@ mod tests {
         for variant in Variant::ALL {
             assert_eq!(variant.id().parse(), Ok(variant));
             assert_eq!(Variants::NONE.with(variant).without(variant), Variants::NONE);
+        }
+    }
+
+    #[test]
+    fn a_printed_rule_is_read_in_one_way_at_a_time() {
+        for variant in Variant::ALL {
+            let all: Variants = Variant::ALL.into_iter().collect();
+            let others = all.switched(variant);
+            assert_eq!(others, all.without(variant));
+            match variant.other_reading() {
+                None => assert_eq!(others.switched(variant), all),
+                Some(other) => {
+                    assert_eq!(other.other_reading(), Some(variant));
+                    assert_eq!(others.switched(variant), all.without(other));
+                }
+            }
         }
     }
 }
