@@ -43,14 +43,15 @@ impl QueryKind {
         }
     }
 
-    /// Asks for it in `document`: about what is on the screen.
+    /// Asks for it in `document`: about what is on the screen, from the first step on; for
+    /// the ray, where it was left.
     pub fn ask<const D: usize>(self, document: &mut Document<D>) {
         let domain = document.tree.domain();
         let part = |share: f64| {
             std::array::from_fn(|e| domain.min()[e] + domain.side() * (share + 0.03125 * e as f64))
         };
         let variants = Variants::NONE;
-        document.scenario.query = match self {
+        document.ask(match self {
             Self::Ray => return document.back_to_ray(),
             Self::Point => {
                 Query::Point { at: part(0.546_875), method: PointMethod::default(), variants }
@@ -67,6 +68,6 @@ impl QueryKind {
                 let (reach, method) = (Reach::default(), NeighbourMethod::default());
                 Query::Neighbour { level, code, direction, reach, method, variants }
             }
-        };
+        });
     }
 }

@@ -5,6 +5,7 @@ use crate::command::Command;
 use crate::document::AnyDocument;
 use crate::finder::Target;
 use crate::history::History;
+use crate::query_kind::QueryKind;
 use crate::view::{Dialog, PanelChange, PanelKind, Preset, Search, View};
 use crate::with_document;
 use eframe::egui::{Context, ViewportCommand};
@@ -153,7 +154,7 @@ impl App {
             Target::Command(_) => self.notice.say(self.look.text("find-disabled")),
             Target::Scene(id) => self.open_scene(context, id),
             Target::Theme(theme) => self.view.theme = theme,
-            Target::Query(kind) => with_document!(&mut self.document, d => kind.ask(d)),
+            Target::Query(kind) => self.ask(kind),
             Target::Algorithm(algorithm) => self.run(algorithm),
             Target::Reading(variant) => self.open_counterexample(context, variant),
             Target::Erratum(erratum) => match erratum.variants.first() {
@@ -164,6 +165,16 @@ impl App {
                     self.notice.say(format!("{} · {title}: {why}", erratum.id));
                 }
             },
+        }
+    }
+
+    /// Asks a question of this kind; what is asked already, from its first step on.
+    fn ask(&mut self, kind: QueryKind) {
+        let asked = with_document!(&self.document, d => QueryKind::of(&d.scenario.query));
+        if asked == kind {
+            self.go_to(0);
+        } else {
+            with_document!(&mut self.document, d => kind.ask(d));
         }
     }
 

@@ -5,6 +5,7 @@ use crate::traced::{MOST_EVENTS, Traced};
 use octoscope_core::geometry::Ray;
 use octoscope_core::progress::{Cancelled, Progress};
 use octoscope_core::query::Query;
+use std::mem::discriminant;
 use std::sync::Arc;
 
 impl<const D: usize> Document<D> {
@@ -77,17 +78,16 @@ impl<const D: usize> Document<D> {
     }
 
     /// Takes a trace in the present tree. Returns where the playhead, now at `step`,
-    /// belongs: at the end it stays at the end, another point, region or neighbour
-    /// shows its answer at once, and a ray that is gone back to the step where it
-    /// was left.
+    /// belongs: at the end it stays at the end; a point, region or neighbour that is first
+    /// asked about in the picture shows its answer at once, and one that is asked about by
+    /// [`Self::ask`] its first step; a ray that is gone back to, the step where it was left.
     pub(super) fn take(&mut self, traced: Traced<D>, step: usize) -> usize {
         let Traced { ray, query, trace, total, rounded } = traced;
-        let is_of_ray = |query: &Query<D>| matches!(query, Query::Ray { .. });
         if is_of_ray(&self.traced.1) && !is_of_ray(&query) {
             self.left_ray = Some((self.traced.1, step));
         }
         let was_at_end = step > 0 && step >= self.trace.events.len();
-        let asked_anew = self.traced.1 != query && !is_of_ray(&query);
+        let is_new = discriminant(&self.traced.1) != discriminant(&query) && !is_of_ray(&query);
         self.trace = trace;
         self.total = total;
         self.rounded = rounded;
@@ -96,9 +96,15 @@ impl<const D: usize> Document<D> {
         self.traced = (ray, query);
         match self.resumed.take().filter(|(resumed, _)| *resumed == query) {
             Some((_, left_at)) => left_at,
-            None if was_at_end || asked_anew => self.trace.events.len(),
+            None if was_at_end || is_new => self.trace.events.len(),
             None => step,
         }
+    }
+
+    /// Asks for another query, which begins at its first step.
+    pub fn ask(&mut self, query: Query<D>) {
+        self.scenario.query = query;
+        self.resumed = Some((query, 0));
     }
 
     /// Goes back from another query to the one along the ray that was left for it,
@@ -114,8 +120,13 @@ impl<const D: usize> Document<D> {
     pub fn keep_trace(&mut self) {
         (self.scenario.ray, self.scenario.query) = self.traced;
         // A way back that was not gone is found once more.
-        self.left_ray = self.resumed.take().or(self.left_ray);
+        let of_ray = self.resumed.take().filter(|(query, _)| is_of_ray(query));
+        self.left_ray = of_ray.or(self.left_ray);
     }
+}
+
+fn is_of_ray<const D: usize>(query: &Query<D>) -> bool {
+    matches!(query, Query::Ray { .. })
 }
 
 #[cfg(test)]

@@ -271,3 +271,20 @@ fn escape_in_a_field_leaves_the_field_alone() {
     desk.press(Key::Escape);
     assert_ne!(desk.plane().scenario.query, asked);
 }
+
+#[test]
+fn what_is_asked_in_the_picture_is_answered_at_once_and_what_a_button_asks_begins_at_its_start() {
+    let mut desk = Desk::new();
+    desk.press(Key::Home);
+    desk.click(Role::Button, "Neighbour");
+    assert_eq!(desk.step_number(), 0);
+    desk.press(Key::ArrowRight);
+    // What else is asked of the neighbour leaves the step alone.
+    desk.click(Role::RadioButton, "direction y + 1");
+    assert_eq!(desk.step_number(), 1);
+
+    desk.press(Key::Escape);
+    let leaf = large_leaf(&desk);
+    desk.click_at(desk.place(inside_the_right_side(&desk, leaf)), 1);
+    assert_eq!(desk.step_number(), desk.plane().trace.events.len());
+}
