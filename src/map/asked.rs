@@ -44,13 +44,25 @@ impl<const D: usize> Rays<D> {
         };
         place.iter().all(|share| (0.0..=1.0).contains(share)).then_some(place)
     }
+
+    /// The places of the ends of a segment, as far as it is seen between the sides; `None`
+    /// where it is not, and where the places are those of no picture.
+    pub fn seen(&self, segment: [[f64; D]; 2]) -> Option<[[f64; 2]; 2]> {
+        match self {
+            Self::Family(_) => None,
+            Self::Picture(camera, page) => {
+                let ends = camera.visible_segment(*page, segment)?;
+                Some(ends.map(|[x, y]| [x / page.width, 1.0 - y / page.height]))
+            }
+        }
+    }
 }
 
-/// Whether both have the same direction, but for rounding.
+/// Whether both have the same direction, but for the few digits of one that was dragged.
 fn is_along<const D: usize>(a: &Ray<D>, b: &Ray<D>) -> bool {
     let dot = |a: [f64; D], b: [f64; D]| (0..D).map(|e| a[e] * b[e]).sum::<f64>();
     let (a, b) = (a.direction(), b.direction());
-    dot(a, b) > (1.0 - 1e-9) * (dot(a, a) * dot(b, b)).sqrt()
+    dot(a, b) > (1.0 - 1e-5) * (dot(a, a) * dot(b, b)).sqrt()
 }
 
 /// What tells rays apart.
@@ -153,5 +165,9 @@ mod tests {
         }
         let other = Ray::new([0.2; 3], [1.0, 0.0, 0.0]).unwrap();
         assert_eq!(rays.place(&other), None);
+        let seen = rays.seen([other.origin(), other.at(0.5)]).unwrap();
+        assert!(seen.iter().flatten().all(|share| (0.0..=1.0).contains(share)), "{seen:?}");
+        let [x, y] = camera.project(page, other.origin()).unwrap().at;
+        assert_eq!(seen[0], [x / page.width, 1.0 - y / page.height]);
     }
 }

@@ -1,11 +1,13 @@
 //! The map of rays: every place is a ray, coloured by what becomes of it.
 
 mod legend;
+mod mark;
 mod sides;
 
 use crate::counted::counted_quickly;
 use crate::look::Look;
 use crate::map::{Asked, Colouring, Drawing, Raster, Rays, colours};
+use crate::query_kind::QueryKind;
 use crate::theme::color32;
 use crate::view::{MapView, RaysOf};
 use crate::widgets::{Listed, Present, caption, drop_down, segments};
@@ -13,6 +15,7 @@ use eframe::egui::{
     Color32, ColorImage, EventFilter, Id, Key, Modifiers, Pos2, ProgressBar, Rect, Response, Sense,
     Stroke, StrokeKind, TextureHandle, TextureOptions, Ui, WidgetInfo, accesskit::Role, pos2, vec2,
 };
+use mark::{Mark, on_screen};
 use octoscope_core::family::Family;
 use octoscope_core::geometry::{Aabb, Ray};
 use octoscope_core::query::Query;
@@ -47,7 +50,8 @@ pub fn ui<const D: usize>(
     drawing: &mut Drawing<D>,
 ) -> Option<Ray<D>> {
     if !matches!(subject.query, Query::Ray { .. }) {
-        caption(ui, look, look.text("map-none"));
+        let kind = QueryKind::of(subject.query).key();
+        caption(ui, look, look.texts.format("map-none", &[("asked", kind.into())]));
         return None;
     }
     choice::<D>(ui, look, view);
@@ -65,11 +69,8 @@ pub fn ui<const D: usize>(
     }
     painter.rect_stroke(rect, 0.0, Stroke::new(1.0, look.palette.quiet), StrokeKind::Outside);
     axes.iter().for_each(|axes| sides::paint(ui.painter(), look, rect, axes));
-    let place = asked.rays.place(subject.ray);
-    if let Some(at) = place.map(|place| on_screen(rect, place)) {
-        painter.circle_stroke(at, 6.0, Stroke::new(4.5, look.palette.background));
-        painter.circle_stroke(at, 6.0, Stroke::new(2.0, look.palette.ray));
-    }
+    let mark = Mark::of(&asked.rays, subject.tree, subject.ray);
+    mark.into_iter().for_each(|mark| mark.paint(&painter, look, rect));
     if response.has_focus() {
         let stroke = Stroke::new(2.0, look.palette.accent);
         painter.rect_stroke(rect.expand(1.0), 0.0, stroke, StrokeKind::Outside);
@@ -77,7 +78,7 @@ pub fn ui<const D: usize>(
     let of_ray = told(look, &asked, subject.ray);
     let name = format!("{}: {of_ray}", look.text("panel-map"));
     response.widget_info(|| WidgetInfo::labeled(Role::Slider, true, name.as_str()));
-    let chosen = pointed(ui, rect, &response, &asked, place);
+    let chosen = pointed(ui, rect, &response, &asked, mark.and_then(Mark::place));
     if let Some(pointed) = response.hover_pos().and_then(|at| ray_at(rect, at, &asked)) {
         response.on_hover_text_at_pointer(told(look, &asked, &pointed));
     }
@@ -85,7 +86,7 @@ pub fn ui<const D: usize>(
     if axes.is_none() {
         caption(ui, look, look.text("map-extent-picture"));
     }
-    explained(ui, look, drawing, &asked, place.is_some());
+    explained(ui, look, drawing, &asked, mark);
     chosen
 }
 
@@ -171,10 +172,6 @@ fn texture<const D: usize>(
     Some(texture)
 }
 
-fn on_screen(rect: Rect, [u, v]: [f64; 2]) -> Pos2 {
-    rect.lerp_inside(vec2(u as f32, 1.0 - v as f32))
-}
-
 /// The ray of the cell at a place in the window.
 fn ray_at<const D: usize>(rect: Rect, at: Pos2, asked: &Asked<D>) -> Option<Ray<D>> {
     let share = (at - rect.min) / rect.size();
@@ -231,17 +228,17 @@ fn told<const D: usize>(look: &Look, asked: &Asked<D>, ray: &Ray<D>) -> String {
     )
 }
 
-/// What the colours mean, and the mark if there is one, who has found that out, and how
-/// far the next map is.
+/// What the colours and the mark mean, who has found that out, and how far the next map
+/// is.
 fn explained<const D: usize>(
     ui: &mut Ui,
     look: &Look,
     drawing: &Drawing<D>,
     asked: &Asked<D>,
-    is_marked: bool,
+    mark: Option<Mark>,
 ) {
     if let Some((done, raster)) = drawing.done.as_ref().filter(|(d, _)| d.shows_the_same(asked)) {
-        legend::ui(ui, look, done.colouring, raster, is_marked);
+        legend::ui(ui, look, done.colouring, raster, mark);
     }
     let by = match asked.colouring {
         Colouring::Sequence | Colouring::Leaves if asked.query.is_misprinted() => {

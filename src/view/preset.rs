@@ -131,7 +131,9 @@ impl Preset {
             Query::Point { .. } | Query::Region { .. } | Query::Neighbour { .. } => None,
         };
         match kind {
-            Rail | Compare | Map => algorithm.is_some(),
+            Rail | Compare => algorithm.is_some(),
+            // Where it is what is wanted, it says why there is none.
+            Map => algorithm.is_some() || self == Self::Map,
             Automaton => {
                 matches!(algorithm, Some(Algorithm::Parametric | Algorithm::ParametricTable))
             }

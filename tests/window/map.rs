@@ -2,11 +2,14 @@
 
 use crate::desk::{Desk, spoken};
 use crate::drawn::{asked, plane};
-use eframe::egui::{Key, Modifiers, Rect, Vec2};
+use eframe::egui::accesskit::Role;
+use eframe::egui::{Key, Modifiers, Rect, Shape, Vec2};
 use egui_kittest::kittest::Queryable;
 use octoscope::document::AnyDocument;
 use octoscope::map::Colouring;
+use octoscope::theme;
 use octoscope::view::{Preset, RaysOf};
+use octoscope_core::geometry::Ray;
 use octoscope_core::query::Query;
 use octoscope_core::scenario::built_in;
 use octoscope_core::traverse::{Algorithm, Options, Variant};
@@ -92,6 +95,61 @@ fn a_press_in_the_picture_takes_its_line_of_sight() {
     let apart = to_centre.iter().map(|x| x * x).sum::<f64>().sqrt();
     assert!(apart < 0.02 * domain.side(), "{ray:?}");
     assert!(desk.says("The lines of sight"));
+    assert!(
+        marks(&desk, desk.map()) > 0
+            && desk.says("The present ray")
+            && !desk.says("no line of sight")
+    );
+}
+
+/// Shapes in the colour of the ray that are painted in a part of the window.
+fn marks(desk: &Desk, within: Rect) -> usize {
+    let view = &desk.state().view;
+    let ray = theme::look(view.language, view.theme).palette.ray;
+    let is_mark = |shape: &Shape| match shape {
+        Shape::Circle(circle) => circle.stroke.color == ray || circle.fill == ray,
+        Shape::LineSegment { stroke, .. } => stroke.color == ray,
+        _ => false,
+    };
+    let shapes = desk.output().shapes.iter().map(|clipped| &clipped.shape);
+    shapes
+        .filter(|shape| is_mark(shape) && within.contains_rect(shape.visual_bounding_rect()))
+        .count()
+}
+
+#[test]
+fn a_ray_that_is_no_line_of_sight_is_seen_in_the_map_and_told_from_one() {
+    let mut desk = Desk::new();
+    desk.open_scenario(&built_in("points-3d").unwrap());
+    desk.state_mut().view.map.rays = RaysOf::Picture;
+    let mut desk = desk.with_map();
+    assert!(marks(&desk, desk.map()) > 0);
+    assert!(desk.says("it is no line of sight"));
+    // Far from all that is seen.
+    let AnyDocument::Space(document) = desk.state_mut().document_mut() else { panic!() };
+    document.scenario.ray = Ray::new([50.0; 3], [1.0, 0.0, 0.0]).unwrap();
+    desk.state_mut().view.eye = Some("-30,20,1,0.5,0.5,0.5".parse().unwrap());
+    desk.run();
+    desk.finish_maps();
+    assert_eq!(marks(&desk, desk.map()), 0);
+    assert!(desk.says("The present ray lies beyond the sides of the map"));
+}
+
+#[test]
+fn where_no_ray_is_followed_it_is_said_why_there_is_no_map() {
+    let mut desk = Desk::new();
+    for (button, why) in [
+        ("Point", "but a point is located. Esc"),
+        ("Region", "but a region is located. Esc"),
+        ("Neighbour", "but a neighbour is looked for. Esc"),
+    ] {
+        desk.click(Role::Button, button);
+        desk.state_mut().view.preset = Preset::Map;
+        desk.run();
+        assert!(desk.says(why), "{:?}", desk.texts());
+        desk.state_mut().view.preset = Preset::Rail;
+        desk.run();
+    }
 }
 
 #[test]

@@ -486,7 +486,11 @@ paper-severity-cosmetic = ein bloßer Schreibfehler
 paper-try = { $variant } ausprobieren
 job-other = Ein anderes Gegenbeispiel wird gesucht
 
-map-none = Zeigt viele Strahlen auf einmal, bei Suchen entlang eines Strahls.
+map-none = Keine Karte: Sie zeigt, was aus vielen Strahlen wird, aber { $asked ->
+    [query-point] ein Punkt wird gesucht
+    [query-region] ein Bereich wird gesucht
+   *[query-neighbour] ein Nachbar wird gesucht
+}. Esc führt zurück zum Strahl.
 map-rays-origin = Vom Startpunkt
 map-rays-picture = Wie gesehen
 map-colouring = Was die Farben sagen
@@ -515,6 +519,8 @@ map-sequence-legend = Andere Farbe: andere Blätter oder andere Reihenfolge
 map-legend-nothing = Kein Blatt
 map-legend-right = Richtig
 map-legend-ray = Aktueller Strahl
+map-legend-ray-seen = Aktueller Strahl, von hier gesehen: er ist kein Sehstrahl
+map-legend-ray-beyond = Der aktuelle Strahl liegt jenseits der Seiten der Karte
 map-differences-legend = { $wrong ->
     [0] Keiner von { $rays } Strahlen wird falsch verfolgt
     [one] 1 von { $rays } Strahlen wird falsch verfolgt

@@ -486,7 +486,11 @@ paper-severity-cosmetic = a slip of the pen
 paper-try = Try { $variant }
 job-other = Looking for another counterexample
 
-map-none = Shows many rays at once, in searches along a ray.
+map-none = There is no map: it shows what becomes of many rays, but { $asked ->
+    [query-point] a point is located
+    [query-region] a region is located
+   *[query-neighbour] a neighbour is looked for
+}. Esc goes back to the ray.
 map-rays-origin = From the origin
 map-rays-picture = As seen
 map-colouring = What the colours tell
@@ -515,6 +519,8 @@ map-sequence-legend = Another colour: other leaves, or in another order
 map-legend-nothing = No leaf
 map-legend-right = Right
 map-legend-ray = The present ray
+map-legend-ray-seen = The present ray, seen from here: it is no line of sight
+map-legend-ray-beyond = The present ray lies beyond the sides of the map
 map-differences-legend = { $wrong ->
     [0] None of { $rays } rays goes wrong
     [one] 1 of { $rays } rays goes wrong

@@ -1,13 +1,14 @@
 //! What the colours of a map mean.
 
+use super::mark::Mark;
 use crate::look::Look;
 use crate::map::{Colouring, NOTHING, RIGHT, Raster, Scale, UNKNOWN, WRONG};
 use crate::theme::color32;
 use crate::widgets::caption;
 use eframe::egui::{Color32, Rect, Sense, Stroke, StrokeKind, Ui, pos2, vec2};
 
-/// Every colour with what it means, and the mark of the present ray if it has one.
-pub fn ui(ui: &mut Ui, look: &Look, colouring: Colouring, raster: &Raster, is_marked: bool) {
+/// Every colour with what it means, and the mark of the present ray, or that there is none.
+pub fn ui(ui: &mut Ui, look: &Look, colouring: Colouring, raster: &Raster, mark: Option<Mark>) {
     let scale = Scale::of(colouring, raster);
     match colouring {
         Colouring::Sequence => caption(ui, look, look.text("map-sequence-legend")),
@@ -15,21 +16,19 @@ pub fn ui(ui: &mut Ui, look: &Look, colouring: Colouring, raster: &Raster, is_ma
         Colouring::Differences => differences(ui, look, scale, raster),
     }
     let has_nothing = raster.values.contains(&NOTHING);
-    if !has_nothing && !is_marked {
-        return;
-    }
     ui.horizontal_wrapped(|ui| {
         if has_nothing {
             let nothing = look.text("map-legend-nothing");
             entry(ui, look, color32(scale.colour(look.theme, NOTHING)), nothing);
         }
-        if !is_marked {
+        let Some(mark) = mark else {
+            caption(ui, look, look.text("map-legend-ray-beyond"));
             return;
-        }
+        };
         ui.horizontal(|ui| {
             let (rect, _) = ui.allocate_exact_size(vec2(14.0, 14.0), Sense::hover());
-            ui.painter().circle_stroke(rect.center(), 5.0, Stroke::new(2.0, look.palette.ray));
-            caption(ui, look, look.text("map-legend-ray"));
+            mark.paint_sample(ui.painter(), look, rect);
+            caption(ui, look, look.text(mark.meaning()));
         });
     });
 }
