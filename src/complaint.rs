@@ -1,6 +1,7 @@
 //! What went wrong, in the language of the window.
 
 mod scenario;
+mod view;
 
 use crate::export::{MOST_STEPS, StepsError};
 use crate::files::{FileError, FileFault};
@@ -29,6 +30,12 @@ pub fn told(texts: &Texts, error: &anyhow::Error) -> String {
         of_building(texts, error)
     } else if let Some(error) = error.downcast_ref() {
         of_steps(texts, *error)
+    } else if let Some(error) = error.downcast_ref() {
+        view::of_figure(texts, error)
+    } else if let Some(error) = error.downcast_ref() {
+        view::of_exercise(texts, *error)
+    } else if let Some(error) = error.downcast_ref() {
+        view::of_kept(texts, error)
     } else {
         match error.downcast_ref::<OpenFault>() {
             Some(OpenFault::DataFile) | None => return format!("{error:#}"),

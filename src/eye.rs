@@ -5,6 +5,7 @@ use anyhow::bail;
 use octoscope_figure::{Camera, Lens, Page};
 use std::fmt;
 use std::str::FromStr;
+use thiserror::Error;
 
 /// Where the scene is looked at from.
 #[derive(Clone, Debug, PartialEq)]
@@ -20,6 +21,26 @@ pub struct Eye {
     pub middle: Vec<f64>,
     /// How depth looks; in words only that parallel lines stay parallel.
     pub lens: Lens,
+}
+
+/// Why a text does not say where the scene is looked at from.
+#[derive(Clone, Debug, Error, PartialEq)]
+pub enum EyeError {
+    /// There is something else than numbers.
+    #[error("give numbers such as -30,20,1.5")]
+    NoNumbers,
+    /// There are more or less of them.
+    #[error(
+        "there are {0} numbers; give three: yaw and pitch in degrees, zoom; and then, if you like, \
+         the point in the middle, and the word parallel"
+    )]
+    Count(usize),
+    /// The height is none.
+    #[error("the pitch is {0}; give degrees from -90 to 90")]
+    Pitch(f64),
+    /// The zoom is too small or too large.
+    #[error("the zoom is {0}; give a factor from 0.001 to 1000000")]
+    Zoom(f64),
 }
 
 /// What an eye says of parallel lines that stay parallel.
@@ -86,9 +107,9 @@ fn short(x: f64) -> f64 {
 }
 
 impl FromStr for Eye {
-    type Err = String;
+    type Err = EyeError;
 
-    fn from_str(text: &str) -> Result<Self, String> {
+    fn from_str(text: &str) -> Result<Self, EyeError> {
         let (text, lens) = match text.rsplit_once(',') {
             Some((numbers, word)) if word.trim() == PARALLEL => (numbers, Lens::Orthographic),
             Some(_) | None => (text, Lens::Perspective),
@@ -96,32 +117,23 @@ impl FromStr for Eye {
         let numbers: Result<Vec<f64>, _> =
             text.split(',').map(|number| number.trim().parse()).collect();
         let numbers = numbers.ok().filter(|numbers| numbers.iter().all(|x| x.is_finite()));
-        let Some(numbers) = numbers else {
-            return Err("give numbers such as -30,20,1.5".to_owned());
-        };
+        let numbers = numbers.ok_or(EyeError::NoNumbers)?;
         let ([yaw_degrees, pitch_degrees, zoom], 0 | 2 | 3) =
             (numbers.first_chunk().copied().unwrap_or([f64::NAN; 3]), numbers.len().max(3) - 3)
         else {
-            return Err(wrong_number(numbers.len()));
+            return Err(EyeError::Count(numbers.len()));
         };
         if numbers.len() < 3 {
-            return Err(wrong_number(numbers.len()));
+            return Err(EyeError::Count(numbers.len()));
         }
         if !(-90.0..=90.0).contains(&pitch_degrees) {
-            return Err(format!("the pitch is {pitch_degrees}; give degrees from -90 to 90"));
+            return Err(EyeError::Pitch(pitch_degrees));
         }
         if !(ZOOMS[0]..=ZOOMS[1]).contains(&zoom) {
-            return Err(format!("the zoom is {zoom}; give a factor from 0.001 to 1000000"));
+            return Err(EyeError::Zoom(zoom));
         }
         Ok(Self { yaw_degrees, pitch_degrees, zoom, middle: numbers[3..].to_vec(), lens })
     }
-}
-
-fn wrong_number(n: usize) -> String {
-    format!(
-        "there are {n} numbers; give three: yaw and pitch in degrees, zoom; and then, if you like, \
-         the point in the middle, and the word parallel"
-    )
 }
 
 impl fmt::Display for Eye {

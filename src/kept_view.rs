@@ -2,11 +2,12 @@
 //! `"show": "order-numbers,children,slice=x:0.5"` and `"camera": "-30,20,1.5"`, in the words
 //! of `octoscope export --show` and `--camera`.
 
-use crate::eye::Eye;
-use crate::shown::{parse_shown, print_shown};
-use anyhow::{Context, anyhow};
+use crate::eye::{Eye, EyeError};
+use crate::shown::{ShownError, parse_shown, print_shown};
 use octoscope_core::scenario::{AnyScenario, View};
 use octoscope_figure::Show;
+use serde_json::Value;
+use thiserror::Error;
 
 const SHOW: &str = "show";
 const CAMERA: &str = "camera";
@@ -28,15 +29,51 @@ impl KeptView {
     }
 }
 
+/// What is wrong with what a scenario keeps of how it is seen.
+#[derive(Debug, Error)]
+#[error("the field “{field}” of the scenario's “view” cannot be read: {fault}")]
+pub struct KeptError {
+    /// The field of its `view`.
+    pub field: &'static str,
+    /// What is wrong there.
+    pub fault: KeptFault,
+}
+
+/// What is wrong with a field of a scenario's `view`.
+#[derive(Debug, Error)]
+pub enum KeptFault {
+    /// What is shown is told by no text.
+    #[error("it is no text; write names between commas")]
+    NoNames,
+    /// What is shown.
+    #[error(transparent)]
+    Shown(#[from] ShownError),
+    /// Where from is told by no text.
+    #[error("it is no text; write “-30,20,1.5”")]
+    NoNumbers,
+    /// Where from.
+    #[error(transparent)]
+    Eye(#[from] EyeError),
+    /// The point in the middle has another dimension than the scene.
+    #[error("its middle has {n} numbers; give {dimension}, or none")]
+    Middle {
+        /// Its numbers.
+        n: usize,
+        /// As many as would be right.
+        dimension: usize,
+    },
+}
+
 /// What the field `view` of a scenario says of what is shown, if anything.
 ///
 /// # Errors
 /// Says what is wrong with it.
-pub fn kept_show(view: &View) -> anyhow::Result<Option<Show>> {
-    let Some(kept) = view.get(SHOW) else { return Ok(None) };
-    let text = kept.as_str().ok_or_else(|| anyhow!("it is no text; write names between commas"));
-    let show = text.and_then(|text| parse_shown(text).map_err(|error| anyhow!(error)));
-    show.map(Some).context("the field “show” of the scenario's “view” cannot be read")
+pub fn kept_show(view: &View) -> Result<Option<Show>, KeptError> {
+    let read = |kept: &Value| -> Result<Show, KeptFault> {
+        Ok(parse_shown(kept.as_str().ok_or(KeptFault::NoNames)?)?)
+    };
+    let show = view.get(SHOW).map(read).transpose();
+    show.map_err(|fault| KeptError { field: SHOW, fault })
 }
 
 /// Keeps in a scenario what the picture shows; nothing, if that is what it shows at first.
@@ -57,16 +94,16 @@ pub fn keep_show(scenario: &mut AnyScenario, show: &Show) {
 ///
 /// # Errors
 /// Says what is wrong with it.
-pub fn kept_eye<const D: usize>(view: &View) -> anyhow::Result<Option<Eye>> {
-    let Some(kept) = view.get(CAMERA) else { return Ok(None) };
-    let text = kept.as_str().ok_or_else(|| anyhow!("it is no text; write “-30,20,1.5”"));
-    let eye = text.and_then(|text| text.parse().map_err(|error: String| anyhow!(error)));
-    let fits = eye.and_then(|eye: Eye| match eye.middle.len() {
-        0 => Ok(eye),
-        n if n == D => Ok(eye),
-        n => Err(anyhow!("its middle has {n} numbers; give {D}, or none")),
-    });
-    fits.map(Some).context("the field “camera” of the scenario's “view” cannot be read")
+pub fn kept_eye<const D: usize>(view: &View) -> Result<Option<Eye>, KeptError> {
+    let read = |kept: &Value| -> Result<Eye, KeptFault> {
+        let eye: Eye = kept.as_str().ok_or(KeptFault::NoNumbers)?.parse()?;
+        match eye.middle.len() {
+            0 => Ok(eye),
+            n if n == D => Ok(eye),
+            n => Err(KeptFault::Middle { n, dimension: D }),
+        }
+    };
+    view.get(CAMERA).map(read).transpose().map_err(|fault| KeptError { field: CAMERA, fault })
 }
 
 /// Keeps in a scenario where it is looked at from; nothing without an eye.
@@ -105,6 +142,7 @@ mod tests {
         scenario.view.insert("show".to_owned(), 3.into());
         assert!(kept_show(&scenario.view).is_err());
     }
+
     #[test]
     fn where_it_is_looked_at_from_is_kept_and_checked() {
         let document = open_built_in("points-3d", &Progress::default()).unwrap();
@@ -116,7 +154,7 @@ mod tests {
             panic!("not an octree")
         };
         assert_eq!(kept_eye::<3>(&again.view).unwrap(), Some(eye));
-        assert!(kept_eye::<2>(&again.view).unwrap_err().root_cause().to_string().contains('2'));
+        assert!(kept_eye::<2>(&again.view).unwrap_err().to_string().contains("give 2"));
         keep_eye(&mut scenario, None);
         assert_eq!(scenario.print(), plain);
         let AnyScenario::Octree(mut scenario) = scenario else { panic!("not an octree") };

@@ -3,6 +3,40 @@
 use crate::show_change::ShownPart;
 use octoscope_core::geometry::AXIS_NAMES;
 use octoscope_figure::{Levels, Rest, Show, Slice};
+use thiserror::Error;
+
+/// Why names do not say what is shown.
+#[derive(Clone, Debug, Error, PartialEq, Eq)]
+pub enum ShownError {
+    /// Nothing that is shown or not has this name.
+    #[error("there is no ‘{0}’ to show; there are {known}, and none", known = parts())]
+    Part(String),
+    /// Nothing that has a value has this name.
+    #[error("there is no ‘{0}’ to set; there are levels, rest, slice and apart")]
+    Setting(String),
+    /// These are no levels.
+    #[error("there are no levels ‘{0}’; give two as in levels=2-5")]
+    Levels(String),
+    /// The rest cannot look so.
+    #[error("the rest cannot be ‘{0}’; it can be {known}", known = rests())]
+    Rest(String),
+    /// No slice is there.
+    #[error("there is no slice at ‘{0}’; give axis and share, as in slice=x:0.5")]
+    Slice(String),
+    /// Children cannot be moved so far.
+    #[error("children cannot be apart by ‘{0}’; give sides from 0 to {most}", most = Show::MOST_APART)]
+    Apart(String),
+}
+
+/// The names of all that is shown or not.
+pub fn parts() -> String {
+    ShownPart::ALL.map(ShownPart::name).join(", ")
+}
+
+/// The names of the looks of the rest.
+pub fn rests() -> String {
+    Rest::ALL.map(Rest::id).join(", ")
+}
 
 /// What shows nothing but the algorithm's state.
 fn nothing() -> Show {
@@ -16,42 +50,34 @@ fn nothing() -> Show {
 ///
 /// # Errors
 /// Lists the names there are.
-pub fn parse_shown(text: &str) -> Result<Show, String> {
+pub fn parse_shown(text: &str) -> Result<Show, ShownError> {
     let mut show = nothing();
     for name in text.split(',').map(str::trim).filter(|name| *name != "none") {
         if let Some((name, value)) = name.split_once('=') {
             set(&mut show, name, value)?;
             continue;
         }
-        match ShownPart::ALL.into_iter().find(|part| part.name() == name) {
-            Some(part) => *part.of(&mut show) = true,
-            None => {
-                let known = ShownPart::ALL.map(ShownPart::name).join(", ");
-                return Err(format!("there is no ‘{name}’ to show; there are {known}, and none"));
-            }
-        }
+        let part = ShownPart::ALL.into_iter().find(|part| part.name() == name);
+        *part.ok_or_else(|| ShownError::Part(name.to_owned()))?.of(&mut show) = true;
     }
     Ok(show)
 }
 
 /// Sets what has a value.
-fn set(show: &mut Show, name: &str, value: &str) -> Result<(), String> {
+fn set(show: &mut Show, name: &str, value: &str) -> Result<(), ShownError> {
     let within = |x: &f64, most: f64| (0.0..=most).contains(x);
+    let fault = |fault: fn(String) -> ShownError| move || fault(value.to_owned());
     match name {
         "levels" => {
             let (least, most) = value.split_once('-').unwrap_or((value, value));
             let levels = least.parse().ok().zip(most.parse().ok());
             let levels = levels.filter(|(least, most)| least <= most);
-            let (least, most) = levels.ok_or_else(|| {
-                format!("there are no levels ‘{value}’; give two as in levels=2-5")
-            })?;
+            let (least, most) = levels.ok_or_else(fault(ShownError::Levels))?;
             show.levels = Levels { least, most };
         }
         "rest" => {
-            show.rest = Rest::ALL.into_iter().find(|rest| rest.id() == value).ok_or_else(|| {
-                let known = Rest::ALL.map(Rest::id).join(", ");
-                format!("the rest cannot be ‘{value}’; it can be {known}")
-            })?;
+            let rest = Rest::ALL.into_iter().find(|rest| rest.id() == value);
+            show.rest = rest.ok_or_else(fault(ShownError::Rest))?;
         }
         "slice" => {
             let parsed = value.split_once(':').and_then(|(axis, at)| {
@@ -59,22 +85,13 @@ fn set(show: &mut Show, name: &str, value: &str) -> Result<(), String> {
                 let at = at.parse().ok().filter(|at| within(at, 1.0))?;
                 Some(Slice { axis: axis as u8, at })
             });
-            show.slice = Some(parsed.ok_or_else(|| {
-                format!("there is no slice at ‘{value}’; give axis and share, as in slice=x:0.5")
-            })?);
+            show.slice = Some(parsed.ok_or_else(fault(ShownError::Slice))?);
         }
         "apart" => {
             let share = value.parse().ok().filter(|share| within(share, Show::MOST_APART));
-            show.explosion = share.ok_or_else(|| {
-                let most = Show::MOST_APART;
-                format!("children cannot be apart by ‘{value}’; give sides from 0 to {most}")
-            })?;
+            show.explosion = share.ok_or_else(fault(ShownError::Apart))?;
         }
-        _ => {
-            return Err(format!(
-                "there is no ‘{name}’ to set; there are levels, rest, slice and apart"
-            ));
-        }
+        _ => return Err(ShownError::Setting(name.to_owned())),
     }
     Ok(())
 }
@@ -127,6 +144,6 @@ mod tests {
         {
             assert!(parse_shown(bad).is_err(), "{bad}");
         }
-        assert!(parse_shown("codes,all").unwrap_err().contains("‘all’"));
+        assert!(parse_shown("codes,all").unwrap_err().to_string().contains("‘all’"));
     }
 }

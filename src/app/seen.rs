@@ -4,7 +4,7 @@ use super::{App, shown_in};
 use crate::complaint;
 use crate::document::{AnyDocument, Document};
 use crate::eye::Eye;
-use crate::kept_view::{KeptView, kept_eye, kept_show};
+use crate::kept_view::{KeptError, KeptView, kept_eye, kept_show};
 use crate::view::View;
 use crate::with_document;
 use octoscope_core::scenario::StepAt;
@@ -33,13 +33,13 @@ impl App {
                 let show = self.show_of_document_mut();
                 *show = show.whole();
             }
-            Err(error) => self.notice.say(complaint::told(&self.look.texts, &error)),
+            Err(error) => self.notice.say(complaint::told(&self.look.texts, &error.into())),
         }
     }
 
     /// Looks at the scenario from where it wants, or from the usual side.
     fn stand_as_kept(&mut self) {
-        fn kept<const D: usize>(document: &Document<D>) -> anyhow::Result<Option<Eye>> {
+        fn kept<const D: usize>(document: &Document<D>) -> Result<Option<Eye>, KeptError> {
             kept_eye::<D>(&document.opened().view)
         }
         self.view.forget_cameras();
@@ -51,7 +51,7 @@ impl App {
                 self.view.eye = Some(eye);
             }
             Ok(None) => {}
-            Err(error) => self.notice.say(complaint::told(&self.look.texts, &error)),
+            Err(error) => self.notice.say(complaint::told(&self.look.texts, &error.into())),
         }
     }
 

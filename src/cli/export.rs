@@ -212,7 +212,7 @@ pub fn export(arguments: &Export) -> anyhow::Result<Answer> {
 }
 
 fn kept_eye_of<const D: usize>(document: &Document<D>) -> anyhow::Result<Option<Eye>> {
-    kept_eye::<D>(&document.opened().view)
+    Ok(kept_eye::<D>(&document.opened().view)?)
 }
 
 impl Export {

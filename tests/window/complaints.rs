@@ -1,12 +1,17 @@
 //! Errors, in the language of the window.
 
+use crate::desk::Desk;
+use eframe::egui::Key;
 use octoscope::complaint::told;
+use octoscope::kept_view::{kept_eye, kept_show};
 use octoscope::open::open;
 use octoscope::text::texts;
 use octoscope_core::progress::Progress;
-use octoscope_core::scenario::AnyScenario;
+use octoscope_core::scenario::{AnyScenario, View, built_in};
 use octoscope_core::text::Language;
+use octoscope_figure::views::{ExerciseError, FigureView, ViewError};
 use octoscope_import::import;
+use serde_json::json;
 use std::fs;
 
 #[test]
@@ -114,4 +119,84 @@ fn the_command_line_tells_errors_as_before() {
     let missing = open(std::path::Path::new("no/such.file"), &Progress::default());
     let message = format!("{:#}", missing.unwrap_err());
     assert_eq!(message, "there is no such file or folder: no/such.file");
+}
+
+#[test]
+fn why_there_is_nothing_to_see_is_told_in_german_too() {
+    let texts = texts(Language::German);
+    let of_view = |name: &str, value: serde_json::Value| {
+        let mut view = View::new();
+        view.insert(name.to_owned(), value);
+        let error = kept_show(&view).err().or_else(|| kept_eye::<3>(&view).err());
+        told(&texts, &error.expect(name).into())
+    };
+    for (field, value, fact) in [
+        (
+            "show",
+            json!(3),
+            "Feld „show“ in „view“ des Szenarios lässt sich nicht lesen: es ist kein",
+        ),
+        ("show", json!("fog"), "„fog“ gibt es nicht zu zeigen; es gibt order-numbers, "),
+        ("show", json!("fog=1"), "„fog“ gibt es nicht einzustellen"),
+        ("show", json!("levels=5-2"), "Stufen „5-2“ gibt es nicht"),
+        ("show", json!("rest=no"), "der Rest kann nicht „no“ sein; er kann "),
+        ("show", json!("slice=w:0"), "einen Schnitt bei „w:0“ gibt es nicht"),
+        ("show", json!("apart=-1"), "nicht um „-1“ auseinander sein; geben Sie 0 bis "),
+        (
+            "camera",
+            json!(3),
+            "Feld „camera“ in „view“ des Szenarios lässt sich nicht lesen: es ist",
+        ),
+        ("camera", json!("above"), "schreiben Sie Zahlen wie -30,20,1.5"),
+        ("camera", json!("1,2"), "es sind 2 Zahlen; geben Sie drei an"),
+        ("camera", json!("1,99,1"), "die Höhe ist 99; geben"),
+        ("camera", json!("1,2,0"), "die Vergrößerung ist 0; geben"),
+        ("camera", json!("1,2,1,0,0"), "seine Mitte hat 2 Zahlen; geben Sie 3 an"),
+    ] {
+        let told = of_view(field, value);
+        assert!(told.contains(fact), "{told}");
+    }
+    let view = FigureView::Automaton;
+    let (shows, asked, remedy) = ("", String::new(), "");
+    for (error, fact) in [
+        (ViewError::Query { view, shows, asked, remedy }, "„Automat“ hat zu dieser Frage nichts"),
+        (
+            ViewError::Step { view, step: 0, first: 3 },
+            "nach Schritt 0 nichts zu zeigen, aber nach Schritt 3",
+        ),
+        (ViewError::Never { view }, "in keinem Schritt dieses Laufs"),
+    ] {
+        let told = told(&texts, &error.into());
+        assert!(told.contains(fact), "{told}");
+    }
+    for (error, fact) in [
+        (ExerciseError::Missed, "verfehlt den Baum"),
+        (ExerciseError::TooLong(20), "betritt 20 innere Knoten"),
+        (ExerciseError::NoRay, "Keinem Strahl"),
+    ] {
+        let told = told(&texts, &error.into());
+        assert!(told.contains(fact), "{told}");
+    }
+}
+
+#[test]
+fn the_dialog_of_exports_says_in_german_why_a_view_is_empty() {
+    let mut desk = Desk::new();
+    desk.state_mut().view.language = Language::German;
+    desk.state_mut().view.export.set_view(FigureView::TRail);
+    desk.press(Key::Home);
+    desk.open_export();
+    let told = "Die Ansicht „t-Leiste“ hat nach Schritt 0 nichts zu zeigen";
+    assert!(desk.says(told), "{:?}", desk.texts());
+}
+
+#[test]
+fn what_a_scenario_shows_by_a_wrong_name_is_complained_about_in_german() {
+    let mut desk = Desk::new();
+    desk.state_mut().view.language = Language::German;
+    desk.run();
+    let Some(AnyScenario::Quadtree(mut scenario)) = built_in("quadtree-82") else { panic!() };
+    scenario.view.insert("show".to_owned(), "fog".into());
+    desk.open_scenario(&AnyScenario::Quadtree(scenario));
+    assert!(desk.says("„fog“ gibt es nicht zu zeigen"), "{:?}", desk.texts());
 }

@@ -72,3 +72,23 @@ error-no-step = Einen Schritt { $step } gibt es nicht; wählen Sie einen von 0 b
 error-steps-backwards = Die Schritte { $first } bis { $last } laufen rückwärts; nennen Sie den kleineren zuerst
 error-too-many-steps = Das sind { $n } Schritte, eine Datei fasst aber höchstens { $most }; wählen Sie einige davon, etwa { $first } bis { $last }
 error-building = Der Baum lässt sich nicht bauen (auf Englisch: { $details })
+error-view-query = Die Ansicht „{ $view }“ hat zu dieser Frage nichts zu zeigen; wählen Sie eine andere
+error-view-step = Die Ansicht „{ $view }“ hat nach Schritt { $step } nichts zu zeigen, aber nach Schritt { $first }
+error-view-never = Die Ansicht „{ $view }“ hat in keinem Schritt dieses Laufs etwas zu zeigen; versuchen Sie ein anderes Verfahren oder einen anderen Strahl
+error-exercise-missed = Der Strahl verfehlt den Baum; nehmen Sie einen anderen oder einen neuen für jede Nummer
+error-exercise-long = Der Strahl betritt { $n } innere Knoten, mehr als auf ein Aufgabenblatt passen; nehmen Sie einen Baum mit 2 bis 4 Stufen, einen kürzeren Strahl oder einen neuen für jede Nummer
+error-exercise-none = Keinem Strahl durch diesen Baum lässt sich mit Gewinn von Hand folgen; nehmen Sie einen Baum mit 2 bis 4 Stufen
+error-kept = Das Feld „{ $field }“ in „view“ des Szenarios lässt sich nicht lesen: { $details }
+error-kept-no-names = es ist kein Text; schreiben Sie Namen zwischen Kommas
+error-kept-no-numbers = es ist kein Text; schreiben Sie „-30,20,1.5“
+error-kept-middle = seine Mitte hat { $n } Zahlen; geben Sie { $dimension } an oder keine
+error-shown-part = „{ $given }“ gibt es nicht zu zeigen; es gibt { $known } und none
+error-shown-setting = „{ $given }“ gibt es nicht einzustellen; es gibt levels, rest, slice und apart
+error-shown-levels = Stufen „{ $given }“ gibt es nicht; geben Sie zwei an wie in levels=2-5
+error-shown-rest = der Rest kann nicht „{ $given }“ sein; er kann { $known } sein
+error-shown-slice = einen Schnitt bei „{ $given }“ gibt es nicht; geben Sie Achse und Anteil an wie in slice=x:0.5
+error-shown-apart = Kinder können nicht um „{ $given }“ auseinander sein; geben Sie 0 bis { $known } Seiten an
+error-eye-no-numbers = schreiben Sie Zahlen wie -30,20,1.5
+error-eye-count = es sind { $n } Zahlen; geben Sie drei an: Drehung und Höhe in Grad, Vergrößerung; danach, wenn Sie wollen, den Punkt in der Mitte und das Wort parallel
+error-eye-pitch = die Höhe ist { $given }; geben Sie Grad von -90 bis 90 an
+error-eye-zoom = die Vergrößerung ist { $given }; geben Sie einen Faktor von 0.001 bis 1000000 an

@@ -72,3 +72,23 @@ error-no-step = There is no step { $step }; choose one from 0 to { $last }
 error-steps-backwards = The steps { $first } to { $last } run backwards; name the smaller one first
 error-too-many-steps = These are { $n } steps, and a file holds at most { $most }; choose some of them, such as { $first } to { $last }
 error-building = The tree cannot be built: { $details }
+error-view-query = The view “{ $view }” has nothing to show of what is asked; choose another one
+error-view-step = The view “{ $view }” has nothing to show after step { $step }; it has after step { $first }
+error-view-never = The view “{ $view }” has nothing to show in any step of this run; try another algorithm or ray
+error-exercise-missed = The ray misses the tree; take another one, or a new one for each number
+error-exercise-long = The ray enters { $n } inner nodes, more than a worksheet has room for; take a tree of 2 to 4 levels or a shorter ray, or a new one for each number
+error-exercise-none = No ray through this tree can be followed by hand with profit; take a tree of 2 to 4 levels
+error-kept = The field “{ $field }” of the scenario’s “view” cannot be read: { $details }
+error-kept-no-names = it is no text; write names between commas
+error-kept-no-numbers = it is no text; write “-30,20,1.5”
+error-kept-middle = its middle has { $n } numbers; give { $dimension }, or none
+error-shown-part = there is no “{ $given }” to show; there are { $known }, and none
+error-shown-setting = there is no “{ $given }” to set; there are levels, rest, slice and apart
+error-shown-levels = there are no levels “{ $given }”; give two as in levels=2-5
+error-shown-rest = the rest cannot be “{ $given }”; it can be { $known }
+error-shown-slice = there is no slice at “{ $given }”; give axis and share, as in slice=x:0.5
+error-shown-apart = children cannot be apart by “{ $given }”; give sides from 0 to { $known }
+error-eye-no-numbers = give numbers such as -30,20,1.5
+error-eye-count = there are { $n } numbers; give three: yaw and pitch in degrees, zoom; and then, if you like, the point in the middle, and the word parallel
+error-eye-pitch = the pitch is { $given }; give degrees from -90 to 90
+error-eye-zoom = the zoom is { $given }; give a factor from 0.001 to 1000000
