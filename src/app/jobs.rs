@@ -1,7 +1,7 @@
 //! Opening files and building trees, on another thread.
 
 use super::App;
-use super::telling::{file_name, rules_told};
+use super::telling::{file_name, method_told, rules_told};
 use crate::document::AnyDocument;
 use crate::files::Purpose;
 use crate::job::{Job, Poll, Title};
@@ -237,6 +237,8 @@ impl App {
             self.settle_now();
             self.history.record(self.shown());
         }
+        let method =
+            with_document!(&self.document, d => method_told(&d.scenario.query, &self.look));
         self.document = document;
         (self.tracing, self.judging) = (None, None);
         // What no file has is tried again by the next start, as long as nothing else is made.
@@ -253,7 +255,7 @@ impl App {
             self.look.texts.format("status-kept", &[("title", title.into())])
         });
         let rules = (task == Task::Counterexample).then(
-            || with_document!(&self.document, d => rules_told(&d.scenario.query, &self.look)),
+            || with_document!(&self.document, d => rules_told(&d.scenario.query, &method, &self.look)),
         );
         if kept.is_some() || rules.is_some() {
             let all: Vec<String> = rules.into_iter().chain(kept).collect();

@@ -46,9 +46,9 @@ impl App {
     }
 }
 
-/// Which algorithm is at work, and which of its rules in another form than the right one.
-pub(super) fn rules_told<const D: usize>(query: &Query<D>, look: &Look) -> String {
-    let algorithm = match *query {
+/// The algorithm that is at work.
+pub(super) fn method_told<const D: usize>(query: &Query<D>, look: &Look) -> String {
+    match *query {
         Query::Ray { algorithm, .. } => algorithm_name(algorithm, look.texts.language()),
         Query::Point { method, .. } => {
             let method = match method {
@@ -65,14 +65,26 @@ pub(super) fn rules_told<const D: usize>(query: &Query<D>, look: &Look) -> Strin
             };
             format!("{} {}", look.text("query-neighbour"), look.text(method))
         }
-    };
+    }
+}
+
+/// Which algorithm is at work, which of its rules in another form than the right one, and
+/// what goes back to the algorithm that was at work before, if that is another one.
+pub(super) fn rules_told<const D: usize>(query: &Query<D>, before: &str, look: &Look) -> String {
     let rule = |variant: Variant| match erratum_of(variant) {
         Some(_) => look.texts.format("status-rule-printed", &[("rule", variant.id().into())]),
         None => look.text(&format!("variant-{}", variant.id())),
     };
     let rules: Vec<String> = query.variants_at_work().iter().map(rule).collect();
-    let arguments = [("algorithm", algorithm.into()), ("rules", rules.join(", ").into())];
-    look.texts.format("status-rules", &arguments)
+    let method = method_told(query, look);
+    let is_same = method == before;
+    let arguments = [("algorithm", method.into()), ("rules", rules.join(", ").into())];
+    let told = look.texts.format("status-rules", &arguments);
+    if is_same {
+        return told;
+    }
+    let back = look.texts.format("status-back", &[("before", before.to_owned().into())]);
+    format!("{told}. {back}")
 }
 
 /// The last part of a path, for a message.

@@ -1,10 +1,12 @@
 //! The search over everything that has a name, by keyboard alone.
 
 use crate::desk::Desk;
+use crate::states::Question;
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Event, Key, Modifiers, MouseWheelSource, MouseWheelUnit, TouchPhase, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
+use octoscope::query_kind::QueryKind;
 use octoscope::text::texts;
 use octoscope::view::Dialog;
 use octoscope_core::query::Query;
@@ -183,4 +185,51 @@ fn what_is_not_found_is_said_and_escape_leaves() {
     assert!(matches!(desk.state().view.dialog, Some(Dialog::Find(_))));
     desk.press(Key::Escape);
     assert_eq!(desk.state().view.dialog, None);
+}
+
+#[test]
+fn a_question_that_is_found_begins_at_its_first_step_each_time() {
+    for kind in [QueryKind::Point, QueryKind::Region, QueryKind::Neighbour] {
+        let wanted = texts(Language::English).get(&format!("find-{}", kind.key()));
+        let mut desk = Desk::new();
+        desk.press(Key::End);
+        for _ in 0..2 {
+            search(&mut desk, &wanted);
+            desk.press(Key::Enter);
+            let asked = desk.plane().scenario.query;
+            assert_eq!((QueryKind::of(&asked), desk.step_number()), (kind, 0));
+            desk.press(Key::ArrowRight);
+            assert_eq!(desk.step_number(), 1);
+        }
+        // The ray comes back where it was left.
+        desk.press(Key::Escape);
+        assert_eq!(desk.step_number(), desk.plane().trace.events.len());
+    }
+}
+
+#[test]
+fn an_erratum_of_another_algorithm_says_how_to_go_back_to_the_present_one() {
+    for (language, told) in [
+        (Language::English, "Ctrl+Z goes back: Samet"),
+        (Language::German, "Strg+Z führt zurück: Samet"),
+    ] {
+        let mut desk = Desk::new();
+        Question::Ray(Algorithm::Samet).ask(&mut desk);
+        desk.state_mut().view.language = language;
+        desk.run();
+        let before = desk.plane().scenario.query;
+        open(&mut desk, "b-3");
+        assert_ne!(desk.plane().scenario.query, before);
+        assert!(desk.says(told), "{:?}", desk.texts());
+        desk.press_with(Modifiers::COMMAND, Key::Z);
+        assert_eq!(desk.plane().scenario.query, before);
+        // The same algorithm needs no way back.
+        open(&mut desk, "b-3");
+        open(&mut desk, "b-1");
+        assert!(
+            !desk.says("Ctrl+Z goes back") && !desk.says("führt zurück:"),
+            "{:?}",
+            desk.texts()
+        );
+    }
 }

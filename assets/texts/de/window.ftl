@@ -444,6 +444,7 @@ drop-here = Datei loslassen, um sie zu öffnen
 status-no-ray = Diese Anfrage hat keinen Strahl. „Strahl“ unter Anfrage bringt den letzten zurück.
 status-rules = Verfahren: { $algorithm }; { $rules }
 status-rule-printed = Regel { $rule } wie gedruckt
+status-back = Strg+Z führt zurück: { $before }
 status-detour = Die gedruckte Regel kommt auf einem Umweg zum richtigen Ergebnis; er beginnt hier.
 status-no-misprint = Alle Regeln gelten in ihrer richtigen Form; kein Druckfehler führt in die Irre. Die Werkstatt zum Aufsatz schaltet Druckfehler ein.
 status-only-in-space = Das gilt für Octrees: Ein Quadtree wird nur von einer Seite gesehen.

@@ -444,6 +444,7 @@ drop-here = Drop the file to open it
 status-no-ray = This query has no ray. “Ray” under Query brings the last one back.
 status-rules = Algorithm: { $algorithm }; { $rules }
 status-rule-printed = rule { $rule } as printed
+status-back = Ctrl+Z goes back: { $before }
 status-detour = The printed rule comes to the right result by a detour, which begins here.
 status-no-misprint = Every rule is followed in its right form, so no misprint leads astray. The paper lab switches misprints on.
 status-only-in-space = This is for octrees: a quadtree is seen from one side only.
