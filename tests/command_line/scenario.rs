@@ -134,6 +134,17 @@ fn trace_tells_every_step() {
     let objects: Vec<serde_json::Value> =
         lines.lines().map(|line| serde_json::from_str(line).unwrap()).collect();
     assert_eq!(objects[0]["octoscope-trace"], 1);
+    assert_eq!(objects[0]["query"], "ray");
+    let lines = desk.prints("trace scene:figure-7 --algorithm parametric@B-2,B-7 --format jsonl");
+    let header: serde_json::Value = serde_json::from_str(lines.lines().next().unwrap()).unwrap();
+    assert_eq!(header["algorithm"], "parametric");
+    assert_eq!(header["variants"], serde_json::json!(["B-2", "B-7"]));
+    let lines = desk.prints("trace scene:figure-1 --format jsonl");
+    let header: serde_json::Value = serde_json::from_str(lines.lines().next().unwrap()).unwrap();
+    assert_eq!(
+        (&header["query"], &header["algorithm"]),
+        (&"point".into(), &serde_json::Value::Null)
+    );
     assert!(objects[1..].iter().all(|object| object["event"].is_string()));
     let table = desk.prints("trace a.octo --format csv");
     assert_eq!(table.lines().count(), lines.lines().count());

@@ -3,6 +3,7 @@
 use super::sentence::sentences;
 use crate::event::{End, Event, Halves, Lookup};
 use crate::geometry::{Axes, Ray};
+use crate::query::Query;
 use crate::text::Language;
 use crate::trace::{Moment, Trace};
 use crate::tree::{Part, Tree};
@@ -26,8 +27,10 @@ pub fn trace_text<const D: usize>(
 /// `trace` as JSON lines: a header, then one object a step.
 ///
 /// The header has `octoscope-trace` (version 1), `dimension`, `domain` (`min`,
-/// `side`), `root_level`, `ray` (`origin`, `direction`) and `child_numbering`
-/// (`x-most-significant`). A step has:
+/// `side`), `root_level`, `ray` (`origin`, `direction`), `child_numbering`
+/// (`x-most-significant`) and what is asked: `query` (`ray`, `point`, `region` or
+/// `neighbour`), of a ray by which `algorithm`, and the `variants` of its rules that are
+/// followed, such as `B-2`. A step has:
 /// * `event`: its name, the same as in the listing; `end` for the last one;
 /// * `node`: `[level, x, y]` or `[level, x, y, z]`, the node at which the
 ///   algorithm is after the step, if at any; codes are those of its minimum
@@ -40,15 +43,20 @@ pub fn trace_text<const D: usize>(
 /// Numbers read back exactly; those that JSON lacks are the strings `inf`,
 /// `-inf` and `nan`.
 pub fn trace_jsonl<const D: usize>(tree: &Tree<D>, ray: &Ray<D>, trace: &Trace<D>) -> String {
-    let domain = tree.domain();
-    let header = json!({
+    let (domain, query) = (tree.domain(), &trace.query);
+    let mut header = json!({
         "octoscope-trace": 1,
         "dimension": D,
         "domain": { "min": numbers(domain.min()), "side": number(domain.side()) },
         "root_level": domain.root_level(),
         "ray": { "origin": numbers(ray.origin()), "direction": numbers(ray.direction()) },
         "child_numbering": "x-most-significant",
+        "query": kind_of(query),
+        "variants": query.variants_at_work(),
     });
+    if let Query::Ray { algorithm, .. } = query {
+        header["algorithm"] = json!(algorithm);
+    }
     let mut lines = format!("{header}\n");
     for step in steps(tree, trace) {
         let mut object = Map::new();
@@ -66,6 +74,16 @@ pub fn trace_jsonl<const D: usize>(tree: &Tree<D>, ray: &Ray<D>, trace: &Trace<D
         lines += &format!("{}\n", Value::Object(object));
     }
     lines
+}
+
+/// What is asked for, by the name that scenarios have for it.
+fn kind_of<const D: usize>(query: &Query<D>) -> &'static str {
+    match query {
+        Query::Ray { .. } => "ray",
+        Query::Point { .. } => "point",
+        Query::Region { .. } => "region",
+        Query::Neighbour { .. } => "neighbour",
+    }
 }
 
 /// `trace` as comma-separated values, with a line of names: the number of the
