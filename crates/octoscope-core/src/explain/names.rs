@@ -2,10 +2,9 @@
 
 use crate::event::End;
 use crate::query::Query;
-use crate::text::{Language, Texts};
+use crate::text::{Bilingual, Language, Texts};
 use crate::trace::Counter;
 use crate::traverse::Algorithm;
-use std::sync::LazyLock;
 
 /// Sources of the texts on steps, by language.
 pub(super) const ENGLISH: &str = include_str!("../../../../assets/texts/en/steps.ftl");
@@ -13,13 +12,8 @@ pub(super) const GERMAN: &str = include_str!("../../../../assets/texts/de/steps.
 
 /// Texts on steps in `language`.
 pub fn step_texts(language: Language) -> &'static Texts {
-    static IN_ENGLISH: LazyLock<Texts> =
-        LazyLock::new(|| Texts::new(Language::English, &[ENGLISH]));
-    static IN_GERMAN: LazyLock<Texts> = LazyLock::new(|| Texts::new(Language::German, &[GERMAN]));
-    match language {
-        Language::English => &IN_ENGLISH,
-        Language::German => &IN_GERMAN,
-    }
+    static TEXTS: Bilingual = Bilingual::new(ENGLISH, GERMAN);
+    TEXTS.texts(language)
 }
 
 /// Who has published an algorithm, between commas; nobody for what is told everywhere.

@@ -9,9 +9,8 @@ mod snap;
 pub use snap::{Snap, Snapped, snap};
 
 use crate::geometry::Ray;
-use crate::text::{Language, Texts};
+use crate::text::{Bilingual, Language, Texts};
 use crate::tree::Tree;
-use std::sync::LazyLock;
 use thiserror::Error;
 
 /// A degenerate ray.
@@ -207,13 +206,8 @@ const ENGLISH: &str = include_str!("../../../../assets/texts/en/gallery.ftl");
 const GERMAN: &str = include_str!("../../../../assets/texts/de/gallery.ftl");
 
 fn texts(language: Language) -> &'static Texts {
-    static IN_ENGLISH: LazyLock<Texts> =
-        LazyLock::new(|| Texts::new(Language::English, &[ENGLISH]));
-    static IN_GERMAN: LazyLock<Texts> = LazyLock::new(|| Texts::new(Language::German, &[GERMAN]));
-    match language {
-        Language::English => &IN_ENGLISH,
-        Language::German => &IN_GERMAN,
-    }
+    static TEXTS: Bilingual = Bilingual::new(ENGLISH, GERMAN);
+    TEXTS.texts(language)
 }
 
 #[cfg(test)]

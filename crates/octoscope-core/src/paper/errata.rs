@@ -1,8 +1,7 @@
 //! All errata of the paper.
 
-use crate::text::{Language, Texts};
+use crate::text::{Bilingual, Language, Texts};
 use crate::traverse::Variant;
-use std::sync::LazyLock;
 
 /// An error in the paper. Its texts are `erratum-b-N-title`, `-printed`,
 /// `-right` and `-why` of [`paper_texts`].
@@ -70,13 +69,8 @@ fn reading_key(variant: Variant) -> String {
 
 /// Texts on the errata in `language`.
 pub fn paper_texts(language: Language) -> &'static Texts {
-    static IN_ENGLISH: LazyLock<Texts> =
-        LazyLock::new(|| Texts::new(Language::English, &[ENGLISH]));
-    static IN_GERMAN: LazyLock<Texts> = LazyLock::new(|| Texts::new(Language::German, &[GERMAN]));
-    match language {
-        Language::English => &IN_ENGLISH,
-        Language::German => &IN_GERMAN,
-    }
+    static TEXTS: Bilingual = Bilingual::new(ENGLISH, GERMAN);
+    TEXTS.texts(language)
 }
 
 const ENGLISH: &str = include_str!("../../../../assets/texts/en/paper.ftl");

@@ -23,10 +23,9 @@ pub use spoken::{spoken, spoken_formula};
 pub use term::{Fence, Formula, Room, Sign};
 
 use crate::geometry::Ray;
-use crate::text::{Language, Texts};
+use crate::text::{Bilingual, Language, Texts};
 use crate::trace::{Moment, Trace};
 use crate::tree::Tree;
-use std::sync::LazyLock;
 use writer::Writer;
 
 /// One computation or comparison.
@@ -61,13 +60,8 @@ pub fn formulas<const D: usize>(
 
 /// Words in formulas, and how formulas are spoken.
 pub(super) fn formula_texts(language: Language) -> &'static Texts {
-    static IN_ENGLISH: LazyLock<Texts> =
-        LazyLock::new(|| Texts::new(Language::English, &[ENGLISH]));
-    static IN_GERMAN: LazyLock<Texts> = LazyLock::new(|| Texts::new(Language::German, &[GERMAN]));
-    match language {
-        Language::English => &IN_ENGLISH,
-        Language::German => &IN_GERMAN,
-    }
+    static TEXTS: Bilingual = Bilingual::new(ENGLISH, GERMAN);
+    TEXTS.texts(language)
 }
 
 const ENGLISH: &str = include_str!("../../../../../assets/texts/en/formulas.ftl");
