@@ -308,6 +308,17 @@ impl Command {
     pub fn row(self) -> &'static Row {
         COMMANDS.iter().find(|row| row.command == self).expect("every command has a row")
     }
+
+    /// Whether what is typed after it is meant for a dialog or a field, and for no command.
+    pub fn takes_keys(self) -> bool {
+        self.opens_dialog() || self == Self::GoToStep
+    }
+
+    /// Whether a dialog follows it, of this program or of the system.
+    pub fn opens_dialog(self) -> bool {
+        use Command::{About, Export, Find, Keys, Lab, Open, Save, SaveAs};
+        matches!(self, About | Export | Find | Keys | Lab | Open | Save | SaveAs)
+    }
 }
 
 /// Keys that a focused control keeps for itself: it is operated or left by them.
@@ -325,19 +336,6 @@ pub fn belongs_to_list(shortcut: &KeyboardShortcut) -> bool {
     let function_key = matches!(shortcut.logical_key, Key::F1 | Key::F11);
     let presenter_key = matches!(shortcut.logical_key, Key::PageUp | Key::PageDown);
     shortcut.modifiers == Modifiers::NONE && !function_key && !presenter_key
-}
-
-impl Command {
-    /// Whether what is typed after it is meant for a dialog or a field, and for no command.
-    pub fn takes_keys(self) -> bool {
-        self.opens_dialog() || self == Self::GoToStep
-    }
-
-    /// Whether a dialog follows it, of this program or of the system.
-    pub fn opens_dialog(self) -> bool {
-        use Command::{About, Export, Find, Keys, Lab, Open, Save, SaveAs};
-        matches!(self, About | Export | Find | Keys | Lab | Open | Save | SaveAs)
-    }
 }
 
 #[cfg(test)]
