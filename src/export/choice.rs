@@ -211,7 +211,7 @@ impl Choice {
         let steps: String = self.listed_moments.split_whitespace().collect();
         let moments = steps.trim_end_matches(',').parse().ok();
         moments.filter(|moments: &Moments| match moments {
-            Moments::At(_) => moments.check(n_events).is_ok(),
+            Moments::At(_) => moments.missing(n_events).is_none(),
             Moments::Even(_) | Moments::Leaves(_) => false,
         })
     }

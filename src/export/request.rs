@@ -114,7 +114,10 @@ impl Request {
                 None => scenario.print(),
             }
         };
-        self.moments.check(document.n_events())?;
+        let n_events = document.n_events();
+        if let Some(step) = self.moments.missing(n_events) {
+            bail!("there is no step {step}; give steps from 0 to {n_events}");
+        }
         then(&Series {
             steps: self.shown_of(document, steps)?,
             figure: &|page, step| with_document!(document, d => self.figure(d, page, step)),

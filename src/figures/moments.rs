@@ -1,7 +1,6 @@
 //! The moments of a storyboard.
 
 use crate::document::Document;
-use anyhow::bail;
 use octoscope_core::event::Event;
 use std::fmt::{Display, Formatter};
 use std::str::FromStr;
@@ -27,17 +26,12 @@ impl Moments {
     /// Most panels of a storyboard: more would be too small or too many to read.
     pub const MOST: usize = 24;
 
-    /// Refuses steps that a run of `n_events` does not have.
-    ///
-    /// # Errors
-    /// Says which steps there are.
-    pub fn check(&self, n_events: usize) -> anyhow::Result<()> {
-        if let Self::At(steps) = self
-            && let Some(step) = steps.iter().find(|step| **step > n_events)
-        {
-            bail!("there is no step {step}; give steps from 0 to {n_events}");
+    /// The first step among them that a run of `n_events` does not have, if there is one.
+    pub fn missing(&self, n_events: usize) -> Option<usize> {
+        match self {
+            Self::Even(_) | Self::Leaves(_) => None,
+            Self::At(steps) => steps.iter().copied().find(|step| *step > n_events),
         }
-        Ok(())
     }
 
     /// The steps in a run of `document`.
@@ -111,8 +105,8 @@ mod tests {
         for bad in ["even", "even:0", "leaves:25", "some:3", "", "1,x"] {
             assert!(bad.parse::<Moments>().is_err(), "{bad}");
         }
-        assert!(Moments::At(vec![3, 9]).check(9).is_ok());
-        assert!(Moments::At(vec![3, 9]).check(8).is_err());
+        assert_eq!(Moments::At(vec![3, 9]).missing(9), None);
+        assert_eq!(Moments::At(vec![3, 9]).missing(8), Some(9));
     }
 
     #[test]
