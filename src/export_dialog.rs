@@ -81,7 +81,7 @@ pub fn ui(context: &Context, look: &Look, mut shown: Shown) -> Option<Answer> {
     // Enter in a field is for the field.
     let is_free = context.memory(|memory| memory.focused().is_none());
     let is_entered = is_free && is_entered(context);
-    let mut answer = (is_entered && can_export(shown.choice)).then_some(Answer::Export);
+    let mut answer = (is_entered && can_export(there(shown.choice))).then_some(Answer::Export);
     let frame = Frame::popup(&context.global_style()).inner_margin(20.0);
     let room = context.content_rect().size();
     let response = Modal::new(Id::unique("export")).frame(frame).show(context, |ui| {
@@ -200,20 +200,28 @@ pub fn line(request: &Request, origin: &Origin, choice: &Choice) -> String {
     shell_line(&request.command(&origin.file, origin.ray.as_deref(), choice.file.trim()))
 }
 
-/// Whether a file is named that can be written, as far as that shows.
-fn can_export(choice: &Choice) -> bool {
+/// What is where the file will be; `None` if that has no name yet.
+fn there(choice: &Choice) -> Option<There> {
     let file = choice.file.trim();
-    !file.is_empty() && files::there(Path::new(file)) != There::Folder
+    (!file.is_empty()).then(|| files::there(Path::new(file)))
+}
+
+/// Whether the file can be written, as far as that shows.
+fn can_export(there: Option<There>) -> bool {
+    match there {
+        None | Some(There::Folder) => false,
+        Some(There::Nothing | There::File) => true,
+    }
 }
 
 /// Where the file will be, and what is there already.
-fn target(ui: &mut Ui, look: &Look, choice: &Choice) {
+fn target(ui: &mut Ui, look: &Look, choice: &Choice, there: Option<There>) {
     let file = Path::new(choice.file.trim());
-    let key = match files::there(file) {
-        _ if choice.file.trim().is_empty() => "export-nameless",
-        There::Nothing => "export-new",
-        There::File => "export-replaces",
-        There::Folder => "export-folder",
+    let key = match there {
+        None => "export-nameless",
+        Some(There::Nothing) => "export-new",
+        Some(There::File) => "export-replaces",
+        Some(There::Folder) => "export-folder",
     };
     path_line(ui, look, &files::whole(file), |path| {
         look.texts.format(key, &[("path", path.to_owned().into())])
@@ -223,9 +231,9 @@ fn target(ui: &mut Ui, look: &Look, choice: &Choice) {
 fn buttons(ui: &mut Ui, look: &Look, shown: &mut Shown) -> Option<Answer> {
     let mut answer = None;
     ui.add_space(6.0);
-    ui.horizontal(|ui| {
+    let is_entered_in_field = ui.horizontal(|ui| {
         let label = ui.label(look.text("export-file"));
-        ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+        let field = ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             if ui.button(look.text("export-choose")).clicked() {
                 answer = Some(Answer::Choose);
             }
@@ -236,15 +244,19 @@ fn buttons(ui: &mut Ui, look: &Look, shown: &mut Shown) -> Option<Answer> {
             if field.changed() {
                 shown.choice.set_file(&file);
             }
-            if field.lost_focus() && is_entered(ui.ctx()) && can_export(shown.choice) {
-                answer = Some(Answer::Export);
-            }
+            field
         });
+        field.inner.lost_focus() && is_entered(ui.ctx())
     });
+    // Asked for once a frame.
+    let there = there(shown.choice);
+    if is_entered_in_field.inner && can_export(there) {
+        answer = Some(Answer::Export);
+    }
     if let Some(refused) = shown.refused {
         ui.add(Label::new(RichText::new(refused).color(look.palette.rejected)).wrap());
     } else {
-        target(ui, look, shown.choice);
+        target(ui, look, shown.choice, there);
     }
     ui.add_space(4.0);
     ui.horizontal_wrapped(|ui| {
@@ -254,7 +266,7 @@ fn buttons(ui: &mut Ui, look: &Look, shown: &mut Shown) -> Option<Answer> {
             &[("export-copy-image", Answer::CopyImage), ("export-copy-svg", Answer::CopySvg)]
         };
         let export = default_button(look, look.text("export-do"));
-        if ui.add_enabled(can_export(shown.choice), export).clicked() {
+        if ui.add_enabled(can_export(there), export).clicked() {
             answer = Some(Answer::Export);
         }
         for &(key, asked) in copies {
