@@ -4,7 +4,7 @@ use super::fields::{outline_if_edited, while_edited};
 use super::number_field::number;
 use crate::look::Look;
 use eframe::egui::{
-    Context, DragValue, Id, Key, Modifiers, Response, Stroke, Ui, accesskit::Invalid,
+    Color32, Context, DragValue, Id, Key, Modifiers, Response, Stroke, Ui, accesskit::Invalid,
 };
 use std::cell::RefCell;
 
@@ -32,6 +32,13 @@ struct Kept {
     is_given_up: bool,
 }
 
+impl Kept {
+    /// What was confirmed although it is no number.
+    fn refused(&self) -> Option<&str> {
+        self.text.as_deref().filter(|_| self.is_confirmed)
+    }
+}
+
 /// What a field has come to.
 pub struct Edited {
     /// The field.
@@ -49,14 +56,51 @@ pub fn typed_field(ui: &mut Ui, look: &Look, field: DragValue<'_>, typing: &Typi
     let field_id = ui.next_auto_id();
     let of_field = field_id.with("typed");
     let before = before_editing(ui, field_id, typing.value);
-    let bits = typing.value.to_bits();
     let kept: Kept = ui.data(|data| data.get_temp(of_field)).unwrap_or_default();
-    let mut kept = if kept.value == bits { kept } else { Kept::default() };
-    let refused = kept.text.clone().filter(|_| kept.is_confirmed);
+    let kept = if kept.value == typing.value.to_bits() { kept } else { Kept::default() };
+    let Shown { response, is_left, read } = show(ui, look, field, typing, &kept);
+    let read = read.unwrap_or_else(|| kept.clone());
+    let Ended { kept: mut now, mut said, restored } = match is_left {
+        true => ended(ui, look, &response, typing, before, read),
+        false => Ended { kept: read, said: None, restored: None },
+    };
+    now.is_given_up &= !response.has_focus();
+    if kept.refused() != now.refused() {
+        ui.ctx().request_repaint();
+    }
+    if let Some(text) = now.refused() {
+        let wrong = told(look, typing, text, now.value, "number-meanwhile");
+        ui.ctx().accesskit_node_builder(response.id, |node| {
+            node.set_invalid(Invalid::True);
+            node.set_description(wrong.clone());
+        });
+        said = Some(wrong);
+    } else if kept.refused().is_some() && said.is_none() {
+        // It is mended.
+        said = Some(String::new());
+    }
+    ui.data_mut(|data| data.insert_temp(of_field, now));
+    if let Some(said) = said {
+        ui.data_mut(|data| data.insert_temp(Id::unique(REFUSED), said));
+    }
+    Edited { response, restored }
+}
+
+/// A field as it was shown.
+struct Shown {
+    response: Response,
+    /// Whether it was left in this frame.
+    is_left: bool,
+    /// What is typed in it, if anything was read.
+    read: Option<Kept>,
+}
+
+/// Shows a field with the text that was refused, if one was, else with its number.
+fn show(ui: &mut Ui, look: &Look, field: DragValue<'_>, typing: &Typing<'_>, kept: &Kept) -> Shown {
     let last_read = RefCell::new(None);
     let field = field
-        .custom_formatter(|x, _| match &refused {
-            Some(text) if x == typing.value => text.clone(),
+        .custom_formatter(|x, _| match kept.refused() {
+            Some(text) if x == typing.value => text.to_owned(),
             Some(_) | None => (typing.shown)(x),
         })
         .custom_parser(|text| {
@@ -70,17 +114,13 @@ pub fn typed_field(ui: &mut Ui, look: &Look, field: DragValue<'_>, typing: &Typi
             read
         });
     let style = ui.style().clone();
-    let border = if refused.is_some() { look.palette.rejected } else { look.palette.accent };
+    let is_refused = kept.refused().is_some();
+    let border = if is_refused { look.palette.rejected } else { look.palette.accent };
     while_edited(ui, look, border);
-    if refused.is_some() {
-        let color = look.palette.rejected;
-        let visuals = ui.visuals_mut();
-        visuals.override_text_color = Some(color);
-        let widgets = &mut visuals.widgets;
-        for state in [&mut widgets.inactive, &mut widgets.hovered, &mut widgets.active] {
-            state.bg_stroke = Stroke::new(1.5, color);
-        }
+    if is_refused {
+        colour(ui, look.palette.rejected);
     }
+    let field_id = ui.next_auto_id();
     let has_focus = |ui: &Ui| ui.memory(|memory| memory.has_focus(field_id));
     let was_focused = has_focus(ui);
     let response = ui.add(field);
@@ -88,58 +128,64 @@ pub fn typed_field(ui: &mut Ui, look: &Look, field: DragValue<'_>, typing: &Typi
     // By the tabulator it is left at once, and tells so a frame later only.
     let is_left = response.lost_focus() || was_focused && !has_focus(ui);
     ui.set_style(style);
-    if let Some(now) = last_read.into_inner() {
-        kept = now;
+    Shown { response, is_left, read: last_read.into_inner() }
+}
+
+/// Gives the letters and the border of what comes next this colour.
+fn colour(ui: &mut Ui, colour: Color32) {
+    let visuals = ui.visuals_mut();
+    visuals.override_text_color = Some(colour);
+    let widgets = &mut visuals.widgets;
+    for state in [&mut widgets.inactive, &mut widgets.hovered, &mut widgets.active] {
+        state.bg_stroke = Stroke::new(1.5, colour);
     }
-    let told = |text: &str, holds: u64, what: &str| {
-        let value = ("value", number(f64::from_bits(holds)).into());
-        format!("{} {}", (typing.wrong)(text), look.texts.format(what, &[value]))
-    };
-    let (mut said, mut restored) = (None, None);
-    if is_left {
-        if kept.is_given_up || ui.input(|input| input.key_pressed(Key::Escape)) {
-            if kept.text.is_some() && !kept.is_given_up {
-                // Nothing else is given up with it.
-                ui.input_mut(|input| input.consume_key(Modifiers::NONE, Key::Escape));
-                said = Some(String::new());
-            }
-            restored = before;
-            let value = before.map_or(bits, f64::to_bits);
-            kept = Kept { value, is_given_up: true, ..Kept::default() };
-        } else if let Some(text) = kept.text.clone() {
-            restored = before;
-            let value = before.map_or(kept.value, f64::to_bits);
-            if ui.input(|input| input.key_pressed(Key::Enter)) {
-                // It is edited on.
-                response.request_focus();
-                kept = Kept { value, is_confirmed: true, ..kept };
-            } else {
-                said = Some(told(&text, value, "number-restored"));
-                kept = Kept { value, ..Kept::default() };
-            }
+}
+
+/// What has come of a field that was left.
+struct Ended {
+    kept: Kept,
+    /// What is said of it: nothing of what was given up.
+    said: Option<String>,
+    /// See [`Edited`].
+    restored: Option<f64>,
+}
+
+/// What comes of a field that is left with `kept`, after it had the number `before`: what
+/// was typed is given up by Escape, edited on by Enter, else given up with a word of it.
+fn ended(
+    ui: &mut Ui,
+    look: &Look,
+    response: &Response,
+    typing: &Typing<'_>,
+    before: Option<f64>,
+    kept: Kept,
+) -> Ended {
+    if kept.is_given_up || ui.input(|input| input.key_pressed(Key::Escape)) {
+        let is_given_up_now = kept.text.is_some() && !kept.is_given_up;
+        if is_given_up_now {
+            // Nothing else is given up with it.
+            ui.input_mut(|input| input.consume_key(Modifiers::NONE, Key::Escape));
         }
+        let value = before.unwrap_or(typing.value).to_bits();
+        let kept = Kept { value, is_given_up: true, ..Kept::default() };
+        return Ended { kept, said: is_given_up_now.then(String::new), restored: before };
     }
-    kept.is_given_up &= !response.has_focus();
-    let wrong = kept.text.as_deref().filter(|_| kept.is_confirmed);
-    let wrong = wrong.map(|text| told(text, kept.value, "number-meanwhile"));
-    if refused != kept.text.clone().filter(|_| kept.is_confirmed) {
-        ui.ctx().request_repaint();
+    let Some(text) = &kept.text else { return Ended { kept, said: None, restored: None } };
+    let value = before.map_or(kept.value, f64::to_bits);
+    if ui.input(|input| input.key_pressed(Key::Enter)) {
+        // It is edited on.
+        response.request_focus();
+        let kept = Kept { value, is_confirmed: true, ..kept };
+        return Ended { kept, said: None, restored: before };
     }
-    ui.data_mut(|data| data.insert_temp(of_field, kept));
-    if let Some(wrong) = wrong {
-        ui.ctx().accesskit_node_builder(response.id, |node| {
-            node.set_invalid(Invalid::True);
-            node.set_description(wrong.clone());
-        });
-        said = Some(wrong);
-    } else if refused.is_some() && said.is_none() {
-        // It is mended.
-        said = Some(String::new());
-    }
-    if let Some(said) = said {
-        ui.data_mut(|data| data.insert_temp(Id::unique(REFUSED), said));
-    }
-    Edited { response, restored }
+    let said = told(look, typing, text, value, "number-restored");
+    Ended { kept: Kept { value, ..Kept::default() }, said: Some(said), restored: before }
+}
+
+/// What is wrong with a text, and by the text `key` which number holds.
+fn told(look: &Look, typing: &Typing<'_>, text: &str, holds: u64, key: &str) -> String {
+    let value = ("value", number(f64::from_bits(holds)).into());
+    format!("{} {}", (typing.wrong)(text), look.texts.format(key, &[value]))
 }
 
 /// The number that a field had when its editing began, while it is edited and when that
