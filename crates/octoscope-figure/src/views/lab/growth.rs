@@ -43,18 +43,7 @@ pub fn growth_chart(
     [width, height]: [f64; 2],
 ) -> Figure {
     let mut sheet = Sheet::default();
-    let mut all: Vec<Series> = results
-        .ways()
-        .into_iter()
-        .map(|way| {
-            let (points, law) = growth(results, of.scene, way, [of.size, of.cost]);
-            let in_units = |p: &[f64; 2]| [in_unit(of.size, p[0]), in_unit(of.cost, p[1])];
-            let usable = |p: &[f64; 2]| p.iter().all(|x| *x > 0.0 && x.is_finite());
-            let points = points.iter().map(in_units).filter(usable).collect();
-            Series { way, points, law }
-        })
-        .collect();
-    all.retain(|series| series.points.len() > 1);
+    let all = all_series(results, of);
     if all.is_empty() {
         let key = match results.depths().len() {
             0 => "lab-nothing",
@@ -64,92 +53,133 @@ pub fn growth_chart(
         sheet.text(Role::Words, [0.0, 10.0], Anchor::Start, texts.get(key));
         return sheet.figure([width, 20.0]);
     }
-    let title = texts.get(&format!("lab-quantity-{}", of.cost.id()));
-    sheet.text(Role::Heading, [0.0, 9.0], Anchor::Start, title);
-    let arguments = [("scene", scene_name(of.scene, texts).into())];
     let shifts = shifts(&all);
-    let mut note = texts.format("lab-growth-note", &arguments);
+    let mut note =
+        texts.format("lab-growth-note", &[("scene", scene_name(of.scene, texts).into())]);
     note += &measured_once(results, of.cost, texts);
     if shifts.iter().any(|&shift| shift > 0.0) {
         note += &texts.get("lab-side-by-side");
     }
+    let title = texts.get(&format!("lab-quantity-{}", of.cost.id()));
+    sheet.text(Role::Heading, [0.0, 9.0], Anchor::Start, title);
     let top = 22.0 + sheet.paragraph(Role::Note, [0.0, 22.0], width, &note.into());
 
-    // What stands at the ends of the lines.
-    let labels: Vec<RichText> = all
-        .iter()
-        .map(|series| {
-            let exponent = ratio(series.law.map(|law| law.exponent));
-            format!("{}  {exponent}", way_name(series.way, texts)).into()
-        })
-        .collect();
+    let labels = labels(&all, texts);
     let widest = labels.iter().map(|label| metrics::width(Role::Note, label)).fold(0.0, f64::max);
-    let unit = texts.get(&format!("lab-unit-{}", of.cost.id()));
-    sheet.text(Role::Scale, [0.0, top + 10.0], Anchor::Start, unit);
-
-    let points = || all.iter().flat_map(|series| series.points.iter().copied());
-    let [x_axis, y_axis] = [0, 1].map(|e| Axis::around(points().map(|p| p[e])));
-    let ticks_wide = y_axis
-        .ticks()
-        .iter()
-        .map(|&tick| metrics::width(Role::Scale, &short(tick).into()))
-        .fold(0.0, f64::max);
-    let [left, right] = [ticks_wide + 10.0, width - widest - LEADER - SAMPLE - 8.0];
-    let [upper, lower] = [top + 28.0, height - 40.0];
-    let place = |p: [f64; 2]| {
-        let [x, y] = [x_axis.share(p[0]), y_axis.share(p[1])];
-        [left + x * (right - left), lower - y * (lower - upper)]
-    };
-
-    for tick in y_axis.ticks() {
-        let y = place([1.0, tick])[1];
-        sheet.line(Role::Scale, [[left, y], [right, y]]);
-        sheet.text(Role::Scale, [left - 6.0, y], Anchor::End, short(tick));
-    }
-    let mut free_from = f64::NEG_INFINITY;
-    for tick in x_axis.ticks() {
-        let x = place([tick, 1.0])[0];
-        sheet.line(Role::Scale, [[x, upper], [x, lower]]);
-        let text = RichText::from(short(tick));
-        let half = 0.5 * metrics::width(Role::Scale, &text);
-        if x - half > free_from {
-            sheet.text(Role::Scale, [x, lower + 12.0], Anchor::Middle, text);
-            free_from = x + half + 6.0;
-        }
-    }
-    let unit = texts.get(&format!("lab-unit-{}", of.size.id()));
-    sheet.text(Role::Scale, [right, lower + 30.0], Anchor::End, unit);
-
-    for (series, &shift) in all.iter().zip(&shifts) {
-        let role = role_of(series.way);
-        let shifted = |[x, y]: [f64; 2]| [x, y + shift];
-        let line: Vec<[f64; 2]> = series.points.iter().map(|&p| shifted(place(p))).collect();
-        sheet.line(role, line.clone());
-        for at in line {
-            mark(&mut sheet, series.way, at);
-        }
-    }
-    // Names at the ends, as near to them as there is room.
-    let end = |series: &Series| series.points.last().map_or(lower, |&p| place(p)[1]);
-    let ends: Vec<f64> = all.iter().zip(shifts).map(|(s, shift)| end(s) + shift).collect();
-    let tops = spread(&ends, LABEL, [upper - 8.0, lower + 8.0]);
-    for (((series, label), end), y) in all.iter().zip(labels).zip(ends).zip(tops) {
-        let role = role_of(series.way);
-        let leader = vec![[right + 7.0, end], [right + LEADER, y]];
-        sheet.push(role, Part::FineEdge, Form::Polyline(leader));
-        // The line and the mark of the curve, beside its name.
-        let [from, to] = [right + LEADER, right + LEADER + SAMPLE];
-        sheet.line(role, [[from, y], [to, y]]);
-        mark(&mut sheet, series.way, [0.5 * (from + to), y]);
-        sheet.text(Role::Note, [to + 6.0, y], Anchor::Start, label);
-    }
+    let right = width - widest - LEADER - SAMPLE - 8.0;
+    let plot = Plot::of(&all, right, [top + 28.0, height - 40.0]);
+    let units = [of.size, of.cost].map(|of| texts.get(&format!("lab-unit-{}", of.id())));
+    plot.draw_axes(&mut sheet, units);
+    plot.draw_curves(&mut sheet, &all, &shifts);
+    plot.draw_names(&mut sheet, &all, &shifts, labels);
     sheet.figure([width, height])
+}
+
+/// The line of each way that has two points at least, in the units of the chart.
+fn all_series(results: &Results, of: Growth) -> Vec<Series> {
+    let in_units = |p: &[f64; 2]| [in_unit(of.size, p[0]), in_unit(of.cost, p[1])];
+    let usable = |p: &[f64; 2]| p.iter().all(|x| *x > 0.0 && x.is_finite());
+    let series = |way: Way| {
+        let (points, law) = growth(results, of.scene, way, [of.size, of.cost]);
+        Series { way, points: points.iter().map(in_units).filter(usable).collect(), law }
+    };
+    let all = results.ways().into_iter().map(series);
+    all.filter(|series| series.points.len() > 1).collect()
+}
+
+/// What stands at the ends of the lines: names with exponents.
+fn labels(all: &[Series], texts: &Texts) -> Vec<RichText> {
+    let label = |series: &Series| {
+        let exponent = ratio(series.law.map(|law| law.exponent));
+        format!("{}  {exponent}", way_name(series.way, texts)).into()
+    };
+    all.iter().map(label).collect()
+}
+
+/// The axes, and between which places of the figure they lie.
+struct Plot {
+    axes: [Axis; 2],
+    left: f64,
+    right: f64,
+    upper: f64,
+    lower: f64,
+}
+
+impl Plot {
+    /// With room for the numbers of the upright axis to the left of it.
+    fn of(all: &[Series], right: f64, [upper, lower]: [f64; 2]) -> Self {
+        let points = || all.iter().flat_map(|series| series.points.iter().copied());
+        let axes = [0, 1].map(|e| Axis::around(points().map(|p| p[e])));
+        let ticks = axes[1].ticks();
+        let wide = ticks.iter().map(|&tick| metrics::width(Role::Scale, &short(tick).into()));
+        let left = 10.0 + wide.fold(0.0, f64::max);
+        Self { axes, left, right, upper, lower }
+    }
+
+    fn place(&self, p: [f64; 2]) -> [f64; 2] {
+        let [x, y] = [0, 1].map(|e| self.axes[e].share(p[e]));
+        let Self { left, right, upper, lower, .. } = *self;
+        [left + x * (right - left), lower - y * (lower - upper)]
+    }
+
+    /// Lines of the axes with their numbers, as far as these have room, and units.
+    fn draw_axes(&self, sheet: &mut Sheet, [x_unit, y_unit]: [String; 2]) {
+        let Self { axes: [x_axis, y_axis], left, right, upper, lower } = self;
+        sheet.text(Role::Scale, [0.0, upper - 18.0], Anchor::Start, y_unit);
+        for tick in y_axis.ticks() {
+            let y = self.place([1.0, tick])[1];
+            sheet.line(Role::Scale, [[*left, y], [*right, y]]);
+            sheet.text(Role::Scale, [left - 6.0, y], Anchor::End, short(tick));
+        }
+        let mut free_from = f64::NEG_INFINITY;
+        for tick in x_axis.ticks() {
+            let x = self.place([tick, 1.0])[0];
+            sheet.line(Role::Scale, [[x, *upper], [x, *lower]]);
+            let text = RichText::from(short(tick));
+            let half = 0.5 * metrics::width(Role::Scale, &text);
+            if x - half > free_from {
+                sheet.text(Role::Scale, [x, lower + 12.0], Anchor::Middle, text);
+                free_from = x + half + 6.0;
+            }
+        }
+        sheet.text(Role::Scale, [*right, lower + 30.0], Anchor::End, x_unit);
+    }
+
+    fn draw_curves(&self, sheet: &mut Sheet, all: &[Series], shifts: &[f64]) {
+        for (series, shift) in all.iter().zip(shifts) {
+            let shifted = |[x, y]: [f64; 2]| [x, y + shift];
+            let line: Vec<[f64; 2]> =
+                series.points.iter().map(|&p| shifted(self.place(p))).collect();
+            sheet.line(role_of(series.way), line.clone());
+            for at in line {
+                mark(sheet, series.way, at);
+            }
+        }
+    }
+
+    /// Names at the ends of the curves, as near to them as there is room.
+    fn draw_names(&self, sheet: &mut Sheet, all: &[Series], shifts: &[f64], names: Vec<RichText>) {
+        let Self { right, upper, lower, .. } = *self;
+        let end = |series: &Series| series.points.last().map_or(lower, |&p| self.place(p)[1]);
+        let ends: Vec<f64> = all.iter().zip(shifts).map(|(s, shift)| end(s) + shift).collect();
+        let places = spread(&ends, LABEL, [upper - 8.0, lower + 8.0]);
+        for (((series, name), end), y) in all.iter().zip(names).zip(ends).zip(places) {
+            let role = role_of(series.way);
+            let leader = vec![[right + 7.0, end], [right + LEADER, y]];
+            sheet.push(role, Part::FineEdge, Form::Polyline(leader));
+            // The line and the mark of the curve, beside its name.
+            let [from, to] = [right + LEADER, right + LEADER + SAMPLE];
+            sheet.line(role, [[from, y], [to, y]]);
+            mark(sheet, series.way, [0.5 * (from + to), y]);
+            sheet.text(Role::Note, [to + 6.0, y], Anchor::Start, name);
+        }
+    }
 }
 
 /// Least height of a chart in which the names of all ways have room.
 pub fn growth_least_height(results: &Results) -> f64 {
-    const BESIDE: f64 = 120.0;
-    BESIDE + LABEL * results.ways().len() as f64
+    const WITHOUT_NAMES: f64 = 120.0;
+    WITHOUT_NAMES + LABEL * results.ways().len() as f64
 }
 
 /// How far each curve is drawn below its place: those that coincide are all seen.
