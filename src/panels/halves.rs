@@ -22,23 +22,36 @@ pub enum Form {
 /// The height that it takes in a lecture, in points.
 pub const LECTURE_HEIGHT: f32 = 133.0;
 
+/// What is decided by the parameter of a plane.
+#[derive(Clone, Copy)]
+struct Decision {
+    axis: usize,
+    plane: f64,
+    /// The parameter of the plane.
+    at: f64,
+    /// That of the part that is halved.
+    interval: [f64; 2],
+    halves: Halves,
+}
+
+impl Decision {
+    fn of<const D: usize>(event: &Event<D>) -> Option<Self> {
+        let &Event::Split { axis, plane, at, interval, halves, .. } = event else { return None };
+        Some(Self { axis: usize::from(axis), plane, at, interval, halves })
+    }
+}
+
 /// The last decision: axis and plane, where its parameter lies on the part's
 /// interval, and the halves that follow by the rule `form`. `past` are the events so
 /// far.
 pub fn ui<const D: usize>(ui: &mut Ui, look: &Look, form: Form, past: &[Event<D>]) {
-    let last = past.iter().rev().find_map(|event| {
-        if let &Event::Split { axis, plane, at, interval, halves, .. } = event {
-            Some((usize::from(axis), plane, at, interval, halves))
-        } else {
-            None
-        }
-    });
-    let Some((axis, plane, at, interval, halves)) = last else {
+    let Some(decision) = past.iter().rev().find_map(Decision::of) else {
         caption(ui, look, look.text("halves-none"));
         return;
     };
+    let Decision { axis, plane, at, interval, halves } = decision;
     let color = look.palette.axes[axis];
-    let decision = look.text(match halves {
+    let told = look.text(match halves {
         Halves::Near => "halves-near",
         Halves::Far => "halves-far",
         Halves::Both => "halves-both",
@@ -57,19 +70,15 @@ pub fn ui<const D: usize>(ui: &mut Ui, look: &Look, form: Form, past: &[Event<D>
         let text = RichText::new(text).size(15.0).family(look.strong_family());
         ui.label(text.color(color));
         ui.add_space(8.0);
-        let text = RichText::new(decision.as_str()).size(15.0).family(look.strong_family());
+        let text = RichText::new(told.as_str()).size(15.0).family(look.strong_family());
         ui.label(text.color(look.palette.ink)).on_hover_text(look.text(why));
     });
     let size = vec2(ui.available_width(), 52.0);
     let (rect, response) = ui.allocate_exact_size(size, Sense::hover());
-    let spoken = format!(
-        "t = {}, [{}, {}]: {decision}",
-        approx(at),
-        approx(interval[0]),
-        approx(interval[1])
-    );
+    let spoken =
+        format!("t = {}, [{}, {}]: {told}", approx(at), approx(interval[0]), approx(interval[1]));
     response.widget_info(|| WidgetInfo::labeled(Role::Canvas, true, spoken.as_str()));
-    bar(ui, look, rect, at, interval, axis, halves);
+    bar(ui, look, rect, decision);
     caption(ui, look, look.text(why));
 }
 
@@ -107,50 +116,79 @@ impl Scale {
     }
 }
 
+/// What of the bar is where, in points.
+struct Places {
+    /// Both ends of the interval.
+    interval: [f32; 2],
+    plane: f32,
+    /// The middle of the break in the line to the plane, if that is broken.
+    broken: Option<f32>,
+}
+
+impl Places {
+    /// In a room between two places.
+    fn of(Decision { at, interval, .. }: Decision, [left, right]: [f32; 2]) -> Self {
+        /// Room at an end, and where a plane lies beyond a break.
+        const ROOM: f32 = 24.0;
+        const BROKEN: f32 = 44.0;
+        /// From such a plane to the border.
+        const BORDER: f32 = 6.0;
+        let scale = Scale::of(interval, at);
+        let room = |side: usize| if scale.beyond == Some(side) { BROKEN } else { ROOM };
+        let ends = [left + room(0), right - room(1)];
+        let [from, to] = interval.map(|t| scale.place(t, ends));
+        let (plane, nearest) = match scale.beyond {
+            None => {
+                let plane = scale.place(at, ends);
+                return Self { interval: [from, to], plane, broken: None };
+            }
+            Some(0) => (left + BORDER, from),
+            Some(_) => (right - BORDER, to),
+        };
+        Self { interval: [from, to], plane, broken: Some(0.5 * (plane + nearest)) }
+    }
+}
+
 /// The part's interval with the plane's parameter on it, or beside it, to scale; where that
 /// would leave too little of the interval, the line to the plane is broken.
-fn bar(ui: &Ui, look: &Look, rect: Rect, at: f64, interval: [f64; 2], axis: usize, halves: Halves) {
-    /// Room beside the bar for a plane beyond a break.
-    const BESIDE: f32 = 44.0;
+fn bar(ui: &Ui, look: &Look, rect: Rect, decision: Decision) {
     let palette = &look.palette;
     let painter = ui.painter_at(rect.expand(2.0));
-    let [low, high] = interval;
-    let scale = Scale::of(interval, at);
-    let room = |side: usize| if scale.beyond == Some(side) { BESIDE } else { 24.0 };
-    let ends = [rect.left() + room(0), rect.right() - room(1)];
-    let [from, to] = interval.map(|t| scale.place(t, ends));
+    let places = Places::of(decision, [rect.left(), rect.right()]);
     let y = rect.top() + 25.0;
-    let x = match scale.beyond {
-        Some(0) => rect.left() + 6.0,
-        Some(_) => rect.right() - 6.0,
-        None => scale.place(at, ends),
-    };
     painter.hline(rect.x_range(), y, Stroke::new(1.0, palette.grid));
-    if scale.beyond.is_some() {
-        broken(&painter, pos2(0.5 * (x + if x < from { from } else { to }), y), look);
-    }
+    places.broken.into_iter().for_each(|x| broken(&painter, pos2(x, y), look));
+    let [from, to] = places.interval;
     painter.hline(from..=to, y, Stroke::new(7.0, palette.quiet.gamma_multiply(0.45)));
     // Both halves are met on either side of the plane.
-    let end = if halves == Halves::Both { x } else { to };
+    let end = if decision.halves == Halves::Both { places.plane } else { to };
     painter.hline(from..=end, y, Stroke::new(7.0, palette.current_line));
-    painter.vline(x, y - 11.0..=y + 11.0, Stroke::new(3.0, palette.axes[axis]));
-    let write = |at: Pos2, text: String, color, is_above: bool| {
-        let font = FontId::monospace(look.type_size(12.0));
-        let galley = painter.layout_no_wrap(text, font, color);
-        let [wide, high] = [galley.size().x, galley.size().y];
-        let left = (at.x - 0.5 * wide).clamp(rect.left(), (rect.right() - wide).max(rect.left()));
-        let top = if is_above { at.y - high } else { at.y };
-        painter.galley(pos2(left, top), galley, color);
-        left + wide
+    let stroke = Stroke::new(3.0, palette.axes[decision.axis]);
+    painter.vline(places.plane, y - 11.0..=y + 11.0, stroke);
+    numbers(&painter, look, rect, &places, decision);
+}
+
+/// The ends of the interval below the bar, and the parameter of the plane above it.
+fn numbers(painter: &Painter, look: &Look, rect: Rect, places: &Places, decision: Decision) {
+    let set = |text: String, color| {
+        painter.layout_no_wrap(text, FontId::monospace(look.type_size(12.0)), color)
     };
-    // Two numbers below a short interval stand beside each other.
-    let [low, high] = [low, high].map(approx);
-    let right = write(pos2(from, y + 13.0), low, palette.quiet, false);
-    let font = FontId::monospace(look.type_size(12.0));
-    let wide = painter.layout_no_wrap(high.clone(), font, palette.quiet).size().x;
-    let to = to.max(right + 10.0 + 0.5 * wide);
-    write(pos2(to, y + 13.0), high, palette.quiet, false);
-    write(pos2(x, y - 12.0), format!("t = {}", approx(at)), palette.axes[axis], true);
+    // The left end of what is to stand around a place.
+    let left = |x: f32, wide: f32| {
+        (x - 0.5 * wide).clamp(rect.left(), (rect.right() - wide).max(rect.left()))
+    };
+    let (quiet, own) = (look.palette.quiet, look.palette.axes[decision.axis]);
+    let [low, high] = decision.interval.map(|t| set(approx(t), quiet));
+    let below = rect.top() + 38.0;
+    let at = left(places.interval[0], low.size().x);
+    // Those of a short interval stand beside each other.
+    let least = at + low.size().x + 10.0 + 0.5 * high.size().x;
+    painter.galley(pos2(at, below), low, quiet);
+    let at = left(places.interval[1].max(least), high.size().x);
+    painter.galley(pos2(at, below), high, quiet);
+    let plane = set(format!("t = {}", approx(decision.at)), own);
+    let at = pos2(left(places.plane, plane.size().x), rect.top() + 13.0 - plane.size().y);
+    painter.galley(at, plane, own);
 }
 
 /// Two strokes across a line, as where a drawing leaves something out.
