@@ -50,7 +50,8 @@ pub struct Moment<const D: usize> {
     pub part: Option<Part<D>>,
     /// Parameters between which the ray is in that part.
     pub part_interval: Option<[f64; 2]>,
-    /// The plane that halved the part before it, unless it came from the stack.
+    /// The plane that halved the part before it, until it is visited or another one comes
+    /// from the stack.
     pub halving: Option<HalvingPlane>,
     /// Parts that wait on the stack of a binary space partition, its top last,
     /// with the parameters between which the ray is in them.
@@ -161,7 +162,8 @@ impl<const D: usize> Moment<D> {
                 self.change_frame(|frame| frame.child = Some(child));
             }
             Event::Split { axis, taken, kept, at, interval: [enter, exit], .. } => {
-                self.halving = Some(HalvingPlane { axis: usize::from(axis), at });
+                let node = self.part.map_or(NodeId::ROOT, |part| part.node);
+                self.halving = Some(HalvingPlane { node, axis: usize::from(axis), at });
                 self.current = Some(taken.node);
                 self.part = Some(taken);
                 self.part_interval = Some([enter, if kept.is_some() { at } else { exit }]);
@@ -261,6 +263,7 @@ impl<const D: usize> Moment<D> {
                 self.exits = None;
                 self.pushed = None;
                 self.towards = None;
+                self.halving = None;
                 self.to_mirror.clear();
                 self.detour = Detour::default();
             }

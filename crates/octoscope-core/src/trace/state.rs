@@ -113,6 +113,8 @@ pub struct Towards<const D: usize> {
 /// The plane by which a part was halved.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct HalvingPlane {
+    /// The node through whose middle it goes.
+    pub node: NodeId,
     /// Its axis.
     pub axis: usize,
     /// Its parameter; NaN or ±∞ if the ray does not move along the axis.

@@ -155,6 +155,7 @@ fn every_moment_is_consistent() {
             let moment = Moment::after(tree, trace, step);
             assert_eq!(moment.step, step);
             check_stack(tree, query, &moment);
+            check_halving(tree, &trace.events[step - 1], &moment);
             for counter in Counter::ALL {
                 assert!(moment.counters.get(counter) >= before.counters.get(counter));
             }
@@ -205,6 +206,21 @@ fn check_stack(tree: &Tree<3>, query: &Query<3>, moment: &Moment<3>) {
             let real = real.map(|(state, clip)| variants.child_of_state(state, clip.mirror));
             assert_eq!(real, tree.child_index(frame.node));
         }
+    }
+}
+
+/// The plane of a halving goes through the middle of the node that it is said to halve.
+fn check_halving(tree: &Tree<3>, event: &Event<3>, moment: &Moment<3>) {
+    match *event {
+        Event::Split { axis, plane, .. } => {
+            let halving = moment.halving.expect("a halving is told");
+            let axis = usize::from(axis);
+            assert_eq!(halving.axis, axis);
+            let (level, code) = (tree.level(halving.node), tree.code(halving.node));
+            assert_eq!(tree.domain().plane(axis, code[axis] + (1 << level) / 2), plane);
+        }
+        Event::Leaf { .. } | Event::Pop { .. } => assert_eq!(moment.halving, None),
+        _ => {}
     }
 }
 

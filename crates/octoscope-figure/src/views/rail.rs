@@ -39,7 +39,8 @@ impl<const D: usize> RailOf<D> {
 }
 
 /// Parameters t of one node. What the algorithm has not computed is not there, unless it
-/// has told nothing but an interval: then the planes of the node are, which are its reason.
+/// has told nothing but an interval, and perhaps the plane that halves it: then the planes
+/// of the node are, which are its reason.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Rail<const D: usize> {
     /// The node, or the cell.
@@ -65,8 +66,8 @@ const NEAR: f64 = 3.0;
 const LEAST_SHARE: f64 = 0.08;
 
 impl<const D: usize> Rail<D> {
-    /// Of the node that was just tested, the leaf that was just reported, the node on top
-    /// of the stack, the leaf that is left, or the root; `None` as long as no parameter is
+    /// Of the node that was just tested or halved, the leaf that was just reported, the node
+    /// on top of the stack, the leaf that is left, or the root; `None` as long as no parameter is
     /// known.
     pub fn of(moment: &Moment<D>) -> Option<Self> {
         let leaf = moment.leaves.last().copied();
@@ -89,8 +90,9 @@ impl<const D: usize> Rail<D> {
             }
         }
         if let (Some(part), Some(interval)) = (moment.part, moment.part_interval) {
-            let rail = Self::of_node(part.node, Some(interval));
-            return Some(Self { halving: moment.halving, ..rail });
+            // In the step that halves, the plane is one of the node that is halved.
+            let node = moment.halving.map_or(part.node, |plane| plane.node);
+            return Some(Self { halving: moment.halving, ..Self::of_node(node, Some(interval)) });
         }
         if let Some((grid, cell)) = moment.grid.and_then(|grid| Some((grid, grid.cell?))) {
             let exit = grid.next.into_iter().fold(f64::INFINITY, f64::min);
@@ -123,8 +125,7 @@ impl<const D: usize> Rail<D> {
     /// The same, with the planes of the node along `ray` if there would be none at all.
     pub fn with_planes(self, tree: &Tree<D>, ray: &Ray<D>) -> Self {
         let (RailOf::Node(node) | RailOf::LastLeaf(node)) = self.of else { return self };
-        let is_told = self.near.or(self.mid).or(self.far).is_some() || self.halving.is_some();
-        if is_told {
+        if self.near.or(self.mid).or(self.far).is_some() {
             return self;
         }
         let (near, far) = slabs(tree.domain(), ray, tree.level(node), tree.code(node));
@@ -337,7 +338,8 @@ mod tests {
     #[test]
     fn of_a_part_the_plane_that_halved_it_is_shown() {
         let part = Rail::<2>::of_node(NodeId::ROOT, Some([1.0, 2.0]));
-        let rail = Rail { halving: Some(HalvingPlane { axis: 1, at: 3.0 }), ..part };
+        let rail =
+            Rail { halving: Some(HalvingPlane { node: NodeId::ROOT, axis: 1, at: 3.0 }), ..part };
         assert_eq!((rail.stops(0), rail.stops(1)), (vec![], vec![(3.0, "m")]));
         assert!(rail.range()[1] > 3.0);
     }
