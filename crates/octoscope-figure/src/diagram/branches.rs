@@ -6,7 +6,7 @@ use crate::camera::clipped;
 use crate::{Drawn, Figure, Form, Part, Role};
 
 /// Least height in which branches fan out.
-const LEAST_FAN: f64 = 8.0;
+const LEAST_FAN: f64 = 4.0;
 /// Room between siblings, or what is written below them, and the branches.
 const GAP: f64 = 1.0;
 
@@ -113,6 +113,7 @@ impl<const D: usize> Drawing<'_, D> {
         let (role, part) = match (state.above_current.is_some(), state.visited.is_some()) {
             (true, _) => (Role::Path, Part::Edge),
             (false, true) => (Role::Path, Part::Fine),
+            (false, false) if state.is_met() => (Role::Path, Part::Fine),
             (false, false) if state.is_rejected => (Role::Rejected, Part::Edge),
             (false, false) => (Role::Branch, Part::Edge),
         };

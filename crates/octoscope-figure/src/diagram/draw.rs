@@ -97,6 +97,7 @@ impl<const D: usize> Drawing<'_, D> {
         let current = state.above_current == Some(0) && !self.is_folded(n);
         let wanted = match (item.node.is_leaf(), item.is_unfolded) {
             (true, _) if state.visited.is_some() || current => 8.8,
+            (true, _) if state.is_met() => 6.5,
             (true, _) => 4.5,
             (false, true) if current => 8.5,
             (false, true) => 6.5,
@@ -158,6 +159,12 @@ impl<const D: usize> Drawing<'_, D> {
             }
             form => push(form, role),
         }
+        if state.is_met() && !here {
+            // No number makes it stand out yet.
+            let outline = drawn(form(half), Role::Node, node.node);
+            figure.drawn.push(Drawn { part: Part::Edge, ..outline });
+        }
+        let mut push = |form, role| figure.drawn.push(drawn(form, role, node.node));
         if item.node.is_full() && state.visited.is_none() && !here {
             push(Form::Circle { centre: node.at, radius: 0.5 * half }, Role::Content);
         }
@@ -206,7 +213,7 @@ impl<const D: usize> Drawing<'_, D> {
                 (false, false) => Role::Current,
             });
         }
-        if let (Some(share), None) = (state.met, state.visited) {
+        if let Some(share) = state.met.filter(|_| state.is_met()) {
             return Some(Role::Visited { share });
         }
         match (state.visited, state.above_current) {

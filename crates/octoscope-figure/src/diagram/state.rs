@@ -135,6 +135,11 @@ impl State {
         self.visited = Some([least.min(first), most.max(last)]);
     }
 
+    /// Whether it is a leaf that was found to meet the ray, and has no number yet.
+    pub fn is_met(&self) -> bool {
+        self.met.is_some() && self.visited.is_none()
+    }
+
     /// Whether the algorithm is or was in it.
     pub fn is_lit(&self) -> bool {
         self.visited.is_some() || self.above_current.is_some()

@@ -91,6 +91,11 @@ fn panel(
     // What costs nothing has no bar.
     let length = |ratio: f64| (ratio.max(FROM) / FROM).ln() / (longest / FROM).ln() * room;
     let bottom = y + HEAD + ROW * site.rows.len() as f64;
+    let told = |ratio: f64| -> RichText { in_units(Some(ratio)).into() };
+    let ends: Vec<f64> = ratios
+        .iter()
+        .map(|&ratio| left + length(ratio) + 8.0 + metrics::width(Role::Note, &told(ratio)))
+        .collect();
     let mut free_from = f64::NEG_INFINITY;
     for marked in MARKED.into_iter().filter(|&marked| marked <= longest) {
         let (x, number) = (left + length(marked), short(marked));
@@ -99,7 +104,12 @@ fn panel(
             continue;
         }
         free_from = x + half + 6.0;
-        sheet.line(Role::Scale, [[x, y + HEAD - 2.0], [x, bottom + 2.0]]);
+        // Not through a bar or its value.
+        for (n, _) in ends.iter().enumerate().filter(|(_, end)| **end < x) {
+            let top = y + HEAD + ROW * n as f64;
+            sheet.line(Role::Scale, [[x, top], [x, top + ROW]]);
+        }
+        sheet.line(Role::Scale, [[x, bottom], [x, bottom + 3.0]]);
         sheet.text(Role::Scale, [x, bottom + 10.0], Anchor::Middle, number);
     }
     for (n, (name, ratio)) in names.into_iter().zip(ratios).enumerate() {
@@ -114,7 +124,7 @@ fn panel(
         let points = vec![[left, above], [end, above], [end, below], [left, below]];
         let role = if ratio == 1.0 { Role::Spent } else { Role::Compared };
         sheet.push(role, Part::Whole, Form::Polygon(points));
-        sheet.text(Role::Note, [end + 5.0, middle], Anchor::Start, in_units(Some(ratio)));
+        sheet.text(Role::Note, [end + 5.0, middle], Anchor::Start, told(ratio));
     }
     sheet.line(Role::Rule, [[left, y + HEAD - 2.0], [left, bottom + 2.0]]);
     bottom + 16.0 - y
