@@ -31,8 +31,8 @@ const TIGHT: Spacing = Spacing { leading: 4.0, gap: 12.0, row_gap: 8.0 };
 /// fits, symbols above numbers; closer together before the type becomes smaller, and
 /// broken over lines, then with fractions in a line, where no type is small enough. The
 /// page is as high as what is on it. No type is smaller than `least` page units: rather
-/// what is computed stands with its numbers alone, then with what comes of it, then the
-/// last statements are left out.
+/// what is the same for all axes stands once, then what is computed with its numbers alone,
+/// then with what comes of it, then the last statements are left out.
 pub fn formula_figure(statements: &[Statement], most: Page, least: f64) -> Figure {
     figure_from(statements, most, least, 0)
 }
@@ -58,15 +58,12 @@ fn figure_from(statements: &[Statement], most: Page, least: f64, first: u8) -> F
     let either = |statements: &[Statement]| {
         ways.iter().find_map(|&(lines, steps)| set_in(statements, lines, steps))
     };
-    let shorter = |told: Told| -> Vec<Statement> {
-        statements.iter().map(|statement| told_in(statement, told)).collect()
-    };
     let fewer = || {
-        let results = shorter(Told::Result);
+        let results = told_in(statements, Told::Result);
         (1..results.len()).rev().find_map(|n| either(&results[..n]))
     };
     let smaller = FormulaType { step: SMALLEST.min(smallest), most: smallest };
-    let found = Told::ALL.into_iter().find_map(|told| either(&shorter(told)));
+    let found = Told::ALL.into_iter().find_map(|told| either(&told_in(statements, told)));
     let found = found.or_else(|| if least > 0.0 { fewer() } else { None });
     found.unwrap_or_else(|| set(statements, most.width, smaller, (TIGHT, Lines::Broken)))
 }
