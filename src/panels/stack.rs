@@ -88,7 +88,8 @@ fn pending<const D: usize>(
                 format!("{sign}{}", AXIS_NAMES[e])
             };
             let halves: Vec<String> = part.halved.iter().map(half).collect();
-            let halves = if halves.is_empty() { "–".to_owned() } else { halves.join(" ") };
+            let halves =
+                if halves.is_empty() { look.text("stack-whole") } else { halves.join(" ") };
             let interval = format!("[{}, {})", approx(*enter), approx(*exit));
             let row = [level(tree, part.node), codes(tree, part.node), halves, interval];
             if row.map(|text| ui.label(mono(text)).contains_pointer()).contains(&true) {

@@ -282,6 +282,7 @@ stack-level = Stufe
 stack-codes = Codes
 stack-state = Zust.
 stack-half = Hälfte
+stack-whole = ganz
 stack-interval = t
 compare-sort = Nach { $column } ordnen
 compare-algorithm = Verfahren

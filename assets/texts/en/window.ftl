@@ -282,6 +282,7 @@ stack-level = level
 stack-codes = codes
 stack-state = state
 stack-half = half
+stack-whole = whole
 stack-interval = t
 compare-sort = Sort by { $column }
 compare-algorithm = algorithm
