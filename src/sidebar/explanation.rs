@@ -9,7 +9,7 @@ use crate::panels::{
     why_not,
 };
 use crate::view::{PanelKind, Preset, View};
-use crate::widgets::{InColumn, panel_heading};
+use crate::widgets::{InColumn, caption, panel_heading};
 use crate::wish::Wish;
 use eframe::egui::style::ScrollAnimation;
 use eframe::egui::{Align, Rect, RichText, Ui, UiBuilder, vec2};
@@ -209,6 +209,9 @@ fn body<const D: usize>(
             let height = wanted.min((ui.clip_rect().height() - 56.0).max(LEAST_TREE));
             let shown = tree::Shown { of, trace: &trace, theme, language, height };
             let step = tree::ui(ui, look, &shown, &mut view.tree, &mut view.hover);
+            if view.preset == Preset::Tree && height == wanted {
+                caption(ui, look, look.text("tree-key"));
+            }
             return step.map(Wish::Step);
         }
         PanelKind::WhyNot => {
