@@ -20,7 +20,7 @@ pub enum Form {
 }
 
 /// The height that it takes in a lecture, in points.
-pub const LECTURE_HEIGHT: f32 = 133.0;
+pub const LECTURE_HEIGHT: f32 = 138.0;
 
 /// What is decided by the parameter of a plane.
 #[derive(Clone, Copy)]
