@@ -142,8 +142,9 @@ fn preview(ui: &mut Ui, look: &Look, shown: &Shown) {
         if let (None, Some((_, of))) = (shown.fault, shown.preview) {
             let told = RichText::new(told(look, shown, of)).color(look.palette.quiet).size(13.0);
             // As high as at most, so that nothing below it moves.
-            ui.allocate_ui(vec2(width, 0.0), |ui| {
-                ui.set_min_height(CAPTION);
+            let below = Layout::top_down(Align::Center);
+            ui.allocate_ui_with_layout(vec2(width, CAPTION), below, |ui| {
+                ui.set_min_size(vec2(width, CAPTION));
                 ui.add(Label::new(told).wrap());
             });
         }
