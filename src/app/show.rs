@@ -10,8 +10,10 @@ use crate::with_document;
 use eframe::egui::{Align, Context, Frame, Layout, Margin, Panel, Rangef, Ui, vec2};
 
 /// Height of the sentence in a hall, of three lines that are read from the back row or two
-/// of the largest type; of the sentence with what has happened below it.
+/// of the largest type, and the room below it, before the buttons; of the sentence with what
+/// has happened below it.
 const SENTENCE_IN_HALL: f32 = 66.0;
+const BELOW_SENTENCE: f32 = 5.0;
 const SENTENCE_AND_NOTICE: f32 = 74.0;
 
 impl App {
@@ -79,7 +81,9 @@ impl App {
                 sentence::ui(ui, &self.look, d, shown);
             });
         });
-        if !hall {
+        if hall {
+            ui.add_space(BELOW_SENTENCE);
+        } else {
             let said = is_said_here.then_some(&mut self.notice);
             notice_line::slot(ui, &self.look, said, slot);
         }
