@@ -24,17 +24,19 @@ pub struct NeighbourTables {
 }
 
 /// The sum or difference of every crossed axis with its carries, the border, the
-/// XOR with its run of ones, and the climb to the common ancestor; `None` as long
-/// as no cell is left.
+/// XOR with its run of ones, and the climb to the common ancestor; as long as no cell is
+/// left, the codes of the node from which that will be; `None` where there is none.
 pub fn neighbour_tables<const D: usize>(
     texts: &Texts,
     tree: &Tree<D>,
     moment: &Moment<D>,
 ) -> Option<NeighbourTables> {
-    let target = moment.target?;
     let mut tables = bits_of(texts, tree, moment);
+    if tables.is_empty() {
+        return None;
+    }
     in_line(tables.iter_mut(), columns(texts, tree, moment));
-    let border = target.outside.map(|outside| {
+    let border = moment.target.and_then(|target| target.outside).map(|outside| {
         let axes = outside.iter().map(|axis| AXIS_NAMES[axis]).collect::<Vec<_>>().join(", ");
         let key = if outside.is_empty() { "neighbour-inside" } else { "neighbour-outside" };
         texts.format(key, &[("axes", axes.into())])
@@ -52,10 +54,10 @@ pub fn neighbour_tables<const D: usize>(
 pub fn neighbour_heights<const D: usize>(target: &Target<D>, spacing: Spacing) -> Vec<f64> {
     let mut heights: Vec<f64> = (0..D)
         .map(|axis| {
-            // Code, what is added, result, XOR; or code before and after; or one that stays.
+            // Code, what is added, result, XOR; or code before and after, XOR; or one that stays.
             let n_rows = match (target.axes.contains(axis), is_told(target, axis)) {
                 (true, _) => 4,
-                (false, true) => 2,
+                (false, true) => 3,
                 (false, false) => 1,
             };
             let is_carried = target.axes.contains(axis) && carries_of(target, axis) != 0;
@@ -82,7 +84,7 @@ pub(super) fn bits_of<const D: usize>(
     tree: &Tree<D>,
     moment: &Moment<D>,
 ) -> Vec<BitTable> {
-    let Some(target) = moment.target else { return Vec::new() };
+    let Some(target) = moment.target else { return own_tables(tree, moment) };
     let root_level = tree.domain().root_level();
     // The bit of the step, once the codes beyond are followed.
     let followed = moment.codes.filter(|codes| codes.code.map(i64::from) == target.to);
@@ -93,7 +95,7 @@ pub(super) fn bits_of<const D: usize>(
             (true, _) => sum_rows(&target, axis),
             (false, true) => moved_rows(texts, &target, axis),
             // It is followed like the others.
-            (false, false) if followed.is_some() => vec![kept_row(&target, axis)],
+            (false, false) if followed.is_some() => vec![code_row(axis, target.to[axis])],
             (false, false) => return None,
         };
         // What is read now is lit in the place of what was computed.
@@ -109,7 +111,7 @@ pub(super) fn bits_of<const D: usize>(
         let carries = carries.map(|bits| Carries { name: texts.get(key), bits });
         let width = root_level + 1;
         let mut table = BitTable { width, rows, carries, ..BitTable::default() };
-        if crossed
+        if is_told(&target, axis)
             && let Some(level) = axis_level(&target, axis, root_level)
             && moment.difference.is_some()
         {
@@ -119,8 +121,13 @@ pub(super) fn bits_of<const D: usize>(
                 name: "xor".to_owned(),
                 axis: Some(axis),
                 bits: i64::from(target.from[axis]) ^ target.to[axis],
-                note: texts.format("neighbour-climb", &[("level", level.into())]),
-                marked: run,
+                // Along the other axes the place stays within the cell: no level follows.
+                note: if crossed {
+                    texts.format("neighbour-climb", &[("level", level.into())])
+                } else {
+                    String::new()
+                },
+                marked: if crossed { run } else { 0 },
                 rule_above: true,
                 ..BitRow::default()
             });
@@ -140,6 +147,17 @@ pub(super) fn bits_of<const D: usize>(
         last.rows.push(BitRow { name, bits, note, marked, rule_above: true, ..BitRow::default() });
     }
     tables
+}
+
+/// The codes of the current node.
+fn own_tables<const D: usize>(tree: &Tree<D>, moment: &Moment<D>) -> Vec<BitTable> {
+    let width = tree.domain().root_level() + 1;
+    let table = |(axis, code): (usize, u32)| {
+        let rows = vec![code_row(axis, i64::from(code))];
+        BitTable { width, rows, ..BitTable::default() }
+    };
+    let code = moment.current.map(|node| tree.code(node));
+    code.into_iter().flatten().enumerate().map(table).collect()
 }
 
 /// Code, what is added or subtracted, and the result.
@@ -176,9 +194,8 @@ fn carries_of<const D: usize>(target: &Target<D>, axis: usize) -> i64 {
     from ^ target.to[axis] ^ step_of(target, axis)
 }
 
-/// Code that stays as it is.
-fn kept_row<const D: usize>(target: &Target<D>, axis: usize) -> BitRow {
-    let bits = target.to[axis];
+/// A code as it is.
+fn code_row(axis: usize, bits: i64) -> BitRow {
     let (name, note) = (AXIS_NAMES[axis].to_owned(), bits.to_string());
     BitRow { name, axis: Some(axis), bits, note, ..BitRow::default() }
 }
