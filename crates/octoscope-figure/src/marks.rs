@@ -17,6 +17,7 @@ use crate::ways::ways;
 use crate::{Mark, Role, Shape, Show};
 use octoscope_core::event::{End, Event};
 use octoscope_core::geometry::{AXIS_NAMES, Aabb, Axes, Ray};
+use octoscope_core::locate::Direction;
 use octoscope_core::query::Query;
 use octoscope_core::trace::{LeafOnRay, Moment};
 use octoscope_core::tree::{Child, Code, NodeId, Tree};
@@ -275,14 +276,10 @@ impl<const D: usize> Scene<'_, D> {
             Query::Neighbour { level, code, direction, .. } => {
                 if let Some(node) = self.tree.node_at(level, code) {
                     let bounds = self.tree.node_box(node.id);
-                    let [from, size] = [bounds.centre(), bounds.size()];
-                    let step = direction.components();
-                    let beside: [f64; D] =
-                        std::array::from_fn(|e| from[e] + 0.85 * size[e] * f64::from(step[e]));
                     let found = self.moment.found.map(|found| self.tree.node_box(found));
-                    let to = found.map_or(beside, |found| well_within(&found, beside));
+                    let ends = direction_ends(&bounds, direction, found.as_ref());
                     marks.push(node_mark(self.tree, node.id, Role::Region));
-                    marks.push(Mark::new(Shape::Arrow([from, to]), Role::Direction));
+                    marks.push(Mark::new(Shape::Arrow(ends), Role::Direction));
                 }
             }
         }
@@ -300,6 +297,18 @@ impl<const D: usize> Scene<'_, D> {
             marks.push(Mark::new(Shape::Box(domain.cell_box(0, code)), Role::Target));
         }
     }
+}
+
+/// Where the arrow of the direction that is asked for lies: within the node, where no way
+/// leads on, until it is known what lies there.
+fn direction_ends<const D: usize>(
+    node: &Aabb<D>,
+    direction: Direction<D>,
+    found: Option<&Aabb<D>>,
+) -> [[f64; D]; 2] {
+    let (centre, size, step) = (node.centre(), node.size(), direction.components());
+    let at = |share: f64| std::array::from_fn(|e| centre[e] + share * size[e] * f64::from(step[e]));
+    found.map_or([at(-0.3), at(0.4)], |found| [centre, well_within(found, at(0.5))])
 }
 
 /// The point of a box that is nearest to `point` and not near a side of it.

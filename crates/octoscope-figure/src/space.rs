@@ -2,6 +2,7 @@
 
 mod apart;
 mod arrows;
+mod at_frame;
 mod at_work;
 mod away;
 mod boxes;
@@ -26,6 +27,7 @@ use crate::handle::last_point;
 use crate::parts::Arrow;
 use crate::{Camera, Drawn, Figure, Form, Mark, Page, Part, Role, Shape, Style, Theme};
 use apart::is_apart;
+use arrows::Bend;
 use at_work::{most_of_dots, small_area};
 use indices::chosen;
 pub use inset::{drawn_box, edge_part};
@@ -62,6 +64,7 @@ pub fn space_figure_over<const D: usize>(
         axes: marks.iter().filter_map(|mark| axis_on_page(mark, camera, page)).collect(),
         strong: strong_boxes(all()),
         rejected: rejected_boxes(all()),
+        bend: Bend::of(all(), camera, page),
         is_apart: marks.iter().any(|mark| is_apart(mark.role)),
         last: marks.iter().find_map(|mark| match (mark.role, mark.shape) {
             (Role::RayTip, Shape::Tip(ends)) => last_point(ends, root.as_ref()),
@@ -148,6 +151,8 @@ struct Canvas<'a, const D: usize> {
     rejected: Vec<Aabb<D>>,
     /// Whether children are moved apart: they would hide the ray.
     is_apart: bool,
+    /// To which side ways bend.
+    bend: Bend,
     drawn: Vec<(f64, Drawn)>,
     /// What is drawn in the order of its depth.
     in_space: Vec<InSpace<D>>,
@@ -228,6 +233,11 @@ impl<const D: usize> Canvas<'_, D> {
     fn spare(&mut self, outline: &[[f64; 2]]) {
         let next = outline.iter().cycle().skip(1);
         self.spared.extend(outline.iter().zip(next).map(|(a, b)| [*a, *b]));
+    }
+
+    /// The same for a line.
+    fn spare_line(&mut self, line: &[[f64; 2]]) {
+        self.spared.extend(line.windows(2).map(|ends| [ends[0], ends[1]]));
     }
 
     /// Whether a disc reaches the page.

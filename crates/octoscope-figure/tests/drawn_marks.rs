@@ -105,25 +105,48 @@ fn the_head_of_an_arrow_is_less_than_half_as_long_as_its_shaft_and_specks_are_le
 }
 
 #[test]
-fn a_way_there_and_back_is_two_lines_beside_the_direction() {
+fn a_way_there_and_back_is_two_lines_on_both_sides_of_the_direction() {
     let [a, b] = [[0.2, 0.3], [0.6, 0.7]];
-    let way = |ends, role| Mark::new(Shape::Arrow(ends), role);
-    let direction = way([a, b], Role::Direction);
-    let figure = figure(&[way([a, b], Role::WayUp), way([b, a], Role::WayDown), direction]);
-    let start = |role| match &of_role(&figure, role).last().unwrap().form {
-        Form::Polygon(points) | Form::Polyline(points) => points.clone(),
-        Form::Circle { .. } | Form::Text { .. } | Form::Formula { .. } => panic!("no arrow"),
+    for share in [0.1, 1.0] {
+        let b = [0, 1].map(|e| a[e] + share * (b[e] - a[e]));
+        let way = |ends, role| Mark::new(Shape::Arrow(ends), role);
+        let direction = way([a, b], Role::Direction);
+        let figure = figure(&[way([a, b], Role::WayUp), way([b, a], Role::WayDown), direction]);
+        let line = |role| {
+            let is_line = |d: &&Drawn| matches!(d.form, Form::Polyline(_));
+            let drawn = of_role(&figure, role).into_iter().filter(is_line).last();
+            let Form::Polyline(points) = &drawn.unwrap().form else { panic!("no line") };
+            points.clone()
+        };
+        let asked = line(Role::Direction);
+        // How far the middle of a line lies to one side of the direction.
+        let off = |role| {
+            let (points, [from, to]) = (line(role), [asked[0], asked[1]]);
+            let at = points[points.len() / 2];
+            let [along, across] = [[to[0] - from[0], to[1] - from[1]], [from[1], from[0]]];
+            let length = along[0].hypot(along[1]);
+            (along[0] * (at[1] - across[0]) - along[1] * (at[0] - across[1])) / length
+        };
+        let [up, down] = [off(Role::WayUp), off(Role::WayDown)];
+        assert!(up * down < 0.0 && up.abs().min(down.abs()) > 4.0, "{up} {down}");
+    }
+}
+
+#[test]
+fn ways_bend_away_from_the_direction() {
+    let [from, to, aside] = [[0.2, 0.3], [0.5, 0.6], [0.5, 0.4]];
+    let arrow = |ends, role| Mark::new(Shape::Arrow(ends), role);
+    let bend = |asked, way| {
+        let way = arrow([from, way], Role::WayUp);
+        let figure = figure(&[way, arrow([from, asked], Role::Direction)]);
+        let drawn = of_role(&figure, Role::WayUp);
+        let Form::Polyline(points) = &drawn[0].form else { panic!("{drawn:?}") };
+        let [first, middle, last] = [0, points.len() / 2, points.len() - 1].map(|n| points[n]);
+        let [along, off] = [last, middle].map(|at| [at[0] - first[0], at[1] - first[1]]);
+        along[0] * off[1] - along[1] * off[0]
     };
-    // The tip of one is beside the tail of the other.
-    let [up, tail] = [start(Role::WayUp)[0], {
-        let shaft = of_role(&figure, Role::WayDown).into_iter().find(|d| d.part == Part::Edge);
-        let Form::Polyline(points) = &shaft.unwrap().form else { panic!("no line") };
-        points[0]
-    }];
-    let asked = start(Role::Direction)[0];
-    let beside = (up[0] - asked[0]).hypot(up[1] - asked[1]);
-    assert!(beside > 4.5, "{up:?} {asked:?}");
-    assert!((up[0] - tail[0]).hypot(up[1] - tail[1]) > 9.0, "{up:?} {tail:?}");
+    let [right, left] = [bend(to, aside), bend(aside, to)];
+    assert!(right * left < 0.0, "{right} {left}");
 }
 
 #[test]

@@ -1,5 +1,6 @@
 //! Tags with the numbers of children: in the outer corner of each, off the ray and off
-//! all points; in space where the child is seen, not one that lies before it. They are
+//! all points; in space where the child is seen, not one that lies before it. That of a
+//! small child through which ray and ways lead stands outside, at its frame. Tags are
 //! square, so that none is taken for an order number.
 
 use super::labels::rectangle;
@@ -78,8 +79,9 @@ impl<const D: usize> Canvas<'_, D> {
         })
     }
 
-    /// The same or, where none is clear, closer to what is beside it, then on the ray, then
-    /// on what it covers least. A child that is hidden has its number there all the same.
+    /// The same or, where none is clear, closer to what is beside it, then at the frame of the
+    /// child, outside of its parent, then on the ray, then on what it covers least. A child
+    /// that is hidden has its number there all the same.
     fn place_chosen(&mut self, tag: &Tag<'_, D>, siblings: &[Aabb<D>]) -> Option<[f64; 2]> {
         let all = || tag.near().into_iter().chain(tag.all_over());
         let mut on_page = self.seen(tag, all().collect(), siblings);
@@ -89,6 +91,11 @@ impl<const D: usize> Canvas<'_, D> {
         let clear = self.clear(on_page.clone(), tag.half);
         self.room(clear.iter().copied(), BESIDE.map(|room| tag.half + room))
             .or_else(|| self.room(clear, [tag.half + 1.0; 2]))
+            .or_else(|| {
+                let places = self.at_frame(&tag.bounds, siblings, tag.half);
+                let clear = self.clear(places, tag.half);
+                self.room(clear, [tag.half; 2])
+            })
             .or_else(|| self.clearest(on_page.iter().copied(), [tag.half; 2]))
             .or_else(|| self.least_taken(&on_page, [tag.half; 2]))
     }

@@ -1,4 +1,4 @@
-//! What numbers and the tags of children may not cover: the ray, and the boxes of what
+//! What numbers and the tags of children may not cover: the ray, ways, and the boxes of what
 //! is asked for and looked up.
 
 use super::{Canvas, distance};
@@ -21,9 +21,25 @@ impl<const D: usize> Canvas<'_, D> {
     }
 
     pub(super) fn keep_line(&mut self, role: Role, line: [[f64; 2]; 2]) {
-        if matches!(role, Role::Ray | Role::RayBeyond | Role::Direction) {
+        let is_kept = matches!(
+            role,
+            Role::Ray
+                | Role::RayBeyond
+                | Role::Direction
+                | Role::WayUp
+                | Role::WayDown
+                | Role::Link
+        );
+        if is_kept {
             self.kept.push(line);
         }
+    }
+
+    /// Keeps the line and the outline of the head of an arrow.
+    pub(super) fn keep_arrow(&mut self, role: Role, shaft: &[[f64; 2]], head: [[f64; 2]; 3]) {
+        shaft.windows(2).for_each(|ends| self.keep_line(role, [ends[0], ends[1]]));
+        let next = head.iter().cycle().skip(1);
+        self.kept.extend(head.iter().zip(next).map(|(a, b)| [*a, *b]));
     }
 
     /// Keeps the outline of a box in the plane, and all of a small one.

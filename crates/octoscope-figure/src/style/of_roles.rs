@@ -102,9 +102,9 @@ impl Style {
             Role::GridCell => Self { fill: Some(p.ray.faded(0.25)), ..line(p.ray, 1.5) },
             Role::Push => Self { fill: Some(p.ray), ..line(p.ray, 2.5) },
             Role::WayUp => {
-                Self { fill: Some(p.ink), dash: Dash::Dashed, casing: 1.2, ..line(p.ink, 2.0) }
+                Self { fill: Some(p.ink), dash: Dash::Dashed, casing: 1.0, ..line(p.ink, 2.3) }
             }
-            Role::WayDown => Self { fill: Some(p.ancestor), ..line(p.ancestor, 2.5) },
+            Role::WayDown => Self { fill: Some(p.ancestor), casing: 0.8, ..line(p.ancestor, 2.3) },
             Role::Link => Self { fill: Some(p.ink), ..line(p.ink, 3.0) },
             Role::Cut(axis) => {
                 Self { fill: Some(p.axes[axis]), radius: 5.0, ..line(p.background, 1.2) }

@@ -1,0 +1,81 @@
+//! Places at the frame of a small child, outside of it, for what has no room within.
+
+use super::Canvas;
+use crate::camera::clipped;
+use crate::numbers::{Area, Convex};
+use crate::sides::sides_to_eye;
+use octoscope_core::geometry::Aabb;
+use std::f64::consts::{PI, TAU};
+
+impl<const D: usize> Canvas<'_, D> {
+    /// Middles of squares of `half` a side on the page that touch the frame of a child, and
+    /// neither it nor one of its siblings, all around it.
+    pub(super) fn at_frame(
+        &self,
+        child: &Aabb<D>,
+        siblings: &[Aabb<D>],
+        half: f64,
+    ) -> Vec<[f64; 2]> {
+        /// Half the line of the frame.
+        const FRAME: f64 = 1.7;
+        let Some(own) = self.seen_of(child) else { return Vec::new() };
+        let others = siblings.iter().filter(|sibling| *sibling != child);
+        let others: Vec<Seen> = others.filter_map(|sibling| self.seen_of(sibling)).collect();
+        let at = directions().filter_map(|along| own.beside(along, half + FRAME));
+        at.filter(|at| {
+            self.is_on_page(*at, [half; 2]) && !others.iter().any(|other| other.meets(*at, half))
+        })
+        .collect()
+    }
+
+    /// What a box covers on the page.
+    fn seen_of(&self, bounds: &Aabb<D>) -> Option<Seen> {
+        let sides: Vec<Vec<[f64; 2]>> = if D == 2 {
+            vec![self.outline(bounds)]
+        } else {
+            let seen = sides_to_eye(self.camera, self.page, bounds).into_iter();
+            seen.map(|side| side.polygon.iter().map(|p| p.at).collect()).collect()
+        };
+        let own = sides.iter().cloned().filter_map(Convex::new).collect();
+        let middle = self.camera.project(self.page, bounds.centre())?.at;
+        Some(Seen { sides, area: Area { own, before: Vec::new() }, middle })
+    }
+}
+
+/// What is seen of a box.
+struct Seen {
+    sides: Vec<Vec<[f64; 2]>>,
+    area: Area,
+    middle: [f64; 2],
+}
+
+impl Seen {
+    /// The nearest place that way where a square of `half` a side lies beside it.
+    fn beside(&self, along: [f64; 2], half: f64) -> Option<[f64; 2]> {
+        const STEP: f64 = 0.5;
+        const STEPS: u32 = 400;
+        let place =
+            |n: u32| std::array::from_fn(|e| self.middle[e] + STEP * f64::from(n) * along[e]);
+        (1..STEPS).map(place).find(|at| !self.meets(*at, half))
+    }
+
+    /// Whether a square lies on it.
+    fn meets(&self, at: [f64; 2], half: f64) -> bool {
+        let square = [-half, half].map(|by| at.map(|x| x + by));
+        let is_struck = |side: &Vec<[f64; 2]>| {
+            let next = side.iter().cycle().skip(1);
+            side.iter().zip(next).any(|(a, b)| clipped([*a, *b], square).is_some())
+        };
+        self.area.holds(at) || self.sides.iter().any(is_struck)
+    }
+}
+
+/// Ways to all sides, those along the page first, and none from corner to corner.
+fn directions() -> impl Iterator<Item = [f64; 2]> {
+    [0.0, 1.0, -1.0, 2.0, -2.0].into_iter().flat_map(|off| {
+        [0.0, 0.25, 0.5, 0.75].map(|turn| {
+            let (sin, cos) = (TAU * turn + off * PI / 12.0).sin_cos();
+            [cos, sin]
+        })
+    })
+}
