@@ -93,6 +93,7 @@ pub fn space_figure_over<const D: usize>(
     canvas.write_away(marks, root.as_ref());
     marks.iter().filter(|mark| !is_of_axis(mark)).for_each(|mark| canvas.write(mark));
     canvas.write_indices(marks);
+    canvas.write_apart(marks);
     canvas.number(all());
 
     let Canvas { mut drawn, in_space, arrows, .. } = canvas;
@@ -129,8 +130,11 @@ const ABOVE_SPACE: f64 = f64::MAX / 4.0;
 const HINT: f64 = -f64::MAX / 4.0;
 /// Leaves of less than this side, in page units, have finer lines.
 const FINE: f64 = 12.0;
-/// Planes of less than this length, in page units, bear no letter.
+/// Planes of less than this length, in page units, bear no letter in space, and lead farther
+/// beyond their nodes in the plane.
 const LEGIBLE: f64 = 36.0;
+/// Planes of less than this length bear no letter, and are not larger than others.
+const SMALL: f64 = 18.0;
 /// Place of areas on which everything else lies.
 const GROUND: f64 = -f64::MAX / 2.0;
 

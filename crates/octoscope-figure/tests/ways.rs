@@ -9,7 +9,7 @@ use octoscope_core::scenario::{AnyScenario, Scenario, built_in};
 use octoscope_core::trace::{Moment, record};
 use octoscope_core::traverse::{Algorithm, Options, Variants};
 use octoscope_core::tree::{NodeId, Tree};
-use octoscope_figure::{Camera, Figure, Form, Page, Part, Role, Show, marks, space_figure};
+use octoscope_figure::{Camera, Figure, Form, Mark, Page, Part, Role, Show, marks, space_figure};
 
 /// The space view of a lecture on a projector and in a window of 1280 × 800, and beside
 /// panels.
@@ -51,6 +51,10 @@ fn look<const D: usize>(scenario: &Scenario<D>, mut at: impl FnMut(&str, &Figure
             let moment = Moment::after(&tree, &trace, step);
             let (event, show) = (trace.events.get(step - 1), Show::at_first::<D>());
             let marks = marks(&tree, &scenario.ray, query, &moment, event, &show);
+            let has_arrow = |mark: &Mark<D>| matches!(mark.role, Role::WayUp | Role::WayDown);
+            if !marks.iter().any(has_arrow) {
+                continue;
+            }
             at(&format!("{query:?}, step {step}"), &space_figure(&marks, &camera, page));
         }
     }

@@ -134,7 +134,7 @@ fn bend_of(length: f64) -> f64 {
 /// Length of the head of an arrow.
 fn head_of(length: f64) -> f64 {
     /// The head takes no more than this share.
-    const MOST: f64 = 0.33;
+    const MOST: f64 = 0.3;
     HEAD.min(MOST * length)
 }
 

@@ -1,6 +1,7 @@
 //! Places at the frame of a small child, outside of it, for what has no room within.
 
 use super::Canvas;
+use crate::Extent;
 use crate::camera::clipped;
 use crate::numbers::{Area, Convex};
 use crate::sides::sides_to_eye;
@@ -29,7 +30,7 @@ impl<const D: usize> Canvas<'_, D> {
     }
 
     /// What a box covers on the page.
-    fn seen_of(&self, bounds: &Aabb<D>) -> Option<Seen> {
+    pub(super) fn seen_of(&self, bounds: &Aabb<D>) -> Option<Seen> {
         let sides: Vec<Vec<[f64; 2]>> = if D == 2 {
             vec![self.outline(bounds)]
         } else {
@@ -43,10 +44,11 @@ impl<const D: usize> Canvas<'_, D> {
 }
 
 /// What is seen of a box.
-struct Seen {
+pub(super) struct Seen {
     sides: Vec<Vec<[f64; 2]>>,
     area: Area,
-    middle: [f64; 2],
+    /// The middle of the box.
+    pub middle: [f64; 2],
 }
 
 impl Seen {
@@ -59,8 +61,19 @@ impl Seen {
         (1..STEPS).map(place).find(|at| !self.meets(*at, half))
     }
 
+    /// Least and largest corner of it.
+    pub fn extent(&self) -> [[f64; 2]; 2] {
+        let all = Extent::around(self.sides.iter().flatten().copied());
+        all.map_or([self.middle; 2], |all| [all.min, all.max])
+    }
+
+    /// Whether it is what is seen at a point.
+    pub fn holds(&self, at: [f64; 2]) -> bool {
+        self.area.holds(at)
+    }
+
     /// Whether a square lies on it.
-    fn meets(&self, at: [f64; 2], half: f64) -> bool {
+    pub fn meets(&self, at: [f64; 2], half: f64) -> bool {
         let square = [-half, half].map(|by| at.map(|x| x + by));
         let is_struck = |side: &Vec<[f64; 2]>| {
             let next = side.iter().cycle().skip(1);

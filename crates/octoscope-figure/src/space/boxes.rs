@@ -3,7 +3,7 @@
 use super::cross::cross_out_box;
 use super::overlaid::uncovered;
 use super::rejected::is_shared;
-use super::{Canvas, HINT, InSpace, above_space, is_above, is_apart, is_hint};
+use super::{Canvas, HINT, InSpace, LEGIBLE, SMALL, above_space, is_above, is_apart, is_hint};
 use crate::camera::corners;
 use crate::sides::{Side, sides_to_eye};
 use crate::{Drawn, Form, Mark, Part, Role, Shape, Style, Theme};
@@ -42,7 +42,6 @@ impl<const D: usize> Canvas<'_, D> {
         if is_apart(mark.role) {
             let order = self.order_apart(bounds);
             self.drawn.extend(behind.into_iter().chain(front).map(|drawn| (order, drawn)));
-            self.name_apart(mark, order, &seen);
         } else if is_hint(mark.role) {
             let hint = behind.into_iter().chain(front).map(|drawn| (HINT, drawn));
             self.drawn.extend(hint);
@@ -133,14 +132,18 @@ impl<const D: usize> Canvas<'_, D> {
         beside
     }
 
-    /// A plane a little beyond its node, so that it is told from the sides of that.
-    fn overhanging(&self, bounds: &Aabb<D>, axis: usize) -> Aabb<D> {
+    /// A plane a little beyond its node, so that it is told from the sides of that; farther
+    /// beyond a small one, whose frame would hide it.
+    pub(super) fn overhanging(&self, bounds: &Aabb<D>, axis: usize) -> Aabb<D> {
         const BEYOND: f64 = 7.0;
         const MOST: f64 = 0.06;
-        let size = bounds.size();
-        let by: [f64; D] = std::array::from_fn(|e| {
-            let by = (BEYOND * self.camera.unit(self.page)).min(MOST * size[e]);
-            if e == axis { 0.0 } else { by }
+        const BEYOND_SMALL: f64 = 10.0;
+        let (size, unit) = (bounds.size(), self.camera.unit(self.page));
+        let is_small = D == 2 && size.iter().any(|side| (SMALL..LEGIBLE).contains(&(side / unit)));
+        let by: [f64; D] = std::array::from_fn(|e| match () {
+            () if e == axis => 0.0,
+            () if is_small => BEYOND_SMALL * unit,
+            () => (BEYOND * unit).min(MOST * size[e]),
         });
         Aabb {
             min: std::array::from_fn(|e| bounds.min[e] - by[e]),

@@ -1,6 +1,5 @@
 //! Boxes in the plane.
 
-use super::apart::is_apart;
 use super::cross::cross_out;
 use super::{Canvas, FINE, GROUND, above_space, has_ground};
 use crate::camera::corners;
@@ -45,9 +44,6 @@ impl<const D: usize> Canvas<'_, D> {
         let part = if part == Part::Fine { part } else { Part::Edge };
         for line in cross {
             self.push(mark, *bounds, part, line);
-        }
-        if is_apart(mark.role) {
-            self.name_apart(mark, above_space(mark.role), &[]);
         }
     }
 

@@ -91,13 +91,16 @@ impl<const D: usize> Canvas<'_, D> {
         let clear = self.clear(on_page.clone(), tag.half);
         self.room(clear.iter().copied(), BESIDE.map(|room| tag.half + room))
             .or_else(|| self.room(clear, [tag.half + 1.0; 2]))
-            .or_else(|| {
-                let places = self.at_frame(&tag.bounds, siblings, tag.half);
-                let clear = self.clear(places, tag.half);
-                self.room(clear, [tag.half; 2])
-            })
+            .or_else(|| self.place_at_frame(tag, siblings))
+            .or_else(|| if D == 3 { self.place_at_frame(tag, &[]) } else { None })
             .or_else(|| self.clearest(on_page.iter().copied(), [tag.half; 2]))
             .or_else(|| self.least_taken(&on_page, [tag.half; 2]))
+    }
+
+    /// A clear place that touches the frame of the child, outside of it and of others.
+    fn place_at_frame(&mut self, tag: &Tag<'_, D>, others: &[Aabb<D>]) -> Option<[f64; 2]> {
+        let clear = self.clear(self.at_frame(&tag.bounds, others, tag.half), tag.half);
+        self.room(clear, [tag.half; 2])
     }
 
     /// Where places lie on the page at which a tag lies on its own child.
@@ -112,7 +115,7 @@ impl<const D: usize> Canvas<'_, D> {
     }
 
     /// The box that is seen at a place on the page.
-    fn nearest(&self, at: [f64; 2], boxes: &[Aabb<D>]) -> Option<Aabb<D>> {
+    pub(super) fn nearest(&self, at: [f64; 2], boxes: &[Aabb<D>]) -> Option<Aabb<D>> {
         let sight = self.camera.sight(self.page, at)?;
         let met = boxes.iter().filter_map(|bounds| Some((interval(&sight, bounds)?[0], *bounds)));
         met.min_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, bounds)| bounds)
@@ -167,6 +170,15 @@ impl<const D: usize> Tag<'_, D> {
     fn all_over(&self) -> Vec<[f64; D]> {
         all_over(self.at, &self.bounds, self.inset())
     }
+}
+
+/// Places all over a part of the page.
+pub(super) fn all_over_page([min, max]: [[f64; 2]; 2]) -> Vec<[f64; 2]> {
+    const ROW: u32 = 20;
+    let share = |n: u32| (f64::from(n) + 0.5) / f64::from(ROW);
+    let at = |e: usize, share: f64| min[e] + share * (max[e] - min[e]);
+    let places = (0..ROW * ROW).map(|n| [at(0, share(n % ROW)), at(1, share(n / ROW))]);
+    places.collect()
 }
 
 /// Places all over a box, such a share of its sides within them, those nearest to `at`

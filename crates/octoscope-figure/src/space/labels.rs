@@ -1,6 +1,6 @@
 //! Where the letters and numbers of a scene stand.
 
-use super::{Canvas, LEGIBLE, above_space, distance};
+use super::{Canvas, LEGIBLE, SMALL, above_space, distance};
 use crate::camera::{clipped, corners};
 use crate::figure::text_reach;
 use crate::numbers::distance_to_segment;
@@ -27,12 +27,13 @@ impl<const D: usize> Canvas<'_, D> {
             Shape::LabelIn { bounds, .. } if mark.role != Role::ChildIndex => {
                 self.write_code(mark, &bounds, text);
             }
-            Shape::Plane { bounds, .. } => {
+            Shape::Plane { axis, bounds } => {
                 // A letter beside a small plane would hide what it names.
                 let [width, height] = self.extent(&bounds);
-                if width.max(height) < LEGIBLE {
+                if width.max(height) < if D == 2 { SMALL } else { LEGIBLE } {
                     return;
                 }
+                let bounds = self.overhanging(&bounds, axis);
                 // Beyond a corner of the plane, the lowest on the page first, or as far
                 // beyond one of its sides.
                 let reach = text_reach(mark.role, text);

@@ -28,12 +28,15 @@ impl<const D: usize> Canvas<'_, D> {
         let page = [self.page.width, self.page.height];
         let (mut numbers, mut labels) = (Vec::new(), Vec::new());
         let mut areas = self.seen_of_leaves(all.clone());
+        let apart = self.areas_apart(all.clone());
         let along = all.filter_map(|mark| match (mark.shape, &mark.text) {
             (Shape::LabelAlong(ends), Some(text)) => Some((mark, ends, text)),
             _ => None,
         });
         for (index, (mark, ends, text)) in along.enumerate() {
-            if let Some(chord) = self.camera.visible_segment(self.page, ends) {
+            let chord = self.camera.visible_segment(self.page, ends);
+            // Those that lie under children which are moved apart are not seen.
+            if let Some(chord) = chord.filter(|ends| !self.is_under(middle_of(*ends), &apart)) {
                 let [radius, tight] = radii(mark.role, text);
                 let leaf = mark.node.and_then(|node| areas.remove(&node)).unwrap_or_default();
                 numbers.push(Number { order: index + 1, chord, radius, tight, leaf });
@@ -110,6 +113,10 @@ impl<const D: usize> Canvas<'_, D> {
         }
         is_apart && is_before && near.seen.own.iter().any(|part| far.seen.reaches(part.extent))
     }
+}
+
+fn middle_of([from, to]: [[f64; 2]; 2]) -> [f64; 2] {
+    [0, 1].map(|e| 0.5 * (from[e] + to[e]))
 }
 
 /// Radius of the disc of a number with its line, and the least one: it reaches around the
