@@ -93,7 +93,7 @@ fn the_head_of_an_arrow_is_less_than_half_as_long_as_its_shaft_and_specks_are_le
             };
             let drawn = of_role(&figure, role);
             let of = |part| drawn.iter().find(|d| d.part == part).map(|d| span(d));
-            match [of(Part::Head), of(Part::Edge)] {
+            match [of(Part::Head), of(Part::Edge).or(of(Part::FineEdge))] {
                 [Some(head), Some(shaft)] => {
                     assert!(head < 0.5 * shaft, "{role:?} {head} {shaft}");
                 }
