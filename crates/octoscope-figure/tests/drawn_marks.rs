@@ -114,7 +114,7 @@ fn a_way_there_and_back_is_two_lines_on_both_sides_of_the_direction() {
         let figure = figure(&[way([a, b], Role::WayUp), way([b, a], Role::WayDown), direction]);
         let line = |role| {
             let is_line = |d: &&Drawn| matches!(d.form, Form::Polyline(_));
-            let drawn = of_role(&figure, role).into_iter().filter(is_line).last();
+            let drawn = of_role(&figure, role).into_iter().rfind(is_line);
             let Form::Polyline(points) = &drawn.unwrap().form else { panic!("no line") };
             points.clone()
         };

@@ -24,7 +24,7 @@ const PAGES: [Page; 3] = [
 fn queries<const D: usize>(tree: &Tree<D>, leaves: &[NodeId]) -> Vec<Query<D>> {
     let (options, arithmetic) = (Options::default(), Arithmetic::default());
     let along = [Algorithm::Samet, Algorithm::SametCorner, Algorithm::SametNet]
-        .map(|algorithm| Query::Ray { algorithm, options: options.clone(), arithmetic });
+        .map(|algorithm| Query::Ray { algorithm, options, arithmetic });
     let beside =
         Direction::all().zip(leaves.iter().cycle()).map(|(direction, leaf)| Query::Neighbour {
             level: tree.level(*leaf),
