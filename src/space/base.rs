@@ -181,11 +181,16 @@ fn view_of<const D: usize>(camera: &Camera<D>, page: Page) -> render::View {
 
 /// Whether the graphics adapter draws a mark, so that the painter need not.
 pub fn draws<const D: usize>(mark: &Mark<D>) -> bool {
-    // What is asked stays above planes, what is looked for is never too small to be seen,
-    // and what is ruled out is drawn as one body.
+    // What is asked stays above planes, cells of the grid and what is looked for are never
+    // too small to be seen, and what is ruled out is drawn as one body.
     let is_of_painter = matches!(
         mark.role,
-        Role::Apart | Role::ApartTaken | Role::Region | Role::Target | Role::Rejected
+        Role::Apart
+            | Role::ApartTaken
+            | Role::Region
+            | Role::GridCell
+            | Role::Target
+            | Role::Rejected
     );
     D == 3 && matches!(mark.shape, Shape::Box(_)) && !is_of_painter
 }

@@ -45,12 +45,21 @@ impl<const D: usize> Canvas<'_, D> {
         } else if is_hint(mark.role) {
             let hint = behind.into_iter().chain(front).map(|drawn| (HINT, drawn));
             self.drawn.extend(hint);
-        } else if is_above(mark.role) {
+        } else if is_above(mark.role) || self.is_small_cell(mark.role, bounds) {
             let order = above_space(mark.role);
             self.drawn.extend(behind.into_iter().chain(front).map(|drawn| (order, drawn)));
         } else {
             self.in_space.push(InSpace { bounds: *bounds, behind, front });
         }
+    }
+
+    /// Whether it is a cell of the grid, or one that is looked for, of which planes and
+    /// outlines in front of it would leave nothing to be seen.
+    fn is_small_cell(&self, role: Role, bounds: &Aabb<D>) -> bool {
+        /// The least that is seen among them, in page units.
+        const LEAST: f64 = 48.0;
+        let [width, height] = self.extent(bounds);
+        matches!(role, Role::GridCell | Role::Target) && width.max(height) < LEAST
     }
 
     /// The edges of a box that are drawn, and whether each bounds a side that is seen.
