@@ -182,10 +182,15 @@ fn view_of<const D: usize>(camera: &Camera<D>, page: Page) -> render::View {
 /// Whether the graphics adapter draws a mark, so that the painter need not.
 pub fn draws<const D: usize>(mark: &Mark<D>) -> bool {
     // What is asked stays above planes, cells of the grid and what is looked for are never
-    // too small to be seen, and what is ruled out is drawn as one body.
+    // too small to be seen, what is ruled out is drawn as one body, and planes lie before or
+    // behind the frame of what is at work.
     let is_of_painter = matches!(
         mark.role,
-        Role::Apart
+        Role::Current
+            | Role::Missed
+            | Role::Found
+            | Role::Taken
+            | Role::Apart
             | Role::ApartTaken
             | Role::Region
             | Role::GridCell

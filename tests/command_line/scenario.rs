@@ -135,21 +135,26 @@ fn trace_tells_every_step() {
         lines.lines().map(|line| serde_json::from_str(line).unwrap()).collect();
     assert_eq!(objects[0]["octoscope-trace"], 1);
     assert_eq!(objects[0]["query"], "ray");
-    let lines = desk.prints("trace scene:figure-7 --algorithm parametric@B-2,B-7 --format jsonl");
-    let header: serde_json::Value = serde_json::from_str(lines.lines().next().unwrap()).unwrap();
-    assert_eq!(header["algorithm"], "parametric");
-    assert_eq!(header["variants"], serde_json::json!(["B-2", "B-7"]));
-    let lines = desk.prints("trace scene:figure-1 --format jsonl");
-    let header: serde_json::Value = serde_json::from_str(lines.lines().next().unwrap()).unwrap();
-    assert_eq!(
-        (&header["query"], &header["algorithm"]),
-        (&"point".into(), &serde_json::Value::Null)
-    );
     assert!(objects[1..].iter().all(|object| object["event"].is_string()));
     let table = desk.prints("trace a.octo --format csv");
     assert_eq!(table.lines().count(), lines.lines().count());
     assert_eq!(desk.prints("trace a.octo --format csv -o a.csv"), "");
     assert_eq!(fs::read_to_string(desk.0.path().join("a.csv")).unwrap(), table);
+}
+
+#[test]
+fn the_header_of_a_trace_tells_what_is_asked_and_by_which_rules() {
+    let desk = desk_with_scenario();
+    let header = |arguments: &str| -> serde_json::Value {
+        let lines = desk.prints(&format!("trace {arguments} --format jsonl"));
+        serde_json::from_str(lines.lines().next().unwrap()).unwrap()
+    };
+    let misprinted = header("scene:figure-7 --algorithm parametric@B-2,B-7");
+    assert_eq!(misprinted["algorithm"], "parametric");
+    assert_eq!(misprinted["variants"], serde_json::json!(["B-2", "B-7"]));
+    let point = header("scene:figure-1");
+    assert_eq!(point["query"], "point");
+    assert_eq!(point["algorithm"], serde_json::Value::Null);
 }
 
 #[test]
