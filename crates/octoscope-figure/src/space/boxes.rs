@@ -105,7 +105,8 @@ impl<const D: usize> Canvas<'_, D> {
 
     /// A side of a box, or a plane through it.
     pub(super) fn draw_plane(&mut self, mark: &Mark<D>, axis: usize, bounds: &Aabb<D>) {
-        let bounds = &self.overhanging(&self.beside_node(mark.role, bounds, axis), axis);
+        let beside = self.beside_node(mark.role, bounds, axis);
+        let bounds = &self.overhanging(mark.role, &beside, axis);
         let corners: Vec<[f64; D]> = corners(bounds).collect();
         let upper = 1usize << (D - 1 - axis);
         let own: Vec<[f64; D]> = (0..1 << D)
@@ -141,17 +142,19 @@ impl<const D: usize> Canvas<'_, D> {
         beside
     }
 
-    /// A plane a little beyond its node, so that it is told from the sides of that; farther
-    /// beyond a small one, whose frame would hide it.
-    pub(super) fn overhanging(&self, bounds: &Aabb<D>, axis: usize) -> Aabb<D> {
+    /// A plane a little beyond its node, so that it is told from the sides of that; one that
+    /// is compared farther beyond a small node, whose frame would hide it.
+    pub(super) fn overhanging(&self, role: Role, bounds: &Aabb<D>, axis: usize) -> Aabb<D> {
         const BEYOND: f64 = 7.0;
         const MOST: f64 = 0.06;
         const BEYOND_SMALL: f64 = 10.0;
         let (size, unit) = (bounds.size(), self.camera.unit(self.page));
-        let is_small = D == 2 && size.iter().any(|side| (SMALL..LEGIBLE).contains(&(side / unit)));
+        let is_compared = matches!(role, Role::MidPlane(_) | Role::ExitPlane(_));
+        let is_small = |side: &f64| (SMALL..LEGIBLE).contains(&(side / unit));
+        let is_hidden = D == 2 && is_compared && size.iter().any(is_small);
         let by: [f64; D] = std::array::from_fn(|e| match () {
             () if e == axis => 0.0,
-            () if is_small => BEYOND_SMALL * unit,
+            () if is_hidden => BEYOND_SMALL * unit,
             () => (BEYOND * unit).min(MOST * size[e]),
         });
         Aabb {

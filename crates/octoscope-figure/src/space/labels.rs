@@ -33,7 +33,7 @@ impl<const D: usize> Canvas<'_, D> {
                 if width.max(height) < if D == 2 { SMALL } else { LEGIBLE } {
                     return;
                 }
-                let bounds = self.overhanging(&bounds, axis);
+                let bounds = self.overhanging(mark.role, &bounds, axis);
                 // Beyond a corner of the plane, the lowest on the page first, or as far
                 // beyond one of its sides.
                 let reach = text_reach(mark.role, text);
