@@ -173,6 +173,13 @@ fn misprints() -> impl Iterator<Item = Variant> {
     Variant::ALL.into_iter().filter(|&variant| erratum_of(variant).is_some())
 }
 
+/// The key of the marks in the picture, where no formula is in its place.
+fn has_key_of_marks(desk: &Desk) -> bool {
+    let texts = texts(desk.state().view.language);
+    let keys = ["paper-marks", "paper-marks-mirrored"].map(|key| texts.get(key));
+    desk.nodes().iter().any(|node| keys.contains(&spoken(node)))
+}
+
 #[test]
 fn the_paper_lab_of_a_lecture_is_read_at_once_and_leaves_the_picture_its_height() {
     let mut faults = Vec::new();
@@ -182,6 +189,9 @@ fn the_paper_lab_of_a_lecture_is_read_at_once_and_leaves_the_picture_its_height(
             for share in [0.0, 0.5, 1.0] {
                 desk.go_to(&At::Share(share));
                 let place = format!("{} {language:?} {share}", variant.id());
+                if share == 0.0 && !has_key_of_marks(&desk) {
+                    faults.push(format!("{place}: the marks are not explained"));
+                }
                 let overflow = desk.overflow();
                 if overflow > 0.5 {
                     faults.push(format!("{place}: scrolls by {overflow}"));
