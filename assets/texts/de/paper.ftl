@@ -8,7 +8,7 @@ erratum-b-1-why = Der Strahl ist im Knoten, solange er auf jeder Achse zwischen 
 erratum-b-2-title = Tabelle 2: Bits des ersten Kindes
 erratum-b-2-printed = t_xm < t_z0 setzt Bit 0, t_zm setzt Bit 2
 erratum-b-2-right = x setzt Bit 2, y Bit 1, z Bit 0
-erratum-b-2-why = In Tabelle 3 und der Maske a = 4a_x + 2a_y + a_z ist x das höchste Bit. Mit vertauschten Bits beginnt der Weg im falschen Kind und verliert Blätter. Wer die Zustände als x + 2y + 4z liest (B-2-morton), beginnt im richtigen Kind, aber dann führen Tabelle 3 und die Maske in die Irre.
+erratum-b-2-why = In Tabelle 3 und der Maske a = 4a_x + 2a_y + a_z ist x das höchste Bit. Mit vertauschten Bits beginnt der Weg im falschen Kind. Als x + 2y + 4z gelesen (B-2-morton), beginnt er im richtigen, aber dann führen Tabelle und Maske in die Irre.
 reading-b-2 = wie gedruckt
 reading-b-2-morton = Zustände als x + 2y + 4z gelesen
 

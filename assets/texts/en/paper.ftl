@@ -8,7 +8,7 @@ erratum-b-1-why = The ray is in the node while it is between the planes of every
 erratum-b-2-title = Table 2: bits of the first child
 erratum-b-2-printed = t_xm < t_z0 sets bit 0, and t_zm sets bit 2
 erratum-b-2-right = x sets bit 2, y bit 1, z bit 0
-erratum-b-2-why = Table 3 and the mask a = 4a_x + 2a_y + a_z have x as the highest bit. With the bits interchanged the walk begins in a wrong child and loses leaves. Whoever reads the states as x + 2y + 4z (B-2-morton) begins in the right child, but Table 3 and the mask then lead astray.
+erratum-b-2-why = Table 3 and the mask a = 4a_x + 2a_y + a_z have x as the highest bit. With the bits interchanged the walk begins in a wrong child. Read as x + 2y + 4z (B-2-morton), it begins in the right one, but table and mask then lead astray.
 reading-b-2 = as printed
 reading-b-2-morton = states read as x + 2y + 4z
 
