@@ -91,3 +91,11 @@ fn square_to_segment(at: [f64; 2], segment: [[f64; 2]; 2]) -> f64 {
     let along = (0..2).map(|e| (at[e] - from[e]) * (to[e] - from[e])).sum::<f64>();
     square_between(at, between(segment, (along / length).clamp(0.0, 1.0)))
 }
+
+/// Whether two segments cross each other.
+pub(crate) fn do_cross([a, b]: [[f64; 2]; 2], [c, d]: [[f64; 2]; 2]) -> bool {
+    let side = |[from, to]: [[f64; 2]; 2], at: [f64; 2]| {
+        (to[0] - from[0]) * (at[1] - from[1]) - (to[1] - from[1]) * (at[0] - from[0])
+    };
+    side([a, b], c) * side([a, b], d) < 0.0 && side([c, d], a) * side([c, d], b) < 0.0
+}

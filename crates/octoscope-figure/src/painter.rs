@@ -165,8 +165,9 @@ impl<const D: usize> Painter<'_, D> {
             self.sort(&part, std::mem::take(&mut halves[usize::from(is_upper)]), n_cuts + 1);
         }
 
-        self.draw_flats(&near_sides);
+        // A plane on a side that faces the eye lies before the edges of that.
         self.order.extend(around.iter().rev().map(|&index| Painted::Half(index, Half::Front)));
+        self.draw_flats(&near_sides);
     }
 
     /// Draws flat boxes and pieces among which there is nothing else: the plane of one

@@ -34,12 +34,15 @@ pub(crate) fn part_of_plane<const D: usize>(
         is_outer(ring[index], ring[next]).then_some(Form::Polyline(line))
     });
     let edges: Vec<Form> = edges.collect();
-    let has_casing = whole.role.has_casing();
+    let (edge_part, has_casing) = match whole.part {
+        Part::FineEdge => (Part::FineEdge, false),
+        _ => (Part::Edge, whole.role.has_casing()),
+    };
     let casings = edges.iter().filter(|_| has_casing);
     let casings = casings.map(|edge| of_whole(Part::Casing, edge.clone()));
     let area = of_whole(Part::Face(0), Form::Polygon(on_page.clone()));
     let casings: Vec<Drawn> = casings.collect();
-    let edges = edges.into_iter().map(|edge| of_whole(Part::Edge, edge));
+    let edges = edges.into_iter().map(|edge| of_whole(edge_part, edge));
     casings.into_iter().chain([area]).chain(edges).collect()
 }
 

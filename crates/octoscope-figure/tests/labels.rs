@@ -38,7 +38,7 @@ fn tags(figure: &Figure) -> impl Iterator<Item = (Role, [f64; 2], [f64; 2], f64)
         (&Form::Circle { centre, radius }, Role::OrderNumber) => {
             Some((drawn.role, centre, [0.0; 2], radius))
         }
-        (Form::Polygon(corners), Role::ChildIndex) => {
+        (Form::Polygon(corners), Role::ChildIndex) if corners.len() == 4 => {
             let bounds = Aabb::around(corners.iter().copied())?;
             Some((drawn.role, bounds.centre(), bounds.size().map(|x| 0.5 * x), 0.0))
         }

@@ -52,6 +52,8 @@ struct Child<const D: usize> {
     is_taken: bool,
     /// Where its number is written.
     tag: Option<[f64; 2]>,
+    /// The corners of what is drawn below that.
+    corners: Vec<[f64; 2]>,
 }
 
 struct Disc {
@@ -118,6 +120,7 @@ impl<const D: usize> Shown<D> {
             bounds: tree.node_box(node),
             is_taken: taken.contains(&node),
             tag: tag(figure, node),
+            corners: corners(figure, node),
         };
         let current = marks.iter().find(|mark| mark.role == Role::Current);
         let current = current.map(|mark| match mark.shape {
@@ -145,14 +148,27 @@ impl<const D: usize> Shown<D> {
     }
 }
 
+/// What is drawn for the number of a child.
+fn of_number(figure: &Figure, node: NodeId) -> impl Iterator<Item = &Form> {
+    let is_own = move |drawn: &&Drawn| drawn.role == Role::ChildIndex && drawn.node == Some(node);
+    figure.drawn.iter().filter(is_own).map(|drawn| &drawn.form)
+}
+
 /// Where the number of a child is written.
 fn tag(figure: &Figure, node: NodeId) -> Option<[f64; 2]> {
-    let own = figure.drawn.iter();
-    let mut own = own.filter(|drawn| drawn.role == Role::ChildIndex && drawn.node == Some(node));
-    own.find_map(|drawn| match &drawn.form {
+    of_number(figure, node).find_map(|form| match form {
         Form::Text { at, .. } => Some(*at),
         _ => None,
     })
+}
+
+/// The corners of what is drawn below that.
+fn corners(figure: &Figure, node: NodeId) -> Vec<[f64; 2]> {
+    let corners = of_number(figure, node).filter_map(|form| match form {
+        Form::Polygon(corners) => Some(corners),
+        _ => None,
+    });
+    corners.flatten().copied().collect()
 }
 
 #[test]
@@ -176,6 +192,27 @@ fn the_child_that_is_taken_has_its_tag_wherever_its_cell_has_room_for_one() {
     }
     let (in_plane, in_space) = (check(&PLANE), check(&SPACE));
     assert!(in_plane > 50 && in_space > 50, "{in_plane} {in_space}");
+}
+
+#[test]
+fn a_tag_outside_of_its_child_points_into_it() {
+    fn check<const D: usize>(runs: &Runs<D>) -> [usize; 2] {
+        let [mut n_outside, mut n_pointing] = [0; 2];
+        for child in runs.moments.iter().flat_map(|shown| &shown.children) {
+            let area = runs.area(&child.bounds);
+            let holds =
+                |at: &[f64; 2]| (0..2).all(|e| (area.min[e]..=area.max[e]).contains(&at[e]));
+            if child.tag.is_some_and(|tag| !holds(&tag)) {
+                n_outside += 1;
+                n_pointing += usize::from(child.corners.iter().any(holds));
+            }
+        }
+        [n_outside, n_pointing]
+    }
+    for [n_outside, n_pointing] in [check(&PLANE), check(&SPACE)] {
+        // But for where a line at its frame would be covered.
+        assert!(n_outside > 10 && 5 * n_pointing >= 4 * n_outside, "{n_pointing} {n_outside}");
+    }
 }
 
 #[test]

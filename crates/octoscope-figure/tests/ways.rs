@@ -2,7 +2,6 @@
 
 #![allow(clippy::unwrap_used, reason = "a test may panic")]
 
-use octoscope_core::geometry::Aabb;
 use octoscope_core::locate::{Direction, NeighbourMethod, Reach};
 use octoscope_core::query::{Arithmetic, Query};
 use octoscope_core::scenario::{AnyScenario, Scenario, built_in};
@@ -79,16 +78,24 @@ fn points_of([a, b, c]: [[f64; 2]; 3]) -> Vec<[f64; 2]> {
     outline.chain([[0, 1].map(|e| (a[e] + b[e] + c[e]) / 3.0)]).collect()
 }
 
+/// Whether a point lies in a convex polygon, not at its rim.
+fn lies_in(corners: &[[f64; 2]], at: [f64; 2]) -> bool {
+    let next = corners.iter().cycle().skip(1);
+    let offs = corners.iter().zip(next).map(|(a, b)| {
+        let [x, y] = [0, 1].map(|e| b[e] - a[e]);
+        (x * (at[1] - a[1]) - y * (at[0] - a[0])) / x.hypot(y)
+    });
+    let offs: Vec<f64> = offs.collect();
+    offs.iter().all(|off| *off > 0.01) || offs.iter().all(|off| *off < -0.01)
+}
+
 /// What hides a point, if a number or a tag does.
 fn hides(figure: &Figure, at: [f64; 2]) -> Option<Role> {
     let hides = figure.drawn.iter().find(|drawn| match (&drawn.form, drawn.role) {
         (Form::Circle { centre, radius }, Role::OrderNumber) => {
             (at[0] - centre[0]).hypot(at[1] - centre[1]) < radius - 0.01
         }
-        (Form::Polygon(corners), Role::ChildIndex) => {
-            let Aabb { min, max } = Aabb::around(corners.iter().copied()).unwrap();
-            (0..2).all(|e| min[e] + 0.01 < at[e] && at[e] < max[e] - 0.01)
-        }
+        (Form::Polygon(corners), Role::ChildIndex) => lies_in(corners, at),
         _ => false,
     });
     hides.map(|drawn| drawn.role)

@@ -1,7 +1,7 @@
 //! The numbers that are placed, and what they may not cover: by squares of the page, so
 //! that a place is compared with what is near alone.
 
-use super::{Kept, Stand, Taken, between, square, square_between, square_to_segment};
+use super::{Kept, Stand, Taken, between, do_cross, square, square_between, square_to_segment};
 use crate::camera::clipped;
 
 /// Room between two discs.
@@ -58,6 +58,19 @@ impl<'a> Crowd<'a> {
         let mut near = self.squares.near(stand.extent());
         !near.any(|square| square.taken.iter().any(covers))
             && !lines.iter().any(|line| square_to_segment(at, *line) < radius * radius)
+    }
+}
+
+impl Crowd<'_> {
+    /// Whether the line of a number crosses another one, of a way or an arrow; not the one on
+    /// which it begins.
+    pub(super) fn is_crossed(&self, stand: &Stand) -> bool {
+        const ON_IT: f64 = 1.0;
+        let Some(leader) = stand.leader else { return false };
+        let crosses = |line: &[[f64; 2]; 2]| {
+            do_cross(leader, *line) && square_to_segment(leader[0], *line) > ON_IT * ON_IT
+        };
+        self.kept.lines.iter().any(crosses)
     }
 }
 
@@ -140,15 +153,7 @@ pub(super) fn collide(a: &Stand, b: &Stand) -> bool {
     square_between(a.at, b.at) < (a.radius + b.radius + BETWEEN).powi(2)
         || crosses(a.leader, b)
         || crosses(b.leader, a)
-        || matches!((a.leader, b.leader), (Some(a), Some(b)) if cross(a, b))
-}
-
-/// Whether two segments cross each other.
-fn cross([a, b]: [[f64; 2]; 2], [c, d]: [[f64; 2]; 2]) -> bool {
-    let side = |[from, to]: [[f64; 2]; 2], at: [f64; 2]| {
-        (to[0] - from[0]) * (at[1] - from[1]) - (to[1] - from[1]) * (at[0] - from[0])
-    };
-    side([a, b], c) * side([a, b], d) < 0.0 && side([c, d], a) * side([c, d], b) < 0.0
+        || matches!((a.leader, b.leader), (Some(a), Some(b)) if do_cross(a, b))
 }
 
 #[cfg(test)]

@@ -41,6 +41,8 @@ struct Choice {
 
 /// What it costs to cover what must be seen.
 const COVERS: f64 = 1e4;
+/// What it costs a line to cross one of a way or an arrow.
+const CROSSES: f64 = 30.0;
 /// What it costs to have no place.
 const NONE: f64 = 1e6;
 
@@ -81,7 +83,7 @@ impl Settling {
         for &index in &without {
             // Nearby, where the grid is too coarse.
             let near = aside(&numbers[index]).filter(|stand| crowd.is_free(stand));
-            let places = near.map(|stand| (None, stand, cost(&stand, index, numbers)));
+            let places = near.map(|stand| (None, stand, cost(&stand, index, numbers, crowd)));
             let choices = choices(places, crowd);
             self.choices[index].extend(choices);
         }
@@ -91,7 +93,7 @@ impl Settling {
                 let places = grid.places(&numbers[index], row).into_iter();
                 let places = places.map(|(slot, stand)| {
                     let covers = if crowd.is_free(&stand) { 0.0 } else { COVERS };
-                    (Some(slot), stand, covers + cost(&stand, index, numbers))
+                    (Some(slot), stand, covers + cost(&stand, index, numbers, crowd))
                 });
                 let choices = choices(places, crowd);
                 self.choices[index].extend(choices);
@@ -251,13 +253,14 @@ fn sort(choices: &mut [Choice]) {
     choices.sort_by(|a, b| a.cost.total_cmp(&b.cost));
 }
 
-/// What a place with a line costs: its length, and what it covers of other leaves.
-fn cost(stand: &Stand, index: usize, numbers: &[Number]) -> f64 {
+/// What a place with a line costs: its length, and what it covers of other leaves and ways.
+fn cost(stand: &Stand, index: usize, numbers: &[Number], crowd: &Crowd<'_>) -> f64 {
     let extent = stand.extent();
     let others = numbers.iter().enumerate().filter(|(other, _)| *other != index);
     let near = others.map(|(_, other)| &other.leaf).filter(|leaf| leaf.reaches(extent));
     let length = stand.leader.map_or(0.0, |[foot, rim]| distance(foot, rim));
-    length + near.map(|leaf| covered(stand, leaf)).sum::<f64>()
+    let crosses = if crowd.is_crossed(stand) { CROSSES } else { 0.0 };
+    length + crosses + near.map(|leaf| covered(stand, leaf)).sum::<f64>()
 }
 
 /// What it costs to lie on the leaf of another number.

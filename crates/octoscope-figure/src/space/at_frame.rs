@@ -1,12 +1,18 @@
-//! Places at the frame of a small child, outside of it, for what has no room within.
+//! Places at the frame of a small child, outside of it, for what has no room within, and what
+//! points into it from there.
 
-use super::Canvas;
+use super::{Canvas, distance};
 use crate::Extent;
 use crate::camera::clipped;
 use crate::numbers::{Area, Convex};
 use crate::sides::sides_to_eye;
 use octoscope_core::geometry::Aabb;
 use std::f64::consts::{PI, TAU};
+
+/// Half the width of what points from a tag, in the middle of that, in page units, and about
+/// half of that where it leaves it.
+const BROAD: f64 = 7.0;
+pub(super) const POINT: f64 = 3.5;
 
 impl<const D: usize> Canvas<'_, D> {
     /// Middles of squares of `half` a side on the page that touch the frame of a child, and
@@ -72,6 +78,19 @@ impl Seen {
         self.area.holds(at)
     }
 
+    /// Where a tag that stands outside of it points: so far `within` it, in page units.
+    pub fn pointed_at(&self, tag: [f64; 2], within: f64) -> Option<[f64; 2]> {
+        const STEP: f64 = 0.5;
+        /// What of the way from its rim to its middle, at most.
+        const MOST: f64 = 0.6;
+        let length = distance(tag, self.middle);
+        let at =
+            |away: f64| std::array::from_fn(|e| between(tag[e], self.middle[e], away / length));
+        let steps = (0..).map(|n| STEP * f64::from(n)).take_while(|away| *away < length);
+        let rim = steps.into_iter().find(|away| self.holds(at(*away)))?;
+        (rim > 0.0).then(|| at(rim + within.min(MOST * (length - rim))))
+    }
+
     /// Whether a square lies on it.
     pub fn meets(&self, at: [f64; 2], half: f64) -> bool {
         let square = [-half, half].map(|by| at.map(|x| x + by));
@@ -81,6 +100,20 @@ impl Seen {
         };
         self.area.holds(at) || self.sides.iter().any(is_struck)
     }
+}
+
+/// Corners of what points from the middle of a tag to `tip`; the tag lies on its broad end.
+pub(super) fn pointer(at: [f64; 2], tip: [f64; 2]) -> [[f64; 2]; 3] {
+    let length = distance(at, tip);
+    let aside = |by: f64| {
+        let across = [at[1] - tip[1], tip[0] - at[0]];
+        std::array::from_fn(|e| at[e] + by * across[e] / length)
+    };
+    [aside(BROAD), tip, aside(-BROAD)]
+}
+
+fn between(from: f64, to: f64, share: f64) -> f64 {
+    from + share * (to - from)
 }
 
 /// Ways to all sides, those along the page first, and none from corner to corner.

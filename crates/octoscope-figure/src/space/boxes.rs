@@ -20,21 +20,19 @@ impl<const D: usize> Canvas<'_, D> {
                 front.push((Part::Face(side.axis), Form::Polygon(polygon)));
             }
         }
+        let edges = self.edges(mark, bounds, &seen);
+        let (in_sight, hidden): (Vec<_>, Vec<_>) = edges.into_iter().partition(|(_, seen)| *seen);
+        let form = |(line, _): &([[f64; 2]; 2], bool)| Form::Polyline(line.to_vec());
+        behind.extend(hidden.iter().map(|edge| (Part::HiddenEdge, form(edge))));
+        // What parts an edge from what lies below it cuts none of the box's other edges.
+        if mark.role.has_casing() {
+            front.extend(in_sight.iter().map(|edge| (Part::Casing, form(edge))));
+        }
         let cross = cross_out_box(mark.role, bounds, self.camera, self.page);
         front.extend(cross.into_iter().map(|line| (Part::Edge, line)));
-        let (part, has_casing) = (self.edge_part(mark, bounds), mark.role.has_casing());
-        for (line, is_in_sight) in self.edges(mark, bounds, &seen) {
-            let form = Form::Polyline(line.to_vec());
-            if !is_in_sight {
-                behind.push((Part::HiddenEdge, form));
-                continue;
-            }
-            self.spared.push(line);
-            if has_casing {
-                front.push((Part::Casing, form.clone()));
-            }
-            front.push((part, form));
-        }
+        let part = self.edge_part(mark, bounds);
+        front.extend(in_sight.iter().map(|edge| (part, form(edge))));
+        self.spared.extend(in_sight.iter().map(|(line, _)| *line));
         self.keep_sides(mark.role, &seen);
         let drawn = |(part, form)| Drawn { form, role: mark.role, part, node: mark.node };
         let [behind, front] =
@@ -124,8 +122,19 @@ impl<const D: usize> Canvas<'_, D> {
                 .filter_map(|p| self.camera.project(self.page, p))
                 .map(|p| p.at)
                 .collect();
-            self.push_cased(mark, *bounds, Part::Whole, Form::Polygon(polygon));
+            self.push_sheet(mark, *bounds, polygon);
         }
+    }
+
+    /// A plane in space; one through a small node is finer, which it would hide.
+    fn push_sheet(&mut self, mark: &Mark<D>, bounds: Aabb<D>, polygon: Vec<[f64; 2]>) {
+        let side = bounds.size().into_iter().fold(0.0, f64::max) / self.camera.unit(self.page);
+        if side >= LEGIBLE {
+            return self.push_cased(mark, bounds, Part::Whole, Form::Polygon(polygon));
+        }
+        let outline = polygon.iter().chain(polygon.first()).copied().collect();
+        let area = (Part::Face(0), Form::Polygon(polygon));
+        self.push_parts(mark, bounds, vec![area, (Part::FineEdge, Form::Polyline(outline))]);
     }
 
     /// A side that a cell of the plane owns, or not, beside the outline of that, which it
@@ -142,8 +151,23 @@ impl<const D: usize> Canvas<'_, D> {
         beside
     }
 
+    /// Whether a plane is a side that faces the eye of what is at work.
+    fn is_on_side(&self, plane: &Aabb<D>, axis: usize) -> bool {
+        self.strong.iter().any(|bounds| {
+            let is_side = |side: &Side<D>| {
+                let at = if side.is_upper { bounds.max } else { bounds.min };
+                side.axis == axis && at[axis] == plane.min[axis]
+            };
+            let is_as_large = (0..D).all(|e| {
+                e == axis || (bounds.min[e], bounds.max[e]) == (plane.min[e], plane.max[e])
+            });
+            is_as_large && sides_to_eye(self.camera, self.page, bounds).iter().any(is_side)
+        })
+    }
+
     /// A plane a little beyond its node, so that it is told from the sides of that; one that
-    /// is compared farther beyond a small node, whose frame would hide it.
+    /// is compared farther beyond a small node, whose frame would hide it; none on a side that
+    /// is seen of what is at work: it lies above that.
     pub(super) fn overhanging(&self, role: Role, bounds: &Aabb<D>, axis: usize) -> Aabb<D> {
         const BEYOND: f64 = 7.0;
         const MOST: f64 = 0.06;
@@ -152,8 +176,9 @@ impl<const D: usize> Canvas<'_, D> {
         let is_compared = matches!(role, Role::MidPlane(_) | Role::ExitPlane(_));
         let is_small = |side: &f64| (SMALL..LEGIBLE).contains(&(side / unit));
         let is_hidden = D == 2 && is_compared && size.iter().any(is_small);
+        let is_on_side = D == 3 && self.is_on_side(bounds, axis);
         let by: [f64; D] = std::array::from_fn(|e| match () {
-            () if e == axis => 0.0,
+            () if e == axis || is_on_side => 0.0,
             () if is_hidden => BEYOND_SMALL * unit,
             () => (BEYOND * unit).min(MOST * size[e]),
         });

@@ -1,12 +1,15 @@
 //! Tags with the numbers of children: in the outer corner of each, off the ray and off
 //! all points; in space where the child is seen, not one that lies before it. That of a
-//! small child through which ray and ways lead stands outside, at its frame. Tags are
-//! square, so that none is taken for an order number.
+//! small child through which ray and ways lead stands outside, at its frame, and points into
+//! it. Tags are square, so that none is taken for an order number.
 
+use super::at_frame::{POINT, pointer};
 use super::labels::rectangle;
 use super::{Canvas, above_space};
+use crate::camera::clipped;
 use crate::figure::text_reach;
 use crate::marks::interval;
+use crate::numbers::do_cross;
 use crate::{Anchor, Form, Mark, Part, Role, Shape};
 use octoscope_core::geometry::Aabb;
 use octoscope_core::tree::NodeId;
@@ -97,10 +100,41 @@ impl<const D: usize> Canvas<'_, D> {
             .or_else(|| self.least_taken(&on_page, [tag.half; 2]))
     }
 
-    /// A clear place that touches the frame of the child, outside of it and of others.
+    /// A clear place that touches the frame of the child, outside of it and of others; first
+    /// where what points into the child from there covers nothing.
     fn place_at_frame(&mut self, tag: &Tag<'_, D>, others: &[Aabb<D>]) -> Option<[f64; 2]> {
-        let clear = self.clear(self.at_frame(&tag.bounds, others, tag.half), tag.half);
-        self.room(clear, [tag.half; 2])
+        let mut clear = self.clear(self.at_frame(&tag.bounds, others, tag.half), tag.half);
+        clear.sort_by_cached_key(|at| self.tip(tag, *at).is_none());
+        let at = self.room(clear, [tag.half; 2])?;
+        if let Some(tip) = self.tip(tag, at) {
+            self.taken.push([tip, [POINT; 2]]);
+        }
+        Some(at)
+    }
+
+    /// Where a tag that stands outside of its child points, as far in as nothing is covered;
+    /// nowhere if a line lies at the frame itself.
+    fn tip(&self, tag: &Tag<'_, D>, at: [f64; 2]) -> Option<[f64; 2]> {
+        const WITHIN: [f64; 3] = [7.0, 4.5, 2.5];
+        let child = self.seen_of(&tag.bounds)?;
+        let mut tips = WITHIN.into_iter().filter_map(|within| child.pointed_at(at, within));
+        tips.find(|tip| !self.covers([at, *tip]))
+    }
+
+    /// Whether what points from a tag covers a line or anything else that has to be seen.
+    fn covers(&self, [at, tip]: [[f64; 2]; 2]) -> bool {
+        const ROOM: f64 = 1.0;
+        let others = self.taken.iter().filter(|[middle, reach]| {
+            (0..2).any(|e| (middle[e] - at[e]).abs() > reach[e]) && *middle != tip
+        });
+        let strikes = |[middle, reach]: &[[f64; 2]; 2]| {
+            let area = [-1.0, 1.0]
+                .map(|sign| std::array::from_fn(|e| middle[e] + sign * (reach[e] + ROOM)));
+            clipped([at, tip], area).is_some()
+        };
+        let sides = pointer(at, tip).map(|end| [end, tip]);
+        let is_cut = |line: &[[f64; 2]; 2]| sides.iter().any(|side| do_cross(*side, *line));
+        self.kept.iter().any(is_cut) || others.into_iter().any(strikes)
     }
 
     /// Where places lie on the page at which a tag lies on its own child.
@@ -135,6 +169,10 @@ impl<const D: usize> Canvas<'_, D> {
 
     fn draw_tag(&mut self, tag: &Tag<'_, D>, at: [f64; 2]) {
         let order = above_space(tag.mark.role);
+        if let Some(tip) = self.tip(tag, at) {
+            let corners = pointer(at, tip).to_vec();
+            self.push_at(order, tag.mark, Part::Whole, Form::Polygon(corners));
+        }
         self.push_at(order, tag.mark, Part::Whole, rectangle(at, [tag.half; 2]));
         let form = Form::Text { at, anchor: Anchor::Middle, text: tag.text.into() };
         self.push_at(order, tag.mark, Part::Whole, form);

@@ -31,12 +31,16 @@ pub fn drawn_box<const D: usize>(role: Role, bounds: &Aabb<D>, unit: f64) -> Aab
     }
 }
 
-/// How the edges of a box are drawn: finer and unbroken where it is so small that a line of
-/// this style would fill it, or broken sides with their casing run together. `unit` is a
-/// page unit in world units.
+/// How the edges of a box are drawn: finer and unbroken where it is so small that lines of
+/// this style would fill it, nine of them in space, or broken sides with their casing run
+/// together. `unit` is a page unit in world units.
 pub fn edge_part<const D: usize>(style: &Style, bounds: &Aabb<D>, unit: f64) -> Part {
     let is_cased = style.dash != Dash::Solid && style.casing > 0.0;
-    let least = if is_cased { 12.0 } else { 4.5 };
+    let least = match D {
+        _ if is_cased => 12.0,
+        2 => 4.5,
+        _ => 10.0,
+    };
     let side = bounds.size().into_iter().fold(0.0, f64::max) / unit;
     if side < least * style.width { Part::FineEdge } else { Part::Edge }
 }
