@@ -80,12 +80,17 @@ fn a_printed_rule_goes_wrong_on_many_rays() {
     assert!(desk.says("The algorithm that is shown, compared with an exact search"));
 }
 
-#[test]
-fn a_press_in_the_picture_takes_its_line_of_sight() {
+/// The map of lines of sight in space.
+fn sights() -> Desk {
     let mut desk = Desk::new();
     desk.open_scenario(&built_in("points-3d").unwrap());
     desk.state_mut().view.map.rays = RaysOf::Picture;
-    let mut desk = desk.with_map();
+    desk.with_map()
+}
+
+#[test]
+fn a_press_in_the_picture_takes_its_line_of_sight() {
+    let mut desk = sights();
     let map = desk.map();
     desk.click_at(map.center(), 1);
     let domain = *desk.space().tree.domain();
@@ -119,10 +124,7 @@ fn marks(desk: &Desk, within: Rect) -> usize {
 
 #[test]
 fn a_ray_that_is_no_line_of_sight_is_seen_in_the_map_and_told_from_one() {
-    let mut desk = Desk::new();
-    desk.open_scenario(&built_in("points-3d").unwrap());
-    desk.state_mut().view.map.rays = RaysOf::Picture;
-    let mut desk = desk.with_map();
+    let mut desk = sights();
     assert!(marks(&desk, desk.map()) > 0);
     assert!(desk.says("it is no line of sight"));
     // Far from all that is seen.

@@ -314,7 +314,7 @@ timeline-rounded = Schritte mit Dreieck: Gleitkommazahlen würden irren
 
 tree-name = Baumansicht
 tree-hint = Ziehen verschiebt, Strg mit dem Rad vergrößert; ein Doppelklick zeigt alles.
-tree-key = Unter einem zugeklappten Knoten: Nummern der in ihm besuchten Blätter (1–5), sonst ihre Zahl (85).
+tree-key = An einem zugeklappten Knoten: Nummern der in ihm besuchten Blätter (1–5), sonst ihre Zahl (85).
 tree-root = Wurzel
 tree-child = Kind { $child }
 tree-folded = { $n ->

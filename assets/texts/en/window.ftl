@@ -314,7 +314,7 @@ timeline-rounded = Steps with a triangle: doubles would err
 
 tree-name = Tree view
 tree-hint = Drag to move, Ctrl and the wheel to zoom; a double click shows everything.
-tree-key = Below a folded node: numbers of the leaves visited in it (1–5), else how many it has (85).
+tree-key = At a folded node: numbers of the leaves visited in it (1–5), else how many it has (85).
 tree-root = Root
 tree-child = Child { $child }
 tree-folded = { $n ->
