@@ -28,7 +28,7 @@ use crate::parts::Arrow;
 use crate::{Camera, Drawn, Figure, Form, Mark, Page, Part, Role, Shape, Style, Theme};
 use apart::is_apart;
 use arrows::Bend;
-use at_work::{most_of_dots, small_area};
+use at_work::{looked_at, most_of_dots, small_area};
 use indices::chosen;
 pub use inset::{drawn_box, edge_part};
 use octoscope_core::geometry::Aabb;
@@ -78,6 +78,7 @@ pub fn space_figure_over<const D: usize>(
         kept: vec![],
         spared: vec![],
         small: all().filter_map(|mark| small_area(mark, camera, page)).collect(),
+        looked_at: looked_at(all(), camera, page),
     };
     below.iter().for_each(|mark| canvas.heed(mark));
     let (ground_marks, others): (Vec<_>, Vec<_>) = marks.iter().partition(|mark| is_ground(mark));
@@ -172,6 +173,8 @@ struct Canvas<'a, const D: usize> {
     spared: Vec<[[f64; 2]; 2]>,
     /// Middles and half extents of small nodes at work, which order numbers would hide.
     small: Vec<[[f64; 2]; 2]>,
+    /// The same of a node whose children and planes are looked at.
+    looked_at: Option<[[f64; 2]; 2]>,
 }
 
 /// A mark in space.

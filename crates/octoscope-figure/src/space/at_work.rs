@@ -28,6 +28,34 @@ pub(super) fn small_area<const D: usize>(
     is_small.then(|| [area.centre(), size.map(|side| 0.5 * side)])
 }
 
+/// Nodes that reach less far than this in the plane, in page units, bear no order numbers
+/// while their children and planes are looked at.
+const LOOKED_AT: f64 = 90.0;
+
+/// Middle and half extents on the page, in the plane, of a node whose children and planes
+/// are looked at, if it is so small that order numbers would hide these.
+pub(super) fn looked_at<'a, const D: usize>(
+    marks: impl Iterator<Item = &'a Mark<D>>,
+    camera: &Camera<D>,
+    page: Page,
+) -> Option<[[f64; 2]; 2]> {
+    let part = |mark: &Mark<D>| match (mark.role, mark.shape) {
+        (
+            Role::Current | Role::Missed | Role::Found | Role::Taken | Role::Rejected,
+            Shape::Box(bounds),
+        )
+        | (Role::MidPlane(_) | Role::ExitPlane(_), Shape::Plane { bounds, .. }) => Some(bounds),
+        _ => None,
+    };
+    let parts: Vec<Aabb<D>> = marks.filter_map(part).collect();
+    let whole = Aabb::around(parts.iter().flat_map(|part| [part.min, part.max]))?;
+    let places = corners(&whole).filter_map(|corner| camera.project(page, corner));
+    let area = Aabb::around(places.map(|place| place.at))?;
+    let size = area.size();
+    let is_small = D == 2 && parts.len() > 1 && size.into_iter().all(|side| side < LOOKED_AT);
+    is_small.then(|| [area.centre(), size.map(|side| 0.5 * side)])
+}
+
 /// How far points where the ray enters and leaves reach at most: a third of the side of
 /// the smallest node or cell at work is their width, and half the part of the ray in it.
 pub(super) fn most_of_dots<'a, const D: usize>(

@@ -43,7 +43,8 @@ impl<const D: usize> Canvas<'_, D> {
                 labels.push((mark, text));
             }
         }
-        let taken: Vec<_> = self.taken.iter().chain(&self.small).copied().collect();
+        let hidden = self.small.iter().chain(&self.looked_at);
+        let taken: Vec<_> = self.taken.iter().chain(hidden).copied().collect();
         let kept = Kept { taken: &taken, lines: &self.kept, page };
         let stands = stands(&numbers, kept, FEW[usize::from(D == 3)]);
         let stands: Vec<_> = labels
