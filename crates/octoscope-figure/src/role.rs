@@ -71,7 +71,7 @@ pub enum Role {
     QueryPoint,
     /// The box that is located.
     Region,
-    /// The smallest cell beyond the border that is crossed.
+    /// The cell that is looked for beyond the border that is crossed.
     Target,
     /// Direction to a neighbour.
     Direction,

@@ -10,7 +10,7 @@ use octoscope_core::tree::{Child, NodeId, Part, Tree, branch};
 pub(crate) struct Choice<const D: usize> {
     /// The node whose children are chosen among.
     pub parent: NodeId,
-    /// The child that is taken, if one is.
+    /// The child that is taken, if one is, or from which the algorithm comes back.
     pub taken: Option<Child<D>>,
     /// The children that the algorithm has ruled out so far: it does not come to them any
     /// more, and has visited no leaf in them.
@@ -52,6 +52,12 @@ impl<const D: usize> Choice<D> {
                 let is_missed = |child: NodeId| moment.missed.contains(&child);
                 Some(run.choice(tree.parent(node)?, None, |_, node| is_missed(node)))
             }
+            Event::Up { node: Some(node) } => {
+                let frame = moment.frame().filter(|frame| frame.node == node)?;
+                let left = frame.child.or_else(|| Some(run.child_of(frame.child_state?)))?;
+                Some(run.choice(node, Some(left), |_, _| false))
+            }
+            Event::Parent { node, child, .. } => Some(run.choice(node, Some(child), |_, _| false)),
             Event::Split { taken: part, .. } | Event::Pop { part, .. } => run.halved(part),
             Event::Clip { .. }
             | Event::Sort { .. }
@@ -62,10 +68,9 @@ impl<const D: usize> Choice<D> {
             | Event::Cuts { .. }
             | Event::Grid { .. }
             | Event::Cross { .. }
-            | Event::Parent { .. }
             | Event::Rope { .. }
             | Event::Push { .. }
-            | Event::Up { .. }
+            | Event::Up { node: None }
             | Event::Begin { .. }
             | Event::Encode { .. }
             | Event::Exits { .. }
@@ -110,18 +115,20 @@ impl<const D: usize> Run<'_, D> {
     /// The choice of a state of the automaton, which goes on to states with more bits,
     /// those of `crossed` axes. Which children these mean, a misprint decides, too.
     fn after_state(&self, parent: NodeId, state: Child<D>, crossed: Axes<D>) -> Choice<D> {
-        let mask = self.moment.clip.map_or(Axes::NONE, |clip| clip.mirror);
-        let variants = self.query.variants_at_work();
         let moving = Axes::<D>::of(|e| crossed.contains(e) && self.ray.direction()[e] != 0.0);
         let is_ahead = |later: &Child<D>| {
             let gained = later.0 ^ state.0;
             gained & state.0 == 0 && gained & !moving.0 == 0
         };
         let ahead = Child::all().filter(is_ahead);
-        let ahead: Vec<Child<D>> =
-            ahead.map(|state| variants.child_of_state(state, mask)).collect();
-        let taken = variants.child_of_state(state, mask);
-        self.choice(parent, Some(taken), |child, _| !ahead.contains(&child))
+        let ahead: Vec<Child<D>> = ahead.map(|state| self.child_of(state)).collect();
+        self.choice(parent, Some(self.child_of(state)), |child, _| !ahead.contains(&child))
+    }
+
+    /// The child that a state of the automaton means.
+    fn child_of(&self, state: Child<D>) -> Child<D> {
+        let mask = self.moment.clip.map_or(Axes::NONE, |clip| clip.mirror);
+        self.query.variants_at_work().child_of_state(state, mask)
     }
 
     /// What halving has left of the children: of a node that is halved, or of the parent
