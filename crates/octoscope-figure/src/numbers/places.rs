@@ -72,13 +72,17 @@ pub(super) fn led(foot: [f64; 2], at: [f64; 2], radius: f64) -> Stand {
     Stand { at, radius, leader: Some([foot, rim]) }
 }
 
-/// Where a line to one side of the ray ends: well in the leaf, though not beyond the ray.
+/// Where a line to one side of the ray ends: well in the leaf, though not beyond the ray;
+/// beyond it where the leaf lies there, but for a corner, in which other leaves meet.
 pub(super) fn foot(number: &Number, across: [f64; 2], side: f64) -> [f64; 2] {
+    /// Chords of less than this, in page units, lie in a corner.
+    const CORNER: f64 = 12.0;
     let at_ray = between(number.chord, 0.5);
     let within = number.leaf.middle().map(|middle| between([at_ray, middle], 0.5));
+    let within = within.filter(|at| number.leaf.holds(*at));
     let is_there = |at: &[f64; 2]| {
         let off = [0, 1].map(|e| across[e] * (at[e] - at_ray[e])).into_iter().sum::<f64>();
-        side * off >= 0.0 && number.leaf.holds(*at)
+        side * off >= 0.0 || distance(number.chord[0], number.chord[1]) < CORNER
     };
     within.filter(is_there).unwrap_or(at_ray)
 }

@@ -28,11 +28,11 @@ pub(super) fn small_area<const D: usize>(
     is_small.then(|| [area.centre(), size.map(|side| 0.5 * side)])
 }
 
-/// Nodes that reach less far than this in the plane, in page units, bear no order numbers
-/// while their children and planes are looked at.
-const LOOKED_AT: f64 = 90.0;
+/// Nodes that reach less far than this, in page units, in the plane and in space, bear no
+/// order numbers while their children and planes are looked at.
+const LOOKED_AT: [f64; 2] = [90.0, 60.0];
 
-/// Middle and half extents on the page, in the plane, of a node whose children and planes
+/// Middle and half extents on the page of a node whose children and planes
 /// are looked at, if it is so small that order numbers would hide these.
 pub(super) fn looked_at<'a, const D: usize>(
     marks: impl Iterator<Item = &'a Mark<D>>,
@@ -52,8 +52,8 @@ pub(super) fn looked_at<'a, const D: usize>(
     let places = corners(&whole).filter_map(|corner| camera.project(page, corner));
     let area = Aabb::around(places.map(|place| place.at))?;
     let size = area.size();
-    let is_small = D == 2 && parts.len() > 1 && size.into_iter().all(|side| side < LOOKED_AT);
-    is_small.then(|| [area.centre(), size.map(|side| 0.5 * side)])
+    let is_small = size.into_iter().all(|side| side < LOOKED_AT[usize::from(D == 3)]);
+    (is_small && parts.len() > 1).then(|| [area.centre(), size.map(|side| 0.5 * side)])
 }
 
 /// How far points where the ray enters and leaves reach at most: a third of the side of
