@@ -1,7 +1,7 @@
 //! The automaton that leads from child to child.
 
 use crate::look::Look;
-use crate::widgets::{Setting, paint_figure, room, table, table_width};
+use crate::widgets::{ROW, Setting, paint_figure, room, table, table_width};
 use eframe::egui::{Align, Layout, RichText, Sense, Ui, WidgetInfo, accesskit::Role};
 use octoscope_core::event::Event;
 use octoscope_core::query::Query;
@@ -23,7 +23,7 @@ pub fn ui<const D: usize>(
     query: &Query<D>,
 ) {
     let automaton = Automaton::of(moment, event, query);
-    const SETTING: Setting = Setting { gap: 14.0, least: 28.0 };
+    const SETTING: Setting = Setting { gap: 14.0, least: 28.0, row: ROW };
     let exits = automaton.exit_table(&look.texts);
     // The table beside it needs the same room whatever is lit, and what is lit a margin.
     let beside_it = table_width(ui, look, &exits, SETTING) + ui.spacing().item_spacing.x + 4.0;
@@ -52,7 +52,7 @@ pub fn ui<const D: usize>(
     });
     if D == 3 {
         caption(ui, "automaton-table-2");
-        let setting = Setting { gap: 12.0, least: 0.0 };
+        let setting = Setting { gap: 12.0, least: 0.0, row: ROW };
         table(ui, look, &automaton.entry_table(), setting);
     }
 }

@@ -1,7 +1,7 @@
 //! Every child of a node, tested one after the other.
 
 use crate::look::Look;
-use crate::widgets::{Setting, bits_of, caption, node_note, range, table};
+use crate::widgets::{ROW, Setting, bits_of, caption, node_note, range, table};
 use eframe::egui::Ui;
 use octoscope_core::event::Event;
 use octoscope_core::explain::approx;
@@ -72,7 +72,7 @@ pub fn ui<const D: usize>(
         head: head.map(|key| look.text(key).into()).to_vec(),
         rows: Child::<D>::all().enumerate().map(row).collect(),
     };
-    table(ui, look, &children, Setting { gap: 14.0, least: 16.0 });
+    table(ui, look, &children, Setting { gap: 14.0, least: 16.0, row: ROW });
 }
 
 /// Test of a node.

@@ -2,7 +2,8 @@
 
 use crate::look::Look;
 use crate::widgets::{
-    Setting, beside_or_below, bit_of, caption, child_bits, node_note, range, rich_label, table,
+    Setting, beside_or_below, bit_of, caption, child_bits, node_note, range, rich_label,
+    row_height, table,
 };
 use eframe::egui::Ui;
 use octoscope_core::event::Event;
@@ -98,15 +99,18 @@ pub fn ui<const D: usize>(
             });
         }
     }
+    let planes = planes(look, frame, mid);
+    let pieces = pieces.map(|all| pieces_table(look, rule, &all, frame.child, event));
+    // Side by side, their rows are level.
+    let row = row_height(ui, look, &planes);
     beside_or_below(ui, |ui| {
         ui.vertical(|ui| {
-            table(ui, look, &planes(look, frame, mid), Setting { gap: 8.0, least: 16.0 });
+            table(ui, look, &planes, Setting { gap: 8.0, least: 16.0, row });
         });
         ui.add_space(12.0);
         ui.vertical(|ui| {
-            if let Some(all) = &pieces {
-                let pieces = pieces_table(look, rule, all, frame.child, event);
-                table(ui, look, &pieces, Setting { gap: 6.0, least: 8.0 });
+            if let Some(pieces) = &pieces {
+                table(ui, look, pieces, Setting { gap: 6.0, least: 8.0, row });
             }
         });
     });
@@ -180,9 +184,11 @@ fn pieces_table<const D: usize>(
             let is_flipped = rule == Rule::Flips && piece.flipped.contains(axis) && is_known;
             let tone = match (is_flipped, is_now) {
                 (true, true) if flips => Tone::Used,
-                // Later it is still to be seen which bit was flipped.
+                // Later it is still to be seen which bit was flipped, if one was.
                 (true, _) => Tone::Line,
-                (false, true) if rule == Rule::Flips && !flips => Tone::Plain,
+                (false, true) if rule == Rule::Flips && !flips && !piece.flipped.is_empty() => {
+                    Tone::Plain
+                }
                 (false, _) => tone,
             };
             Entry::new(text, tone)

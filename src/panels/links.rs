@@ -1,7 +1,7 @@
 //! The net of links between neighbours.
 
 use crate::look::Look;
-use crate::widgets::{Setting, caption, node_note, per_axis, table, table_width};
+use crate::widgets::{ROW, Setting, caption, node_note, per_axis, table, table_width};
 use eframe::egui::Ui;
 use octoscope_core::event::Event;
 use octoscope_core::explain::{RichText, Span};
@@ -112,7 +112,7 @@ pub fn ui<const D: usize>(
         head: head.map(|key| look.text(key).into()).to_vec(),
         rows: (0..D).flat_map(|axis| [row(axis, false), row(axis, true)]).collect(),
     };
-    let close = Setting { gap: 0.0, least: 20.0 };
+    let close = Setting { gap: 0.0, least: 20.0, row: ROW };
     // What is left of the width, between the columns.
     let left = ui.available_width() - table_width(ui, look, &links, close);
     let gap = (left / 3.0).clamp(4.0, 14.0);

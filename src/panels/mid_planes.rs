@@ -1,7 +1,7 @@
 //! Comparisons of a point with the mid planes of the node that it is in.
 
 use crate::look::Look;
-use crate::widgets::{Setting, bit_of, caption, captioned, table};
+use crate::widgets::{ROW, Setting, bit_of, caption, captioned, table};
 use eframe::egui::Ui;
 use octoscope_core::event::Event;
 use octoscope_core::explain::{RichText, Span, distinct};
@@ -27,7 +27,7 @@ pub fn ui<const D: usize>(ui: &mut Ui, look: &Look, past: &[Event<D>]) {
     // A step later it is what was done before.
     let is_now = matches!(past.last(), Some(Event::Compare { .. }));
     let compared = comparisons(look, [point, mid], child, is_now);
-    table(ui, look, &compared, Setting { gap: 14.0, least: 0.0 });
+    table(ui, look, &compared, Setting { gap: 14.0, least: 0.0, row: ROW });
     let number = RichText(vec![Span { text: child.0.to_string(), ..Span::default() }]);
     captioned(ui, look, &look.text("cuts-child"), &number, "");
 }

@@ -3,7 +3,7 @@
 mod way;
 
 use crate::look::Look;
-use crate::widgets::{Setting, beside_or_below, caption, segments, table, table_width};
+use crate::widgets::{ROW, Setting, beside_or_below, caption, segments, table, table_width};
 use eframe::egui::{CollapsingHeader, Id, Response, RichText, Ui};
 use octoscope_core::event::Event;
 use octoscope_core::explain::{RichText as Coloured, Span};
@@ -87,7 +87,7 @@ const LEAST_GAP: f32 = 8.0;
 fn setting<const D: usize>(ui: &Ui) -> Setting {
     let columns = Child::<D>::COUNT as f32;
     let gap = ((ui.available_width() - CAPTIONS) / columns - COLUMN).clamp(2.0, 10.0);
-    Setting { gap, least: COLUMN }
+    Setting { gap, least: COLUMN, row: ROW }
 }
 
 /// A caption, then an entry for every child below its number.
@@ -286,7 +286,7 @@ fn fitting<const D: usize>(
 ) -> (views::Table, Setting) {
     let by_place = setting::<D>(ui);
     let wide = Setting { gap: by_place.gap.max(LEAST_GAP), ..by_place };
-    let close = Setting { gap: LEAST_GAP, least: 16.0 };
+    let close = Setting { gap: LEAST_GAP, least: 16.0, row: ROW };
     let by_axes = written(Told::ByAxes);
     let fits =
         |setting: &Setting| table_width(ui, look, &by_axes, *setting) <= ui.available_width();

@@ -61,6 +61,8 @@ fn most_height<const D: usize>(
         MidPlanes, Neighbour, Paper, Rail, Region, Stack, Tables, Tree, Variables, WayDown, WhyNot,
     };
     const HEADING: f32 = 30.0;
+    /// Room below its last line, so that no rule seems to cut it.
+    const BELOW: f32 = 6.0;
     let body = match panel {
         Codes => codes::lecture_height::<D>(),
         Region => region::lecture_height::<D>(),
@@ -79,7 +81,7 @@ fn most_height<const D: usize>(
             return None;
         }
     };
-    Some(HEADING + body)
+    Some(HEADING + body + BELOW)
 }
 
 /// The formulas of the step, if they are shown and have room, at the lower edge.

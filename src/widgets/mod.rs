@@ -54,6 +54,6 @@ pub use rows::in_rows;
 pub use segments::{explained_segments, in_segments, segments};
 pub use slider_field::slider_field;
 pub use step_slider::step_slider;
-pub use table::{Setting, table, table_width};
+pub use table::{ROW, Setting, row_height, table, table_width};
 pub use tick::{choose, tick};
 pub use typed_field::refused_number;

@@ -17,11 +17,14 @@ pub struct Setting {
     pub gap: f32,
     /// Least width of a column.
     pub least: f32,
+    /// Least height of a row.
+    pub row: f32,
 }
 
-/// Height of type in a table, and of a row.
+/// Height of type in a table.
 const SIZE: f32 = 13.0;
-const ROW: f32 = 18.0;
+/// Height of a row without subscripts.
+pub const ROW: f32 = 18.0;
 /// How far the ground of a lit entry may reach beyond the table.
 const BEYOND: f32 = 4.0;
 
@@ -30,7 +33,7 @@ const BEYOND: f32 = 4.0;
 pub fn table(ui: &mut Ui, look: &Look, table: &Table, setting: Setting) -> Vec<Vec<Response>> {
     let painter = ui.painter().clone();
     let letters = Letters::of(&painter, look, table);
-    let (widths, height) = (letters.widths(setting), letters.height());
+    let (widths, height) = (letters.widths(setting), letters.height(setting.row));
     let Letters { head, rows } = letters;
     let n_lines = rows.len() + usize::from(!head.is_empty());
     let size = vec2(whole(&widths, setting), height * n_lines as f32);
@@ -76,6 +79,11 @@ pub fn table_width(ui: &Ui, look: &Look, table: &Table, setting: Setting) -> f32
     whole(&Letters::of(ui.painter(), look, table).widths(setting), setting)
 }
 
+/// How high every row of a table is when it is shown.
+pub fn row_height(ui: &Ui, look: &Look, table: &Table) -> f32 {
+    Letters::of(ui.painter(), look, table).height(ROW)
+}
+
 /// What is written in a table, laid out.
 struct Letters {
     head: Vec<Arc<Galley>>,
@@ -102,10 +110,10 @@ impl Letters {
         (0..n_columns).map(widest).collect()
     }
 
-    /// Height of every row.
-    fn height(&self) -> f32 {
+    /// Height of every row, at least `least`.
+    fn height(&self, least: f32) -> f32 {
         let all = self.rows.iter().chain([&self.head]).flatten();
-        all.map(|galley| galley.size().y).fold(ROW, f32::max).ceil()
+        all.map(|galley| galley.size().y).fold(least, f32::max).ceil()
     }
 }
 
