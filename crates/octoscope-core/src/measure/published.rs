@@ -75,7 +75,7 @@ const fn samet_and_gargantini(id: &'static str, share: f64, depth: u8) -> Claim 
 pub enum Verdict {
     /// To within `NEAR_EQUAL` or `NEAR_SHARE`.
     Agrees,
-    /// The same algorithm is faster, by another factor.
+    /// The same algorithm is faster, by another factor, and by more than `LEAD`.
     SameSide,
     /// It does not.
     Differs,
@@ -89,6 +89,9 @@ const NEAR_EQUAL: f64 = 0.1;
 
 /// A published share of the time is met within this; the shares lie 0.07 to 0.16 below 1.
 const NEAR_SHARE: f64 = 0.05;
+
+/// A lead of less than this share is none.
+const LEAD: f64 = 0.02;
 
 /// A statement, and what was measured.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -144,7 +147,7 @@ fn judge(claim: &'static Claim, results: &Results) -> Judged {
         (Some(time), Published::Share(share)) => {
             if (time - share).abs() <= NEAR_SHARE {
                 Verdict::Agrees
-            } else if time < 1.0 {
+            } else if time <= 1.0 - LEAD {
                 Verdict::SameSide
             } else {
                 Verdict::Differs
@@ -216,6 +219,8 @@ mod tests {
         let at = |a, b| [("spheres-512", 6, [a, b])];
         check("bsp-512", &at(90.0, 100.0), Verdict::Agrees, Some(0.9));
         check("bsp-512", &at(50.0, 100.0), Verdict::SameSide, Some(0.5));
+        check("bsp-512", &at(98.0, 100.0), Verdict::SameSide, Some(0.98));
+        check("bsp-512", &at(99.7, 100.0), Verdict::Differs, Some(0.997));
         check("bsp-512", &at(120.0, 100.0), Verdict::Differs, Some(1.2));
     }
 
