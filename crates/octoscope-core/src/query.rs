@@ -168,6 +168,16 @@ impl<const D: usize> Query<D> {
         self.variants_at_work().iter().any(Variant::is_misprint)
     }
 
+    /// Whether the codes beyond a border differ from those of the cell that is left across it
+    /// alone; else those along it are searched anew, from where the ray leaves.
+    pub fn keeps_codes_along_borders(&self) -> bool {
+        match self {
+            Self::Neighbour { .. } => true,
+            Self::Ray { algorithm, .. } => matches!(algorithm, Algorithm::Esvo),
+            Self::Point { .. } | Self::Region { .. } => false,
+        }
+    }
+
     /// Whether the query has the rule; variants of other rules do nothing.
     pub fn takes(&self, variant: Variant) -> bool {
         use Variant::{B18, B19, B21, B24a, B24b, B24c, B25Leftmost, B25Rightmost, B28};

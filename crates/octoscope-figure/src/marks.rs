@@ -20,8 +20,7 @@ use octoscope_core::geometry::{AXIS_NAMES, Aabb, Axes, Ray};
 use octoscope_core::locate::Direction;
 use octoscope_core::query::Query;
 use octoscope_core::trace::{LeafOnRay, Moment};
-use octoscope_core::traverse::Algorithm;
-use octoscope_core::tree::{Child, Code, NodeId, Tree};
+use octoscope_core::tree::{Child, NodeId, Tree};
 use std::collections::HashSet;
 
 /// Marks of a query at a moment, the lowest first; O(length of the path), so
@@ -244,23 +243,20 @@ impl<const D: usize> Scene<'_, D> {
                     self.exit_planes(node, axes, marks);
                 }
             }
-            (Some(&Event::Parent { node, child, direction, .. }), _) => {
+            (Some(&Event::Parent { node, direction, .. }), _) => {
                 // Whether the child lies there is what is asked.
-                let child = self.tree.child(self.tree.node(node), child).id;
-                let (bounds, axes) = (self.tree.node_box(child), Axes::of(|e| direction[e] != 0));
-                let sides = far_sides(bounds, axes, direction.map(f64::from));
-                marks.extend(sides.map(|mark| mark.of_node(child)));
+                let axes = Axes::of(|e| direction[e] != 0);
+                self.far_sides(node, axes, direction.map(f64::from), marks);
             }
             (Some(&Event::Cross { axes, cell, .. }), _) => {
                 // Between the cell that is left and the next one, as far as the leaf reaches.
-                let (domain, leaf) = (self.tree.domain(), self.moment.current);
-                if let (Some(code), Some(leaf)) = (domain.code_inside(cell), leaf) {
-                    let (next, leaf) = (domain.cell_box(0, code), self.tree.node_box(leaf));
-                    for axis in axes.iter() {
-                        let is_on = self.ray.direction()[axis] > 0.0;
-                        let at = if is_on { next.min[axis] } else { next.max[axis] };
-                        marks.push(exit_plane(&leaf, axis, at));
-                    }
+                let Some(leaf) = self.moment.current else { return };
+                let bounds = self.tree.node_box(leaf);
+                for axis in axes.iter() {
+                    let is_on = self.ray.direction()[axis] > 0.0;
+                    let index = cell[axis] + i64::from(!is_on);
+                    let at = self.tree.domain().plane(axis, index as u32);
+                    marks.push(exit_plane(&bounds, axis, at).of_node(leaf));
                 }
             }
             (Some(_) | None, _) => {}
@@ -273,8 +269,16 @@ impl<const D: usize> Scene<'_, D> {
             Query::Neighbour { direction, .. } => direction.components().map(f64::from),
             Query::Ray { .. } | Query::Point { .. } | Query::Region { .. } => self.ray.direction(),
         };
-        let sides = far_sides(self.tree.node_box(node), axes, along);
-        marks.extend(sides.map(|mark| mark.of_node(node)));
+        self.far_sides(node, axes, along, marks);
+    }
+
+    /// Sides of `node` across these axes, towards which a direction leads.
+    fn far_sides(&self, node: NodeId, axes: Axes<D>, along: [f64; D], marks: &mut Vec<Mark<D>>) {
+        let bounds = self.tree.node_box(node);
+        for axis in axes.iter() {
+            let at = if along[axis] > 0.0 { bounds.max[axis] } else { bounds.min[axis] };
+            marks.push(exit_plane(&bounds, axis, at).of_node(node));
+        }
     }
 
     /// What is asked for.
@@ -297,30 +301,23 @@ impl<const D: usize> Scene<'_, D> {
                 }
             }
         }
-        // The place beyond the border, if it is in the domain, until its leaf is visited.
-        let domain = self.tree.domain();
-        let target = self.moment.target.and_then(|target| {
-            Some((self.target_level(target.level), domain.code_inside(target.to)?))
-        });
-        let is_ahead = |code: &Code<D>| {
-            let holds = |leaf: &LeafOnRay| {
-                let (level, of_leaf) = (self.tree.level(leaf.node), self.tree.code(leaf.node));
-                (0..D).all(|e| code[e] >> level == of_leaf[e] >> level)
-            };
-            !self.moment.leaves.last().is_some_and(holds)
-        };
-        if let Some((level, code)) = target.filter(|(_, code)| is_ahead(code)) {
-            marks.push(Mark::new(Shape::Box(domain.cell_box(level, code)), Role::Target));
-        }
+        marks.extend(self.target().map(|bounds| Mark::new(Shape::Box(bounds), Role::Target)));
     }
 
-    /// Level of the cell that is looked for beyond one of this `level`: where only the codes
-    /// across the border are new, it is as large, else the smallest, at a point.
-    fn target_level(&self, level: u8) -> u8 {
-        match self.query {
-            Query::Neighbour { .. } | Query::Ray { algorithm: Algorithm::Esvo, .. } => level,
-            Query::Ray { .. } | Query::Point { .. } | Query::Region { .. } => 0,
+    /// The cell beyond the border, if it is in the domain, until its leaf is visited: as large
+    /// as the one that is left where the codes along the border stay, else the smallest.
+    fn target(&self) -> Option<Aabb<D>> {
+        let (domain, target) = (self.tree.domain(), self.moment.target?);
+        let code = domain.code_inside(target.to)?;
+        let is_visited = |leaf: &LeafOnRay| {
+            let (level, of_leaf) = (self.tree.level(leaf.node), self.tree.code(leaf.node));
+            (0..D).all(|e| code[e] >> level == of_leaf[e] >> level)
+        };
+        if self.moment.leaves.last().is_some_and(is_visited) {
+            return None;
         }
+        let level = if self.query.keeps_codes_along_borders() { target.level } else { 0 };
+        Some(domain.cell_box(level, code.map(|code| code >> level << level)))
     }
 }
 
@@ -345,19 +342,7 @@ fn well_within<const D: usize>(bounds: &Aabb<D>, point: [f64; D]) -> [f64; D] {
     })
 }
 
-/// The sides of a box across these axes, towards which a direction leads.
-fn far_sides<const D: usize>(
-    bounds: Aabb<D>,
-    axes: Axes<D>,
-    along: [f64; D],
-) -> impl Iterator<Item = Mark<D>> {
-    axes.iter().map(move |axis| {
-        let at = if along[axis] > 0.0 { bounds.max[axis] } else { bounds.min[axis] };
-        exit_plane(&bounds, axis, at)
-    })
-}
-
-/// The part of a plane that is met, across `axis` at `at`, that lies in a box.
+/// A plane that is met, across `axis` at `at`, as far as a box reaches.
 fn exit_plane<const D: usize>(bounds: &Aabb<D>, axis: usize, at: f64) -> Mark<D> {
     Mark::new(side(bounds, axis, at), Role::ExitPlane(axis)).with_text(AXIS_NAMES[axis])
 }

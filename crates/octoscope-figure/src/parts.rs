@@ -34,10 +34,9 @@ pub(crate) fn part_of_plane<const D: usize>(
         is_outer(ring[index], ring[next]).then_some(Form::Polyline(line))
     });
     let edges: Vec<Form> = edges.collect();
-    let (edge_part, has_casing) = match whole.part {
-        Part::FineEdge => (Part::FineEdge, false),
-        _ => (Part::Edge, whole.role.has_casing()),
-    };
+    let is_fine = whole.part == Part::FineEdge;
+    let edge_part = if is_fine { Part::FineEdge } else { Part::Edge };
+    let has_casing = !is_fine && whole.role.has_casing();
     let casings = edges.iter().filter(|_| has_casing);
     let casings = casings.map(|edge| of_whole(Part::Casing, edge.clone()));
     let area = of_whole(Part::Face(0), Form::Polygon(on_page.clone()));

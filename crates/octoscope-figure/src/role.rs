@@ -22,7 +22,7 @@ pub enum Role {
     FullSection,
     /// A child of the current node, moved away from the others.
     Apart,
-    /// The one of them that is taken.
+    /// The one of them that is taken, or from which the algorithm comes back.
     ApartTaken,
     /// From the place of a child to where it is moved.
     Tie,
@@ -45,7 +45,7 @@ pub enum Role {
     },
     /// The node at which the algorithm is.
     Current,
-    /// The child of the current node that is taken.
+    /// The child of the current node that is taken, or from which the algorithm comes back.
     Taken,
     /// A child of the current node that is not taken.
     Rejected,

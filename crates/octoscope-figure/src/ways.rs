@@ -1,7 +1,6 @@
 //! Marks of what algorithms have beside a current node: parts that wait, cells
 //! of the grid, ways to neighbours, cuts of the ray.
 
-use crate::marks::node_mark;
 use crate::{Mark, Role, Shape};
 use octoscope_core::event::Event;
 use octoscope_core::geometry::Ray;
@@ -22,11 +21,6 @@ pub(crate) fn ways<const D: usize>(
     }
     if let Some(cell) = moment.grid.and_then(|grid| grid.cell) {
         marks.push(Mark::new(Shape::Box(tree.domain().cell_box(0, cell)), Role::GridCell));
-    }
-    // Whether a parent is left as well is asked of the child from which it is reached.
-    if let Some(&Event::Parent { node, child, .. }) = event {
-        let child = tree.child(tree.node(node), child).id;
-        marks.push(node_mark(tree, child, Role::Taken));
     }
     detour(tree, moment, &mut marks);
     if let Some([from, to]) = moment.pushed {

@@ -1,14 +1,17 @@
 //! What of the marks of a moment is drawn, and that one is told from the other.
 
+#![allow(clippy::unwrap_used, reason = "a test may panic")]
+
 #[path = "shared/corner_tree.rs"]
 mod corner_tree;
 
 use corner_tree::corner_tree;
 use octoscope_core::event::Event;
 use octoscope_core::geometry::{Aabb, Ray};
+use octoscope_core::locate::{Direction, NeighbourMethod, Reach};
 use octoscope_core::query::{Arithmetic, Query};
 use octoscope_core::trace::{Moment, Trace, record};
-use octoscope_core::traverse::{Algorithm, Options};
+use octoscope_core::traverse::{Algorithm, Options, Variants};
 use octoscope_figure::{
     Camera, Drawn, Figure, Form, Mark, Page, Part, Role, Shape, Show, Style, Theme, marks,
     space_figure,
@@ -58,6 +61,94 @@ fn the_child_that_is_left_for_none_is_shown() {
         }
     }
     assert!(n_last > 0);
+}
+
+#[test]
+fn no_node_has_a_meaning_twice_at_a_time() {
+    for algorithm in Algorithm::ALL {
+        for (event, marks) in all_marks::<3>(algorithm) {
+            let boxes = marks.iter().filter(|mark| matches!(mark.shape, Shape::Box(_)));
+            let mut boxes: Vec<_> = boxes
+                .filter(|mark| mark.node.is_some() && mark.role != Role::Pending)
+                .map(|mark| (mark.node, format!("{:?}", mark.role)))
+                .collect();
+            let n = boxes.len();
+            boxes.sort();
+            boxes.dedup();
+            assert_eq!(boxes.len(), n, "{algorithm:?} {event:?}");
+        }
+    }
+}
+
+#[test]
+fn the_child_that_the_algorithm_comes_back_from_is_shown() {
+    let mut n_up = 0;
+    for algorithm in [Algorithm::Parametric, Algorithm::Hero, Algorithm::Gargantini] {
+        let mut left = None;
+        for (event, marks) in all_marks::<3>(algorithm) {
+            if let Event::Up { node: Some(_) } = event {
+                let taken = marks.iter().find(|mark| mark.role == Role::Taken);
+                assert_eq!(taken.and_then(|mark| mark.node), left, "{algorithm:?}");
+                n_up += 1;
+            }
+            let current = marks.iter().find(|mark| mark.role == Role::Current);
+            left = current.and_then(|mark| mark.node);
+        }
+    }
+    assert!(n_up > 3, "{n_up}");
+}
+
+#[test]
+fn a_walk_over_the_grid_shows_the_plane_that_it_crosses() {
+    let tree = corner_tree::<3>(3);
+    let mut n_crossed = 0;
+    for (event, marks) in all_marks::<3>(Algorithm::Dda) {
+        let Event::Cross { axes, cell, .. } = event else { continue };
+        for axis in axes.iter() {
+            // The ray goes on along all axes.
+            let at = tree.domain().plane(axis, cell[axis] as u32);
+            let is_there = |mark: &Mark<3>| match mark.shape {
+                Shape::Plane { axis: own, bounds } => own == axis && bounds.min[axis] == at,
+                _ => false,
+            };
+            assert!(marks.iter().any(is_there), "{event:?}");
+            n_crossed += 1;
+        }
+    }
+    assert!(n_crossed > 3, "{n_crossed}");
+}
+
+#[test]
+fn the_neighbour_that_is_looked_for_lies_beside_the_cell_and_is_as_large() {
+    let tree = corner_tree::<3>(3);
+    let (ray, mut n_targets) = (Ray::new([0.1; 3], [1.0; 3]).unwrap(), 0);
+    let leaves: Vec<_> = tree.leaves().map(|leaf| leaf.id).collect();
+    for (leaf, direction) in leaves.iter().flat_map(|leaf| Direction::all().map(|d| (*leaf, d))) {
+        let query = Query::Neighbour {
+            level: tree.level(leaf),
+            code: tree.code(leaf),
+            direction,
+            reach: Reach::Leaf,
+            method: NeighbourMethod::Codes,
+            variants: Variants::NONE,
+        };
+        let trace = record(&tree, &ray, &query);
+        let own = tree.node_box(leaf);
+        for step in 1..=trace.events.len() {
+            let moment = Moment::after(&tree, &trace, step);
+            let event = trace.events.get(step - 1);
+            let marks = marks(&tree, &ray, &query, &moment, event, &Show::default());
+            let Some(mark) = marks.iter().find(|mark| mark.role == Role::Target) else { continue };
+            let Shape::Box(target) = mark.shape else { panic!("{mark:?}") };
+            let step: [f64; 3] = direction.components().map(f64::from);
+            for e in 0..3 {
+                assert_eq!(target.min[e], own.min[e] + step[e] * own.size()[e], "{direction:?}");
+                assert_eq!(target.size()[e], own.size()[e], "{direction:?}");
+            }
+            n_targets += 1;
+        }
+    }
+    assert!(n_targets > 100, "{n_targets}");
 }
 
 #[test]

@@ -179,6 +179,7 @@ fn every_number_of_a_few_stands_in_its_leaf_or_has_a_short_line_to_it() {
         let told = [0.5, 0.9, 1.0].map(at);
         assert!((0..3).all(|n| told[n] < most[n]), "{told:?}");
     }
+    // The longest lead out of small nodes that are looked at, which bear no numbers.
     check(&lines_on_pages(&plane(), 5, 40), 1500, [12.0, 30.0, 80.0]);
     check(&lines_on_pages(&space(), 5, 12), 500, [12.0, 12.0, 48.0]);
 }

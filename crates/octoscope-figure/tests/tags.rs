@@ -52,7 +52,7 @@ struct Child<const D: usize> {
     is_taken: bool,
     /// Where its number is written.
     tag: Option<[f64; 2]>,
-    /// The corners of what is drawn below that.
+    /// The corners of what points from that into the child.
     corners: Vec<[f64; 2]>,
 }
 
@@ -162,13 +162,13 @@ fn tag(figure: &Figure, node: NodeId) -> Option<[f64; 2]> {
     })
 }
 
-/// The corners of what is drawn below that.
+/// The corners of what points from that into the child, if anything does.
 fn corners(figure: &Figure, node: NodeId) -> Vec<[f64; 2]> {
-    let corners = of_number(figure, node).filter_map(|form| match form {
-        Form::Polygon(corners) => Some(corners),
+    let corners = of_number(figure, node).find_map(|form| match form {
+        Form::Polygon(corners) if corners.len() == 3 => Some(corners.clone()),
         _ => None,
     });
-    corners.flatten().copied().collect()
+    corners.unwrap_or_default()
 }
 
 #[test]

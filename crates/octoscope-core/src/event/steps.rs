@@ -225,7 +225,7 @@ pub enum Event<const D: usize> {
         /// The mirrored child, which becomes the current node.
         node: NodeId,
     },
-    /// From a node down to a child that lies on the asked-for side of it.
+    /// From a node down to a child on the side towards the cell where the search began.
     Facing {
         /// The child.
         child: Child<D>,

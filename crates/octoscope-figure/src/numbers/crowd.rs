@@ -59,10 +59,8 @@ impl<'a> Crowd<'a> {
         !near.any(|square| square.taken.iter().any(covers))
             && !lines.iter().any(|line| square_to_segment(at, *line) < radius * radius)
     }
-}
 
-impl Crowd<'_> {
-    /// Whether the line of a number crosses another one, of a way or an arrow; not the one on
+    /// Whether the line of a number crosses one that discs may not cover, but for the one on
     /// which it begins.
     pub(super) fn is_crossed(&self, stand: &Stand) -> bool {
         const ON_IT: f64 = 1.0;

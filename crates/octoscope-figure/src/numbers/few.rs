@@ -41,7 +41,7 @@ struct Choice {
 
 /// What it costs to cover what must be seen.
 const COVERS: f64 = 1e4;
-/// What it costs a line to cross one of a way or an arrow.
+/// What it costs a line to cross another one that has to be seen.
 const CROSSES: f64 = 30.0;
 /// What it costs to have no place.
 const NONE: f64 = 1e6;
@@ -253,7 +253,7 @@ fn sort(choices: &mut [Choice]) {
     choices.sort_by(|a, b| a.cost.total_cmp(&b.cost));
 }
 
-/// What a place with a line costs: its length, and what it covers of other leaves and ways.
+/// What a place with a line costs: its length, and what it covers and crosses.
 fn cost(stand: &Stand, index: usize, numbers: &[Number], crowd: &Crowd<'_>) -> f64 {
     let extent = stand.extent();
     let others = numbers.iter().enumerate().filter(|(other, _)| *other != index);

@@ -72,8 +72,8 @@ pub(super) fn led(foot: [f64; 2], at: [f64; 2], radius: f64) -> Stand {
     Stand { at, radius, leader: Some([foot, rim]) }
 }
 
-/// Where a line to one side of the ray ends: well in the leaf, though not beyond the ray;
-/// beyond it where the leaf lies there, but for a corner, in which other leaves meet.
+/// Where a line to one side of the ray ends: well in the leaf, though not beyond the ray,
+/// unless that only cuts a corner of the leaf, in which others meet.
 pub(super) fn foot(number: &Number, across: [f64; 2], side: f64) -> [f64; 2] {
     /// Chords of less than this, in page units, lie in a corner.
     const CORNER: f64 = 12.0;

@@ -175,6 +175,24 @@ fn a_box_is_drawn_around_what_lies_in_it_and_a_plane_between_its_halves() {
 }
 
 #[test]
+fn a_plane_on_a_side_is_drawn_before_the_box_or_after_it_as_the_side_faces_the_eye() {
+    let side = |at: f64| Aabb { min: [at, 0.0, 0.0], max: [at, 1.0, 1.0] };
+    // Something that parts the cell.
+    let within = Aabb { min: [0.0; 3], max: [0.5; 3] };
+    for yaw in [0.3, 3.4] {
+        let camera = Camera { yaw, ..Camera::framing(&ROOT, PAGE) };
+        let order = back_to_front(&ROOT, &[ROOT, side(0.0), side(1.0), within], &[], &camera);
+        let at = |wanted: &dyn Fn(&Painted<3>) -> bool| order.iter().position(wanted).unwrap();
+        let front = at(&|painted| *painted == Painted::Half(0, Half::Front));
+        let near = usize::from(camera.towards_eye(ROOT.max)[0] > 0.0) + 1;
+        let flat = |index: usize| {
+            at(&|painted| matches!(painted, Painted::Flat(other, _) if *other == index))
+        };
+        assert!(flat(near) > front && flat(3 - near) < front, "{order:?}");
+    }
+}
+
+#[test]
 fn planes_that_cross_each_other_are_cut_where_they_do() {
     let plane = |axis: usize| {
         let mut bounds = ROOT;

@@ -9,9 +9,10 @@ use crate::sides::sides_to_eye;
 use octoscope_core::geometry::Aabb;
 use std::f64::consts::{PI, TAU};
 
-/// Half the width of what points from a tag, in the middle of that, in page units, and about
-/// half of that where it leaves it.
+/// Half the width of what points from a tag at its broad end, in the middle of the tag, in
+/// page units.
 const BROAD: f64 = 7.0;
+/// Half the side of the square around its tip that nothing else may cover.
 pub(super) const POINT: f64 = 3.5;
 
 impl<const D: usize> Canvas<'_, D> {
@@ -79,16 +80,20 @@ impl Seen {
     }
 
     /// Where a tag that stands outside of it points: so far `within` it, in page units.
-    pub fn pointed_at(&self, tag: [f64; 2], within: f64) -> Option<[f64; 2]> {
+    pub fn pointed_at<const N: usize>(
+        &self,
+        tag: [f64; 2],
+        within: [f64; N],
+    ) -> Option<[[f64; 2]; N]> {
         const STEP: f64 = 0.5;
         /// What of the way from its rim to its middle, at most.
         const MOST: f64 = 0.6;
         let length = distance(tag, self.middle);
         let at =
             |away: f64| std::array::from_fn(|e| between(tag[e], self.middle[e], away / length));
-        let steps = (0..).map(|n| STEP * f64::from(n)).take_while(|away| *away < length);
-        let rim = steps.into_iter().find(|away| self.holds(at(*away)))?;
-        (rim > 0.0).then(|| at(rim + within.min(MOST * (length - rim))))
+        let mut steps = (0..).map(|n| STEP * f64::from(n)).take_while(|away| *away < length);
+        let rim = steps.find(|away| self.holds(at(*away)))?;
+        (rim > 0.0).then(|| within.map(|within| at(rim + within.min(MOST * (length - rim)))))
     }
 
     /// Whether a square lies on it.

@@ -20,40 +20,45 @@ pub(super) fn small_area<const D: usize>(
     if !matches!(mark.role, Role::Current | Role::Missed | Role::Found) {
         return None;
     }
-    let bounds = drawn_box(mark.role, &bounds, camera.unit(page));
-    let places = corners(&bounds).filter_map(|corner| camera.project(page, corner));
-    let area = Aabb::around(places.map(|place| place.at))?;
-    let size = area.size();
-    let is_small = size.into_iter().all(|side| side < SMALL[usize::from(D == 3)]);
-    is_small.then(|| [area.centre(), size.map(|side| 0.5 * side)])
+    let area = on_page(&drawn_box(mark.role, &bounds, camera.unit(page)), camera, page)?;
+    let is_small = |side: f64| side < SMALL[usize::from(D == 3)];
+    area.size().into_iter().all(is_small).then(|| middle_and_half(&area))
 }
 
 /// Nodes that reach less far than this, in page units, in the plane and in space, bear no
-/// order numbers while their children and planes are looked at.
-const LOOKED_AT: [f64; 2] = [90.0, 60.0];
+/// order numbers while their children and mid planes are looked at.
+const LOOKED_AT: [f64; 2] = [90.0, 70.0];
 
-/// Middle and half extents on the page of a node whose children and planes
-/// are looked at, if it is so small that order numbers would hide these.
+/// Middle and half extents on the page of a node whose children and mid planes are looked
+/// at, if it is so small that order numbers would hide these.
 pub(super) fn looked_at<'a, const D: usize>(
-    marks: impl Iterator<Item = &'a Mark<D>>,
+    marks: impl Iterator<Item = &'a Mark<D>> + Clone,
     camera: &Camera<D>,
     page: Page,
 ) -> Option<[[f64; 2]; 2]> {
+    let is_within =
+        |mark: &Mark<D>| matches!(mark.role, Role::Taken | Role::Rejected | Role::MidPlane(_));
+    if !marks.clone().any(is_within) {
+        return None;
+    }
     let part = |mark: &Mark<D>| match (mark.role, mark.shape) {
-        (
-            Role::Current | Role::Missed | Role::Found | Role::Taken | Role::Rejected,
-            Shape::Box(bounds),
-        )
-        | (Role::MidPlane(_) | Role::ExitPlane(_), Shape::Plane { bounds, .. }) => Some(bounds),
+        (Role::Current | Role::Missed | Role::Found, Shape::Box(bounds)) => Some(bounds),
+        (_, Shape::Box(bounds) | Shape::Plane { bounds, .. }) if is_within(mark) => Some(bounds),
         _ => None,
     };
-    let parts: Vec<Aabb<D>> = marks.filter_map(part).collect();
-    let whole = Aabb::around(parts.iter().flat_map(|part| [part.min, part.max]))?;
-    let places = corners(&whole).filter_map(|corner| camera.project(page, corner));
-    let area = Aabb::around(places.map(|place| place.at))?;
-    let size = area.size();
-    let is_small = size.into_iter().all(|side| side < LOOKED_AT[usize::from(D == 3)]);
-    (is_small && parts.len() > 1).then(|| [area.centre(), size.map(|side| 0.5 * side)])
+    let ends = marks.filter_map(part).flat_map(|bounds| [bounds.min, bounds.max]);
+    let area = on_page(&Aabb::around(ends)?, camera, page)?;
+    let is_small = |side: f64| side < LOOKED_AT[usize::from(D == 3)];
+    area.size().into_iter().all(is_small).then(|| middle_and_half(&area))
+}
+
+fn on_page<const D: usize>(bounds: &Aabb<D>, camera: &Camera<D>, page: Page) -> Option<Aabb<2>> {
+    let places = corners(bounds).filter_map(|corner| camera.project(page, corner));
+    Aabb::around(places.map(|place| place.at))
+}
+
+fn middle_and_half(area: &Aabb<2>) -> [[f64; 2]; 2] {
+    [area.centre(), area.size().map(|side| 0.5 * side)]
 }
 
 /// How far points where the ray enters and leaves reach at most: a third of the side of

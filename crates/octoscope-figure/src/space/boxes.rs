@@ -9,6 +9,9 @@ use crate::sides::{Side, sides_to_eye};
 use crate::{Drawn, Form, Mark, Part, Role, Shape, Style, Theme};
 use octoscope_core::geometry::Aabb;
 
+/// Boxes of less than this side, in page units, are specks.
+const SPECK: f64 = 16.0;
+
 impl<const D: usize> Canvas<'_, D> {
     /// Edges behind, sides that face the eye, and their edges.
     pub(super) fn draw_box(&mut self, mark: &Mark<D>, bounds: &Aabb<D>) {
@@ -24,13 +27,15 @@ impl<const D: usize> Canvas<'_, D> {
         let (in_sight, hidden): (Vec<_>, Vec<_>) = edges.into_iter().partition(|(_, seen)| *seen);
         let form = |(line, _): &([[f64; 2]; 2], bool)| Form::Polyline(line.to_vec());
         behind.extend(hidden.iter().map(|edge| (Part::HiddenEdge, form(edge))));
-        // What parts an edge from what lies below it cuts none of the box's other edges.
-        if mark.role.has_casing() {
+        let part = self.edge_part(mark, bounds);
+        let side = bounds.size().into_iter().fold(0.0, f64::max) / self.camera.unit(self.page);
+        // What parts an edge from what lies below it cuts none of the box's other edges. That
+        // of a fine one would hide more than it, but for a speck, which it lifts out.
+        if mark.role.has_casing() && (part != Part::FineEdge || side < SPECK) {
             front.extend(in_sight.iter().map(|edge| (Part::Casing, form(edge))));
         }
         let cross = cross_out_box(mark.role, bounds, self.camera, self.page);
         front.extend(cross.into_iter().map(|line| (Part::Edge, line)));
-        let part = self.edge_part(mark, bounds);
         front.extend(in_sight.iter().map(|edge| (part, form(edge))));
         self.spared.extend(in_sight.iter().map(|(line, _)| *line));
         self.keep_sides(mark.role, &seen);

@@ -3,7 +3,7 @@
 //! small child through which ray and ways lead stands outside, at its frame, and points into
 //! it. Tags are square, so that none is taken for an order number.
 
-use super::at_frame::{POINT, pointer};
+use super::at_frame::{POINT, Seen, pointer};
 use super::labels::rectangle;
 use super::{Canvas, above_space};
 use crate::camera::clipped;
@@ -33,6 +33,18 @@ struct Tag<'a, const D: usize> {
     side: f64,
 }
 
+/// Where a tag stands, and where it points if that is outside of its child.
+struct Place {
+    at: [f64; 2],
+    tip: Option<[f64; 2]>,
+}
+
+impl Place {
+    fn inside(at: [f64; 2]) -> Self {
+        Self { at, tip: None }
+    }
+}
+
 impl<const D: usize> Canvas<'_, D> {
     /// Writes the numbers of children. The one that is taken has its own wherever it is
     /// large enough for it; of the others all have, or none has: a gap among them would
@@ -44,9 +56,9 @@ impl<const D: usize> Canvas<'_, D> {
             |tag: &Tag<'_, D>| tag.mark.node.is_some_and(|node| self.chosen.contains(&node));
         let (chosen, others): (Vec<_>, Vec<_>) = tags.into_iter().partition(is_chosen);
         for tag in chosen.iter().filter(|tag| tag.side >= 2.0 * tag.half + INSET) {
-            if let Some(at) = self.place_chosen(tag, &siblings) {
-                self.taken.push([at, BESIDE.map(|room| tag.half + room)]);
-                self.draw_tag(tag, at);
+            if let Some(place) = self.place_chosen(tag, &siblings) {
+                self.taken.push([place.at, BESIDE.map(|room| tag.half + room)]);
+                self.draw_tag(tag, place);
             }
         }
         // In space, children lie behind each other.
@@ -59,7 +71,7 @@ impl<const D: usize> Canvas<'_, D> {
         let places: Option<Vec<_>> =
             others.iter().map(|tag| self.place_other(tag, &siblings)).collect();
         let Some(places) = places else { return self.taken.truncate(n_taken) };
-        others.iter().zip(places).for_each(|(tag, at)| self.draw_tag(tag, at));
+        others.iter().zip(places).for_each(|(tag, at)| self.draw_tag(tag, Place::inside(at)));
     }
 
     fn tag<'m>(&self, mark: &'m Mark<D>) -> Option<Tag<'m, D>> {
@@ -85,7 +97,7 @@ impl<const D: usize> Canvas<'_, D> {
     /// The same or, where none is clear, closer to what is beside it, then at the frame of the
     /// child, outside of its parent, then on the ray, then on what it covers least. A child
     /// that is hidden has its number there all the same.
-    fn place_chosen(&mut self, tag: &Tag<'_, D>, siblings: &[Aabb<D>]) -> Option<[f64; 2]> {
+    fn place_chosen(&mut self, tag: &Tag<'_, D>, siblings: &[Aabb<D>]) -> Option<Place> {
         let all = || tag.near().into_iter().chain(tag.all_over());
         let mut on_page = self.seen(tag, all().collect(), siblings);
         if on_page.is_empty() {
@@ -94,47 +106,51 @@ impl<const D: usize> Canvas<'_, D> {
         let clear = self.clear(on_page.clone(), tag.half);
         self.room(clear.iter().copied(), BESIDE.map(|room| tag.half + room))
             .or_else(|| self.room(clear, [tag.half + 1.0; 2]))
+            .map(Place::inside)
             .or_else(|| self.place_at_frame(tag, siblings))
             .or_else(|| if D == 3 { self.place_at_frame(tag, &[]) } else { None })
-            .or_else(|| self.clearest(on_page.iter().copied(), [tag.half; 2]))
-            .or_else(|| self.least_taken(&on_page, [tag.half; 2]))
+            .or_else(|| {
+                let clearest = self.clearest(on_page.iter().copied(), [tag.half; 2]);
+                let at = clearest.or_else(|| self.least_taken(&on_page, [tag.half; 2]));
+                at.map(Place::inside)
+            })
     }
 
     /// A clear place that touches the frame of the child, outside of it and of others; first
     /// where what points into the child from there covers nothing.
-    fn place_at_frame(&mut self, tag: &Tag<'_, D>, others: &[Aabb<D>]) -> Option<[f64; 2]> {
-        let mut clear = self.clear(self.at_frame(&tag.bounds, others, tag.half), tag.half);
-        clear.sort_by_cached_key(|at| self.tip(tag, *at).is_none());
-        let at = self.room(clear, [tag.half; 2])?;
-        if let Some(tip) = self.tip(tag, at) {
-            self.taken.push([tip, [POINT; 2]]);
-        }
-        Some(at)
+    fn place_at_frame(&mut self, tag: &Tag<'_, D>, others: &[Aabb<D>]) -> Option<Place> {
+        let child = self.seen_of(&tag.bounds)?;
+        let clear = self.clear(self.at_frame(&tag.bounds, others, tag.half), tag.half);
+        let places = clear.into_iter().map(|at| Place { at, tip: self.tip(&child, at) });
+        let mut places: Vec<Place> = places.collect();
+        places.sort_by_key(|place| place.tip.is_none());
+        let is_free = |place: &Place| self.is_free(place.at, [tag.half; 2]);
+        let place = places.into_iter().find(is_free)?;
+        self.taken.push([place.at, [tag.half; 2]]);
+        self.taken.extend(place.tip.map(|tip| [tip, [POINT; 2]]));
+        Some(place)
     }
 
     /// Where a tag that stands outside of its child points, as far in as nothing is covered;
     /// nowhere if a line lies at the frame itself.
-    fn tip(&self, tag: &Tag<'_, D>, at: [f64; 2]) -> Option<[f64; 2]> {
+    fn tip(&self, child: &Seen, at: [f64; 2]) -> Option<[f64; 2]> {
         const WITHIN: [f64; 3] = [7.0, 4.5, 2.5];
-        let child = self.seen_of(&tag.bounds)?;
-        let mut tips = WITHIN.into_iter().filter_map(|within| child.pointed_at(at, within));
-        tips.find(|tip| !self.covers([at, *tip]))
+        let tips = child.pointed_at(at, WITHIN)?;
+        tips.into_iter().find(|tip| !self.covers([at, *tip]))
     }
 
     /// Whether what points from a tag covers a line or anything else that has to be seen.
     fn covers(&self, [at, tip]: [[f64; 2]; 2]) -> bool {
         const ROOM: f64 = 1.0;
-        let others = self.taken.iter().filter(|[middle, reach]| {
-            (0..2).any(|e| (middle[e] - at[e]).abs() > reach[e]) && *middle != tip
-        });
         let strikes = |[middle, reach]: &[[f64; 2]; 2]| {
             let area = [-1.0, 1.0]
                 .map(|sign| std::array::from_fn(|e| middle[e] + sign * (reach[e] + ROOM)));
             clipped([at, tip], area).is_some()
         };
-        let sides = pointer(at, tip).map(|end| [end, tip]);
-        let is_cut = |line: &[[f64; 2]; 2]| sides.iter().any(|side| do_cross(*side, *line));
-        self.kept.iter().any(is_cut) || others.into_iter().any(strikes)
+        let [left, _, right] = pointer(at, tip);
+        let is_cut =
+            |line: &[[f64; 2]; 2]| do_cross([left, tip], *line) || do_cross([right, tip], *line);
+        self.kept.iter().any(is_cut) || self.taken.iter().any(strikes)
     }
 
     /// Where places lie on the page at which a tag lies on its own child.
@@ -167,9 +183,9 @@ impl<const D: usize> Canvas<'_, D> {
         clear
     }
 
-    fn draw_tag(&mut self, tag: &Tag<'_, D>, at: [f64; 2]) {
+    fn draw_tag(&mut self, tag: &Tag<'_, D>, Place { at, tip }: Place) {
         let order = above_space(tag.mark.role);
-        if let Some(tip) = self.tip(tag, at) {
+        if let Some(tip) = tip {
             let corners = pointer(at, tip).to_vec();
             self.push_at(order, tag.mark, Part::Whole, Form::Polygon(corners));
         }

@@ -12,10 +12,16 @@ pub fn drawn_box<const D: usize>(role: Role, bounds: &Aabb<D>, unit: f64) -> Aab
     const MOST: f64 = 0.1;
     /// Least side of an outline.
     const LEAST: f64 = 12.0;
+    /// How far a large one is inset, and from which side on.
+    const WITHIN: f64 = 4.0;
+    const LARGE: f64 = 30.0;
     let size = bounds.size();
     let is_at_work = matches!(role, Role::Current | Role::Missed | Role::Found | Role::GridCell);
     if is_at_work || role == Role::Target {
-        let by = size.map(|side| (0.5 * (LEAST * unit - side)).max(0.0));
+        // What is looked for lies within the frame around it.
+        let is_inset = role == Role::Target && size.iter().all(|side| *side > LARGE * unit);
+        let least = if is_inset { -WITHIN * unit } else { 0.0 };
+        let by = size.map(|side| (0.5 * (LEAST * unit - side)).max(least));
         return Aabb {
             min: std::array::from_fn(|e| bounds.min[e] - by[e]),
             max: std::array::from_fn(|e| bounds.max[e] + by[e]),
