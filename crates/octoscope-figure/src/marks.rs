@@ -304,16 +304,18 @@ impl<const D: usize> Scene<'_, D> {
         marks.extend(self.target().map(|bounds| Mark::new(Shape::Box(bounds), Role::Target)));
     }
 
-    /// The cell beyond the border, if it is in the domain, until its leaf is visited: as large
+    /// The cell beyond the border, if it is in the domain, until its leaf is reached: as large
     /// as the one that is left where the codes along the border stay, else the smallest.
     fn target(&self) -> Option<Aabb<D>> {
         let (domain, target) = (self.tree.domain(), self.moment.target?);
         let code = domain.code_inside(target.to)?;
-        let is_visited = |leaf: &LeafOnRay| {
-            let (level, of_leaf) = (self.tree.level(leaf.node), self.tree.code(leaf.node));
-            (0..D).all(|e| code[e] >> level == of_leaf[e] >> level)
+        let holds = |node: NodeId| {
+            let (level, of_node) = (self.tree.level(node), self.tree.code(node));
+            (0..D).all(|e| code[e] >> level == of_node[e] >> level)
         };
-        if self.moment.leaves.last().is_some_and(is_visited) {
+        let visited = self.moment.leaves.last().map(|leaf| leaf.node);
+        let current = self.moment.current.filter(|node| self.tree.node(*node).is_leaf());
+        if [visited, current, self.moment.found].into_iter().flatten().any(holds) {
             return None;
         }
         let level = if self.query.keeps_codes_along_borders() { target.level } else { 0 };
