@@ -2,8 +2,8 @@
 
 use crate::look::Look;
 use crate::widgets::{
-    Setting, beside_or_below, bit_of, caption, child_bits, node_note, range, rich_label,
-    row_height, table,
+    ROW, Setting, beside_or_below, bit_of, caption, child_bits, is_narrow, node_note, range,
+    rich_label, row_height, table,
 };
 use eframe::egui::Ui;
 use octoscope_core::event::Event;
@@ -41,7 +41,7 @@ fn at_work<const D: usize>(moment: &Moment<D>) -> Option<(&Frame<D>, [f64; D])> 
 
 /// The height that it takes in a lecture, in points.
 pub fn lecture_height<const D: usize>() -> f32 {
-    126.0 + 46.0 * D as f32
+    112.0 + 39.0 * D as f32
 }
 
 /// How the children of pieces are told.
@@ -102,8 +102,8 @@ pub fn ui<const D: usize>(
     let planes = planes(look, frame, mid);
     let pieces = pieces.map(|all| pieces_table(look, rule, &all, frame.child, event));
     // Side by side, their rows are level.
-    let shown = std::iter::once(&planes).chain(&pieces);
-    let row = shown.map(|table| row_height(ui, look, table)).fold(0.0, f32::max);
+    let shown = std::iter::once(&planes).chain(&pieces).filter(|_| !is_narrow(ui));
+    let row = shown.map(|table| row_height(ui, look, table)).fold(ROW, f32::max);
     beside_or_below(ui, |ui| {
         ui.vertical(|ui| {
             table(ui, look, &planes, Setting { gap: 8.0, least: 16.0, row });

@@ -61,7 +61,7 @@ fn most_height<const D: usize>(
         MidPlanes, Neighbour, Paper, Rail, Region, Stack, Tables, Tree, Variables, WayDown, WhyNot,
     };
     const HEADING: f32 = 30.0;
-    /// Room below its last line, so that no rule seems to cut it.
+    /// Room below a table that ends with a line, so that no rule seems to cut it.
     const BELOW: f32 = 6.0;
     let body = match panel {
         Codes => codes::lecture_height::<D>(),
@@ -81,7 +81,9 @@ fn most_height<const D: usize>(
             return None;
         }
     };
-    Some(HEADING + body + BELOW)
+    let is_table = matches!(panel, Children | Links | Tables);
+    let below = if is_table { BELOW } else { 0.0 };
+    Some(HEADING + body + below)
 }
 
 /// The formulas of the step, if they are shown and have room, at the lower edge.

@@ -30,7 +30,7 @@ mod tick;
 mod typed_field;
 
 pub use acted_at::acted_at;
-pub use beside::beside_or_below;
+pub use beside::{beside_or_below, is_narrow};
 pub use bits::bit_table;
 pub use child_bits::child_bits;
 pub use drop_down::{Listed, Present, drop_down};
