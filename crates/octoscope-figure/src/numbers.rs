@@ -60,7 +60,7 @@ pub(crate) fn stands(numbers: &[Number], kept: Kept, few: usize) -> Vec<Option<S
     if numbers.len() <= few { few::settled(numbers, kept) } else { many::thinned(numbers, kept) }
 }
 
-fn between([from, to]: [[f64; 2]; 2], share: f64) -> [f64; 2] {
+pub(crate) fn between([from, to]: [[f64; 2]; 2], share: f64) -> [f64; 2] {
     std::array::from_fn(|e| from[e] + share * (to[e] - from[e]))
 }
 

@@ -18,9 +18,11 @@ pub(super) struct Below {
     pub node: NodeId,
     /// Number of levels below the root.
     pub depth: usize,
-    /// Its middle, one beside the node instead, and half its width and height.
+    /// Its middle.
     pub at: [f64; 2],
+    /// Another one, beside the node.
     beside: [f64; 2],
+    /// Half its width and height.
     pub reach: [f64; 2],
 }
 
@@ -64,8 +66,8 @@ impl<const D: usize> Drawing<'_, D> {
         let is_tight = (0..self.items.len()).any(|other| is_in_the_way(&other));
         let is_odd = self.of.tree.child_index(node).is_some_and(|child| child.0 % 2 == 1);
         let lower = if is_tight && is_odd { LINE } else { 0.0 };
-        let at = [place[0], place[1] + self.half(n) + high + 1.5 + lower];
         let half = self.half(n);
+        let at = [place[0], place[1] + half + high + 1.5 + lower];
         let beside = [place[0] + half + wide + 1.5, place[1] + half - high + 1.0];
         let depth = self.items[n].depth;
         Some(Below { text, role, node, depth, at, beside, reach: [wide, high] })
@@ -77,7 +79,7 @@ impl<const D: usize> Drawing<'_, D> {
     pub(super) fn retain_legible(&self, below: &mut Vec<Below>, fans: &[Option<f64>]) {
         for text in below.iter_mut().filter(|text| self.is_crossed(text, fans)) {
             let at = std::mem::replace(&mut text.at, text.beside);
-            if self.is_crossed(text, fans) || self.covers_a_node(text) {
+            if self.is_crossed(text, fans) || !self.has_room_for(text) {
                 text.at = at;
             }
         }
@@ -93,15 +95,15 @@ impl<const D: usize> Drawing<'_, D> {
         });
     }
 
-    /// Whether a line lies on a node of its level, or beyond the page.
-    fn covers_a_node(&self, text: &Below) -> bool {
+    /// Whether a line lies on the page, and on none of the nodes of its level.
+    fn has_room_for(&self, text: &Below) -> bool {
         let [min, max] = text.area();
         let of_level = |n: &usize| self.items[*n].depth == text.depth;
         let is_covered = |n: usize| {
             let reach = self.half(n) + 1.0;
             (0..2).all(|e| min[e] - reach < self.placed[n][e] && self.placed[n][e] < max[e] + reach)
         };
-        max[0] > self.page.width || (0..self.items.len()).filter(of_level).any(is_covered)
+        max[0] <= self.page.width && !(0..self.items.len()).filter(of_level).any(is_covered)
     }
 
     /// The numbers of the visited leaves in a folded node, or how many leaves it has.

@@ -4,7 +4,7 @@
 use super::{Canvas, distance};
 use crate::Extent;
 use crate::camera::clipped;
-use crate::numbers::{Area, Convex};
+use crate::numbers::{Area, Convex, between};
 use crate::sides::sides_to_eye;
 use octoscope_core::geometry::Aabb;
 use std::f64::consts::{PI, TAU};
@@ -89,8 +89,7 @@ impl Seen {
         /// What of the way from its rim to its middle, at most.
         const MOST: f64 = 0.6;
         let length = distance(tag, self.middle);
-        let at =
-            |away: f64| std::array::from_fn(|e| between(tag[e], self.middle[e], away / length));
+        let at = |away: f64| between([tag, self.middle], away / length);
         let mut steps = (0..).map(|n| STEP * f64::from(n)).take_while(|away| *away < length);
         let rim = steps.find(|away| self.holds(at(*away)))?;
         (rim > 0.0).then(|| within.map(|within| at(rim + within.min(MOST * (length - rim)))))
@@ -115,10 +114,6 @@ pub(super) fn pointer(at: [f64; 2], tip: [f64; 2]) -> [[f64; 2]; 3] {
         std::array::from_fn(|e| at[e] + by * across[e] / length)
     };
     [aside(BROAD), tip, aside(-BROAD)]
-}
-
-fn between(from: f64, to: f64, share: f64) -> f64 {
-    from + share * (to - from)
 }
 
 /// Ways to all sides, those along the page first, and none from corner to corner.

@@ -1,5 +1,6 @@
 //! What keeps a small node at work from being hidden by what is written and drawn at it.
 
+use super::inset::longest_side;
 use super::{distance, drawn_box};
 use crate::camera::corners;
 use crate::{Camera, Mark, Page, Role, Shape};
@@ -71,7 +72,7 @@ pub(super) fn most_of_dots<'a, const D: usize>(
     const LEAST: f64 = 2.0;
     let sides = marks.clone().filter_map(|mark| match (mark.role, mark.shape) {
         (Role::Current | Role::Missed | Role::Found | Role::GridCell, Shape::Box(bounds)) => {
-            Some(bounds.size().into_iter().fold(0.0, f64::max) / camera.unit(page))
+            Some(longest_side(&bounds, camera.unit(page)))
         }
         _ => None,
     });

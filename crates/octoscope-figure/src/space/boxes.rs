@@ -1,6 +1,7 @@
 //! Boxes and planes in space.
 
 use super::cross::cross_out_box;
+use super::inset::longest_side;
 use super::overlaid::uncovered;
 use super::rejected::is_shared;
 use super::{Canvas, HINT, InSpace, LEGIBLE, SMALL, above_space, is_above, is_apart, is_hint};
@@ -28,7 +29,7 @@ impl<const D: usize> Canvas<'_, D> {
         let form = |(line, _): &([[f64; 2]; 2], bool)| Form::Polyline(line.to_vec());
         behind.extend(hidden.iter().map(|edge| (Part::HiddenEdge, form(edge))));
         let part = self.edge_part(mark, bounds);
-        let side = bounds.size().into_iter().fold(0.0, f64::max) / self.camera.unit(self.page);
+        let side = longest_side(bounds, self.camera.unit(self.page));
         // What parts an edge from what lies below it cuts none of the box's other edges. That
         // of a fine one would hide more than it, but for a speck, which it lifts out.
         if mark.role.has_casing() && (part != Part::FineEdge || side < SPECK) {
@@ -133,8 +134,7 @@ impl<const D: usize> Canvas<'_, D> {
 
     /// A plane in space; one through a small node is finer, which it would hide.
     fn push_sheet(&mut self, mark: &Mark<D>, bounds: Aabb<D>, polygon: Vec<[f64; 2]>) {
-        let side = bounds.size().into_iter().fold(0.0, f64::max) / self.camera.unit(self.page);
-        if side >= LEGIBLE {
+        if longest_side(&bounds, self.camera.unit(self.page)) >= LEGIBLE {
             return self.push_cased(mark, bounds, Part::Whole, Form::Polygon(polygon));
         }
         let outline = polygon.iter().chain(polygon.first()).copied().collect();

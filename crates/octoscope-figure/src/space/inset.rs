@@ -47,6 +47,10 @@ pub fn edge_part<const D: usize>(style: &Style, bounds: &Aabb<D>, unit: f64) -> 
         2 => 4.5,
         _ => 10.0,
     };
-    let side = bounds.size().into_iter().fold(0.0, f64::max) / unit;
-    if side < least * style.width { Part::FineEdge } else { Part::Edge }
+    if longest_side(bounds, unit) < least * style.width { Part::FineEdge } else { Part::Edge }
+}
+
+/// The longest side of a box, in page units; `unit` is one in world units.
+pub(super) fn longest_side<const D: usize>(bounds: &Aabb<D>, unit: f64) -> f64 {
+    bounds.size().into_iter().fold(0.0, f64::max) / unit
 }
