@@ -168,14 +168,10 @@ impl<const D: usize> Query<D> {
         self.variants_at_work().iter().any(Variant::is_misprint)
     }
 
-    /// Whether the codes beyond a border differ from those of the cell that is left across it
-    /// alone; else those along it are searched anew, from where the ray leaves.
-    pub fn keeps_codes_along_borders(&self) -> bool {
-        match self {
-            Self::Neighbour { .. } => true,
-            Self::Ray { algorithm, .. } => matches!(algorithm, Algorithm::Esvo),
-            Self::Point { .. } | Self::Region { .. } => false,
-        }
+    /// Whether what is looked for beyond a border is a cell as large as the one that is left;
+    /// else it is the smallest one there.
+    pub fn looks_for_equal_size(&self) -> bool {
+        matches!(self, Self::Ray { algorithm: Algorithm::Esvo, .. })
     }
 
     /// Whether the query has the rule; variants of other rules do nothing.

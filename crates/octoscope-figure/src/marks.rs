@@ -305,7 +305,7 @@ impl<const D: usize> Scene<'_, D> {
     }
 
     /// The cell beyond the border, if it is in the domain, until its leaf is reached: as large
-    /// as the one that is left where the codes along the border stay, else the smallest.
+    /// as the one that is left, or the smallest, as the query looks for it.
     fn target(&self) -> Option<Aabb<D>> {
         let (domain, target) = (self.tree.domain(), self.moment.target?);
         let code = domain.code_inside(target.to)?;
@@ -318,7 +318,7 @@ impl<const D: usize> Scene<'_, D> {
         if [visited, current, self.moment.found].into_iter().flatten().any(holds) {
             return None;
         }
-        let level = if self.query.keeps_codes_along_borders() { target.level } else { 0 };
+        let level = if self.query.looks_for_equal_size() { target.level } else { 0 };
         Some(domain.cell_box(level, code.map(|code| code >> level << level)))
     }
 }
